@@ -225,27 +225,27 @@ entries = {
 # What images carry. spelled: whose versions a tag names. stacks: the platforms that all of it has wheels for.
 frameworks = {
   none = {
-    repository = "ros", parts = [], tests = []
+    repository = "ros", parts = []
     versions = [], spelled = []
     stacks = {}
   }
   cuda = {
-    repository = "ros-cuda", parts = ["cuda"], tests = []
+    repository = "ros-cuda", parts = ["cuda"]
     versions = ["cuda", "cudnn", "nccl"], spelled = ["cuda"]
     stacks = { cu128 = ["linux/amd64"], cu130 = ["linux/amd64", "linux/arm64"], cu132 = ["linux/amd64", "linux/arm64"], cu121 = ["linux/amd64"] }
   }
   torch = {
-    repository = "ros-torch", parts = ["cuda", "common", "torch"], tests = []
+    repository = "ros-torch", parts = ["cuda", "common", "torch"]
     versions = ["torch", "cuda", "cudnn", "nccl"], spelled = ["torch"]
     stacks = { cu128 = ["linux/amd64"], cu130 = ["linux/amd64", "linux/arm64"], cu132 = ["linux/amd64", "linux/arm64"], cu121 = ["linux/amd64"], cpu = ["linux/amd64", "linux/arm64"], cpu38 = ["linux/amd64", "linux/arm64"] }
   }
   tensorflow = {
-    repository = "ros-tf", parts = ["cuda", "common", "tensorflow-cc", "tensorflow"], tests = []
+    repository = "ros-tf", parts = ["cuda", "common", "tensorflow-cc", "tensorflow"]
     versions = ["tensorflow", "cuda", "cudnn", "nccl"], spelled = ["tensorflow"]
     stacks = { cu128 = ["linux/amd64"], cpu = ["linux/amd64", "linux/arm64"], cpu38 = ["linux/amd64", "linux/arm64"] }
   }
   ml = {
-    repository = "ros-ml", parts = ["cuda", "common", "torch", "tensorflow-cc", "tensorflow"], tests = ["ml"]
+    repository = "ros-ml", parts = ["cuda", "common", "torch", "tensorflow-cc", "tensorflow"]
     versions = ["torch", "tensorflow", "cuda", "cudnn", "nccl"], spelled = ["torch", "tensorflow"]
     stacks = { cu128 = ["linux/amd64"], cpu = ["linux/amd64", "linux/arm64"] }
   }
@@ -259,7 +259,7 @@ short_component = "base"
 releases        = ["torch", "tensorflow"]
 runtimes        = ["core-run", "base-run"]
 
-# runtime: components on which programs run that are built on another one. short: the stack of a framework's short tags. aliases: names that it had. covered: what skips the longest tests, as an image with more has them. unlocked: what has no lock yet, and why.
+# runtime: components on which programs run that are built on another one. short: the stack of a framework's short tags. aliases: names that it had. lowest: its smallest component. carrying: what runs there what others share with it. unlocked: what has no lock yet, and why.
 distributions = {
   noetic = {
     os = "ubuntu-20.04", ros = "1", ros_distro = "noetic", platforms = ["linux/amd64", "linux/arm64"]
@@ -270,7 +270,7 @@ distributions = {
     runtime = { core = "core-run", base = "base-run", robot = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "focal", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/noetic/{day}/ubuntu" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu121", "cpu38"], tensorflow = ["cpu38"] }
-    covered = []
+    lowest = "core", carrying = ["none", "cuda-cu128", "cuda-cu130", "cuda-cu132", "torch-cu121", "torch-cpu38", "tensorflow-cpu38"]
     unlocked = { torch-cpu38 = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them" }
   }
   foxy = {
@@ -282,7 +282,7 @@ distributions = {
     runtime = { core = "core-run", base = "base-run", desktop = "base-run" }
     apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "focal", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/foxy/{day}/ubuntu" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu121", "cpu38"], tensorflow = ["cpu38"] }
-    covered = []
+    lowest = "core", carrying = ["none", "cuda-cu128", "cuda-cu130", "cuda-cu132", "torch-cu121", "torch-cpu38", "tensorflow-cpu38"]
     unlocked = { torch-cpu38 = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them" }
   }
   humble = {
@@ -294,7 +294,7 @@ distributions = {
     runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "jammy", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/humble/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.jammy_all.deb@sha256:767884cf4ed03116b9d64438930a832ed854147ae435279a7924dfdf60f94433" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
-    covered = ["torch-cu128", "torch-cpu", "tensorflow-cu128", "tensorflow-cpu"]
+    lowest = "core", carrying = ["none", "cuda-cu132", "cuda-cu121", "torch-cu130", "ml-cu128", "ml-cpu"]
     unlocked = {}
   }
   iron = {
@@ -306,7 +306,7 @@ distributions = {
     runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "jammy", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/iron/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.jammy_all.deb@sha256:767884cf4ed03116b9d64438930a832ed854147ae435279a7924dfdf60f94433" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
-    covered = ["torch-cu128", "torch-cpu", "tensorflow-cu128", "tensorflow-cpu"]
+    lowest = "core", carrying = ["none", "cuda-cu132", "cuda-cu121", "torch-cu130", "ml-cu128", "ml-cpu"]
     unlocked = {}
   }
   jazzy = {
@@ -318,7 +318,7 @@ distributions = {
     runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "noble", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/jazzy/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.noble_all.deb@sha256:0804d9b13db770eb87019be414cd78378835228ad5fa801fc88758596dd8f7e5" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
-    covered = ["torch-cu128", "torch-cpu", "tensorflow-cu128", "tensorflow-cpu"]
+    lowest = "core", carrying = ["none", "cuda-cu121", "torch-cu130", "torch-cu132", "ml-cu128", "ml-cpu"]
     unlocked = {}
   }
   kilted = {
@@ -330,7 +330,7 @@ distributions = {
     runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "noble", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/kilted/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.noble_all.deb@sha256:0804d9b13db770eb87019be414cd78378835228ad5fa801fc88758596dd8f7e5" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
-    covered = ["torch-cu128", "torch-cpu", "tensorflow-cu128", "tensorflow-cpu"]
+    lowest = "core", carrying = ["none", "cuda-cu121", "torch-cu130", "torch-cu132", "ml-cu128", "ml-cpu"]
     unlocked = {}
   }
   lyrical = {
@@ -342,7 +342,7 @@ distributions = {
     runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "resolute", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/lyrical/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.resolute_all.deb@sha256:a275b9b819874e745a928e83e39c429fa4d607159285c4ef3ebcf75afa732ee3" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"] }
-    covered = []
+    lowest = "core", carrying = ["none", "cuda-cu121", "torch-cu128", "torch-cu130", "torch-cu132", "torch-cpu"]
     unlocked = { torch-cpu = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them" }
   }
   rolling = {
@@ -354,7 +354,7 @@ distributions = {
     runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "resolute", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/rolling/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.resolute_all.deb@sha256:a275b9b819874e745a928e83e39c429fa4d607159285c4ef3ebcf75afa732ee3" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"] }
-    covered = []
+    lowest = "core", carrying = ["none", "cuda-cu121", "torch-cu128", "torch-cu130", "torch-cu132", "torch-cpu"]
     unlocked = { torch-cpu = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them" }
   }
   ros1-bookworm = {
@@ -366,7 +366,7 @@ distributions = {
     runtime = { core = "core-run", base = "base-run", robot = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = null
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
-    covered = ["torch-cu128", "tensorflow-cu128"]
+    lowest = "core", carrying = ["none", "cuda-cu121", "torch-cu130", "torch-cu132", "tensorflow-cpu", "ml-cu128", "ml-cpu"]
     unlocked = { torch-cpu = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them", ml-cpu = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them" }
   }
   ros1-trixie = {
@@ -378,7 +378,7 @@ distributions = {
     runtime = { core = "core-run", base = "base-run", robot = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = null
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
-    covered = ["torch-cu128", "torch-cpu", "tensorflow-cu128", "tensorflow-cpu"]
+    lowest = "core", carrying = ["none", "cuda-cu121", "torch-cu130", "torch-cu132", "ml-cu128", "ml-cpu"]
     unlocked = {}
   }
   jazzy-wheels = {
@@ -390,7 +390,7 @@ distributions = {
     runtime = {}
     apt = null
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
-    covered = []
+    lowest = "core", carrying = ["none", "cuda-cu121", "torch-cu130", "torch-cu132", "tensorflow-cpu", "ml-cu128", "ml-cpu"]
     unlocked = { torch-cpu = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them", ml-cpu = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them" }
   }
 }
@@ -574,7 +574,7 @@ kinds = flatten([for name, row in distributions : [for choice in choices[name] :
   row          = row
   system       = systems[row.os]
   repository   = frameworks[choice.framework].repository
-  covered      = contains(row.covered, choice.key)
+  carrying     = contains(row.carrying, choice.key)
   unlocked     = try(row.unlocked[choice.key], "")
   platforms = [for platform in row.platforms : platform
   if choice.stack == "" ? true : contains(frameworks[choice.framework].stacks[choice.stack], platform)]
@@ -656,17 +656,18 @@ function "labels" {
   })
 }
 
-# The structure tests of an image. What takes longer than all others runs in the image with the most frameworks.
+# The structure tests of an image: what depends on its own sum, and in one image of a row what others share with it.
 function "tests" {
   params = [image, ros]
   result = concat(
-    ["contract", image.runtime ? "runtime" : "tools", image.row.wheels == "" ? ros : "${ros}-wheels"],
-    [for component in image.chain : "${ros}-${component}" if image.row.wheels == "" && !image.runtime],
+    ["contract", image.runtime ? "runtime" : "tools"],
+    image.row.wheels == "" ? [ros, "${ros}-beside"] : ["${ros}-wheels"],
     [for part in image.parts : part.kind if entries[part.kind].tested],
-    [for part in image.parts : "${part.kind}-build" if entries[part.kind].compiled && !image.runtime],
-    frameworks[image.framework].tests,
-    image.covered || image.runtime || image.row.wheels != "" ? [] : ["${ros}-workspace", "${ros}-components"],
-    image.covered || image.runtime ? [] : ["pip"]
+    image.stack != "" || image.runtime || image.row.wheels != "" ? [] : ["${ros}-${image.component}", "${ros}-components"],
+    image.carrying && image.component == image.row.lowest ? concat(
+      [for part in image.parts : "${part.kind}-build" if entries[part.kind].compiled],
+      image.row.wheels == "" ? ["${ros}-workspace", "pip"] : ["pip"]
+    ) : []
   )
 }
 

@@ -145,7 +145,7 @@ class Place:
     def _entry(self, item: Item) -> Entry:
         """What the records say of it after a run in which it passed its tests."""
         needs = {target: self.plan.by_key[target, item.architecture] for target in item.needs}
-        tested = "" if item.kind == "part" else self.plan.tests(item)
+        tested = "" if item.kind == "part" else self.plan.tests_digest(item)
         upstream = self.plan.upstream.get(item.thing.distribution, "") if isinstance(item.thing, Image) else ""
         return Entry(
             *item.key,

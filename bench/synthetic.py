@@ -73,7 +73,7 @@ def _head() -> str:
         "  none: {repository: ros}",
         "  torch: {repository: ros-torch, parts: [cuda, common, torch]}",
         "  tensorflow: {repository: ros-tf, parts: [cuda, common, tensorflow-cc, tensorflow]}",
-        "  ml: {repository: ros-ml, parts: [cuda, common, torch, tensorflow-cc, tensorflow], tests: [ml]}",
+        "  ml: {repository: ros-ml, parts: [cuda, common, torch, tensorflow-cc, tensorflow]}",
         "releases:",
         *(
             f"  {family}: {{{version}: {{python: [{pythons}], wheels: {{{wheels}}}}}}}"

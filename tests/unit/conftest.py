@@ -61,7 +61,7 @@ frameworks:
   none: {{repository: ros}}
   cuda: {{repository: ros-cuda, parts: [cuda], accelerators: [cuda]}}
   torch: {{repository: ros-torch, parts: [cuda, common, torch]}}
-  ml: {{repository: ros-ml, parts: [cuda, common, torch, tensorflow-cc, tensorflow], tests: [ml]}}
+  ml: {{repository: ros-ml, parts: [cuda, common, torch, tensorflow-cc, tensorflow]}}
 releases:
   torch:
     2.10.0: {{python: ["3.12", "3.14"], wheels: {{cu1: [amd64], cpu: [arm64]}}}}
@@ -118,7 +118,7 @@ ros_archive:
 parts:
   - {{name: cuda, title: CUDA, accelerator: cuda, any_python: true, versions: [cuda, cudnn], takes: [nvidia-*]}}
   - {{name: common, needs: [cuda], shared: true, tested: false, slot: 1}}
-  - {{name: torch, title: PyTorch, release: torch, needs: [common], slot: 2}}
+  - {{name: torch, title: PyTorch, release: torch, needs: [common], slot: 2, compiled: true}}
   - {{name: tensorflow-cc, release: tensorflow, any_python: true, needs: [tensorflow], repeats: [tensorflow, tensorflow-cpu, tensorflow-cpu-aws], tested: false}}
   - {{name: tensorflow, title: TensorFlow, short: tf, release: tensorflow, needs: [common, tensorflow-cc], slot: 3}}
 """

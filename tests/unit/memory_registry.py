@@ -203,17 +203,19 @@ class Bytes(Maker):
     Attributes:
         plan: of the run that it works for. registry: where they go.
         made: what was built, joined and tested, in order: (step, target, architecture).
-        poisoned: targets whose tests fail. broken: targets whose build fails. packages: what is in the ROS images.
-        odd: labels that an image has on an architecture.
+        poisoned: targets whose tests fail; those of the file `failing`. broken: targets whose build fails. packages: what is in the ROS images.
+        odd: labels that an image has on an architecture. tests: what each image was tested with.
     """
 
     plan: Plan
     registry: Any
     made: list[tuple[str, str, str]] = field(default_factory=list)
     poisoned: set[str] = field(default_factory=set)
+    failing: str = "contract"
     broken: set[str] = field(default_factory=set)
     packages: str = "1"
     odd: dict[tuple[str, str], dict[str, str]] = field(default_factory=dict)
+    tests: dict[str, tuple[str, ...]] = field(default_factory=dict)
 
     def build_part(self, part: Part, architecture: str) -> Made:
         self._require_whole(part.target)
@@ -229,9 +231,12 @@ class Bytes(Maker):
     def join(self, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
         return self._put("join", image, architecture, self._layers(parts, architecture))
 
-    def test(self, image: Image, architecture: str, digest: str, parts: Mapping[str, str]) -> Checked:
+    def test(
+        self, image: Image, architecture: str, digest: str, parts: Mapping[str, str], names: tuple[str, ...]
+    ) -> Checked:
+        self.tests[image.target] = names
         self.made.append(("test", image.target, architecture))
-        failures = ("contract: it is poisoned",) if image.target in self.poisoned else ()
+        failures = (f"{self.failing}: it is poisoned",) if image.target in self.poisoned else ()
         return Checked(5, failures, versions={"torch": "2.10.0"})
 
     def _require_whole(self, target: str) -> None:
@@ -315,7 +320,9 @@ class Place:
 
     def run(self, image_set: ImageSet, date: str = DAY, serving: tuple[str, ...] = (), **options: Any) -> Run:
         """A run for both architectures, unless told otherwise; nothing is done yet."""
-        own = {name: options.pop(name) for name in ("poisoned", "broken", "packages", "odd") if name in options}
+        own = {
+            name: options.pop(name) for name in ("poisoned", "failing", "broken", "packages", "odd") if name in options
+        }
         architectures = options.pop("architectures", ("amd64", "arm64"))
         found = plan.survey(
             self.services, image_set, self.registry, PREFIX, architectures=architectures, date=date, **options

@@ -51,7 +51,9 @@ class Builder(Maker):
     def join(self, image: Image, architecture: str, below: Mapping[str, str]) -> str:
         raise AssertionError("the bench joins images by itself")
 
-    def test(self, image: Image, architecture: str, digest: str, below: Mapping[str, str]) -> Checked:
+    def test(
+        self, image: Image, architecture: str, digest: str, parts: Mapping[str, str], names: tuple[str, ...]
+    ) -> Checked:
         raise AssertionError("the bench tests no image")
 
 

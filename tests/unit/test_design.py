@@ -193,29 +193,27 @@ def test_every_operating_system_takes_every_part_for_its_python(real: ImageSet) 
         assert GLIBC[name] >= max(asked), f"{name} has glibc 2.{GLIBC[name]}, and wheels ask for 2.{max(asked)}"
 
 
-def test_a_workspace_is_built_with_every_framework_of_every_stack(real: ImageSet) -> None:
-    """In images with both, where such can be built; cu130 and cu132 have PyTorch alone, and the wheel tensorflow-cpu is in no image
-    with both on bookworm as long as PyTorch's for the CPU of amd64 has no lock."""
-    has = {image.target for image in real.images if "ros1-workspace" in image.tests}
-    assert {
-        "ros1-bookworm-core",
-        "ros1-bookworm-core-ml-cu128",
-        "ros1-bookworm-core-torch-cu130",
-        "ros1-bookworm-core-torch-cu132",
-    } <= has
-    assert {"ros1-bookworm-core-tensorflow-cpu", "ros1-bookworm-desktop-full-tensorflow-cpu"} <= has
-    assert (
-        not {"ros1-bookworm-core-torch-cu128", "ros1-bookworm-core-tensorflow-cu128", "ros1-trixie-core-tensorflow-cpu"}
-        & has
-    )
-    long = {1: {"ros1-workspace", "ros1-components", "pip"}, 2: {"ros2-workspace", "ros2-components", "pip"}}
+def test_everything_is_tested_somewhere_in_each_row(real: ImageSet) -> None:
+    """What images share runs in one of them that can be built, on all of their architectures, with all of their parts."""
     for image in real.images:
-        if image.component.endswith("-run"):
-            assert "runtime" in image.tests and not [test for test in image.tests if test.endswith("-build")]
-            assert not {"tools", *long[image.ros]} & set(image.tests)
-        elif image.distribution == "jazzy-wheels":
-            assert "pip" in image.tests and "ros2-workspace" not in image.tests
-        elif not long[image.ros] <= set(image.tests):
-            (both,) = [real.by_target[name] for name in image.covered]
-            assert set(image.parts) < set(both.parts) and long[image.ros] <= set(both.tests)
-            assert both.locked and set(image.architectures) <= set(both.architectures)
+        proofs = [real.by_target[name] for name in image.proven_by]
+        assert set(image.shared) <= {test for proof in proofs for test in (*proof.tests, *proof.shared)}, image.target
+        assert {proof.distribution for proof in proofs} <= {image.distribution}
+        assert all(set(image.architectures) <= set(proof.architectures) for proof in proofs), image.target
+        if image.locked and image.stack:
+            carrier = real.by_target[image.carriers[0]]
+            assert (
+                carrier.locked and set(image.parts) <= set(carrier.parts) and set(image.carried) <= set(carrier.tests)
+            )
+    workspaces = {image.target for image in real.images if "ros1-workspace" in image.tests}
+    assert workspaces >= {f"ros1-bookworm-core{end}" for end in ("", "-ml-cu128", "-torch-cu130", "-tensorflow-cpu")}
+    assert not {"ros1-bookworm-base", "ros1-bookworm-core-torch-cu128", "ros1-trixie-core-tensorflow-cpu"} & workspaces
+
+
+def test_images_run_a_part_of_all_tests_that_hold_in_them(real: ImageSet) -> None:
+    """The long ones (a workspace, compilers, pip) a tenth as often as there are images."""
+    built = [image for image in real.images if image.locked]
+    long = {"ros1-workspace", "ros2-workspace", "pip", "torch-build", "tensorflow-build", "cuda-build"}
+    run = sum(test in long for image in built for test in image.tests)
+    hold = sum(test in long for image in built for test in (*image.tests, *image.shared))
+    assert 0 < run < hold / 6

@@ -54,15 +54,10 @@ def test_image_facts(small: ImageSet) -> None:
             "contract",
             "tools",
             "ros2",
-            "ros2-core",
-            "ros2-base",
+            "ros2-beside",
             "cuda",
             "torch",
             "tensorflow",
-            "ml",
-            "ros2-workspace",
-            "ros2-components",
-            "pip",
         ],
         "locked": True,
         "disk": {"unpacked": 100 + 2 * 20 + 1000 + 300 + 2000 + 1500, "compressed": 10 + 2 * 2 + 100 + 30 + 200 + 150},
@@ -111,13 +106,12 @@ def test_chain_skips_components_that_a_distribution_lacks(small: ImageSet) -> No
         "contract",
         "tools",
         "ros2",
-        "ros2-core",
-        "ros2-base",
+        "ros2-beside",
         "ros2-desktop",
-        "ros2-workspace",
         "ros2-components",
-        "pip",
     )
+    assert image.shared == ("ros2-core", "ros2-base", "ros2-workspace", "pip")
+    assert image.proven_by == ("alpha-base", "alpha-core")
     assert image.packages == "ros-alpha-desktop"
     assert small.image("alpha-core").parent == "_os-ubuntu-24-04"
 
@@ -259,7 +253,7 @@ def test_names_and_tags_are_unique(real: ImageSet) -> None:
 
 
 def test_every_test_has_a_file(real: ImageSet) -> None:
-    wanted = {test for image in real.images for test in image.tests}
+    wanted = {test for image in real.images for test in (*image.tests, *image.shared)}
     assert {test for test in wanted if not (ROOT / "tests/structure" / f"{test}.yaml").is_file()} == set()
 
 
@@ -287,7 +281,7 @@ def test_images_without_a_lock_are_in_no_group(small: ImageSet) -> None:
 def test_what_takes_long_is_tested_where_it_can_be_built(small: ImageSet) -> None:
     """In an image with both frameworks, unless that one has no lock, or is not for all architectures."""
     locks = {lock for part in small.parts for lock in part.locks}
-    long = {"ros2-workspace", "ros2-components", "pip"}
+    long = {"ros2-workspace", "pip"}
 
     def tested(image_set: ImageSet, target: str) -> bool:
         found = long.intersection(image_set.image(target).tests)

@@ -23,7 +23,10 @@ from rosml.registry.oci import Manifest
 
 TARGET = "alpha-base"
 MANIFEST = "sha256:" + "a" * 64
-FILES = ["contract", "tools", "ros2", "ros2-core", "ros2-base", "ros2-workspace", "ros2-components", "pip", "metadata"]
+FILES = [
+    *("contract", "tools", "ros2", "ros2-beside", "ros2-base", "ros2-components", "ros2-core", "ros2-workspace", "pip"),
+    "metadata",
+]
 SYNC = "2026-11-20T21:14:09Z"
 
 BAKE = """
@@ -93,7 +96,8 @@ class Stage:
 
     def test(self, target: str = TARGET, architecture: str = "amd64", digest: str = MANIFEST) -> Checked:
         """Tests an image as a run does."""
-        return self.maker.test(self.image_set.image(target), architecture, digest, {})
+        image = self.image_set.image(target)
+        return self.maker.test(image, architecture, digest, {}, (*image.tests, *image.shared))
 
     def bakes(self) -> list[str]:
         """The calls that ran tests."""
@@ -114,6 +118,7 @@ def test_tests_that_pass(stage: Stage) -> None:
     assert stage.test() == Checked(2 * len(FILES), (), 4096, {"python3": "3.12.3"})
     (call,) = stage.bakes()
     assert f"{TARGET}-test.target=test-report" in call
+    assert f"{TARGET}-test.args.TESTS={' '.join(FILES[:-1])}" in call
     assert json.loads(line(stage, "DIGESTS")) == {TARGET: MANIFEST}, "the very digest is tested"
     config = json.loads((stage.folder / f".state/tests/{TARGET}/metadata/config.json").read_text())
     assert config["config"]["Labels"] == {"io.rosml.torch": "2.10.0"}, "what changes with a commit runs no test again"
@@ -155,7 +160,7 @@ def test_parts_beyond_the_budget_fail(stage: Stage, budget: int, failures: int) 
     maker = stage.maker
     maker.registry = stage.registry
     parts = {image.parent: MANIFEST}
-    found = maker.test(image, "amd64", MANIFEST, parts)
+    found = maker.test(image, "amd64", MANIFEST, parts, image.tests)
     assert len(found.failures) == failures
     assert found.failures[:1] == ("size: the parts keep within the tag's budget",)[:failures]
 

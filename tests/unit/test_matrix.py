@@ -252,7 +252,9 @@ def test_any_components_on_one_another(below: list[int], orderly: bool) -> None:
     found = outcome(changed("  components:\n    core", f"  components:\n{sizes}    core", text).encode())
     assert (found is not None) == possible
     for start, length in enumerate(lengths) if found else ():
-        assert found and len(found.by_target[f"alpha-c{start}"].tests) == 6 + length
+        assert found
+        image = found.by_target[f"alpha-c{start}"]
+        assert len(image.tests) + len(image.shared) == 7 + length
 
 
 def links(below: list[int], start: int) -> Iterator[int]:

@@ -20,6 +20,7 @@ from memory_registry import (
     LATER,
     NEXT,
     PREFIX,
+    Bytes,
     Killed,
     MemoryRegistry,
     Pen,
@@ -148,6 +149,71 @@ def test_a_poisoned_image_keeps_its_tags_and_stops_nobody_else(
     mended = registry.publish(image_set, date=NEXT, packages="2")
     assert mended.made == [("test", BASE, "amd64")]
     assert registry.tagged("ros-torch")["latest"] != before["latest"]
+    registry.check(image_set)
+
+
+def ran(run: Run) -> dict[str, tuple[str, ...]]:
+    """What each image was tested with in a run."""
+    assert isinstance(run.maker, Bytes)
+    return run.maker.tests
+
+
+def test_what_images_of_a_row_share_is_tested_in_one_of_them(registry: Place, image_set: ImageSet) -> None:
+    found = ran(registry.publish(image_set))
+    assert all(found[target] == image_set.by_target[target].tests for target in found)
+    assert {target for target, names in found.items() if "pip" in names and target.startswith("alpha")} == {
+        *("alpha-core", "alpha-core-ml-cu1", "alpha-core-ml-cpu"),
+    }
+    registry.check(image_set)
+
+
+def test_an_image_alone_is_tested_with_all_that_must_hold_in_it(registry: Place, image_set: ImageSet) -> None:
+    """Nothing is tested twice."""
+    image = image_set.by_target[BASE]
+    run = registry.publish(image_set, only=[BASE])
+    assert ran(run)[BASE] == (*image.tests, *image.shared)
+    assert "latest" in registry.tagged("ros-torch")
+    assert BASE not in ran(registry.publish(image_set, date=NEXT))
+    registry.check(image_set)
+
+
+def test_an_image_alone_is_tested_with_less_if_others_of_the_same_parts_passed(
+    registry: Place, image_set: ImageSet
+) -> None:
+    registry.publish(image_set, only=["alpha-core-ml-cu1", "alpha-base"])
+    image = image_set.by_target[BASE]
+    assert ran(registry.publish(image_set, date=NEXT, only=[BASE]))[BASE] == image.tests
+    assert "alpha-base-cu1" in registry.tagged("ros-torch")
+    registry.upstream["alpha"] = "tuesday"
+    run = registry.publish(image_set, date=NEXT, only=[BASE], packages="2")
+    assert ran(run)[BASE] == (*image.tests, *image.shared), "the others stand on other packages"
+    registry.check(image_set)
+
+
+@pytest.mark.parametrize(
+    ("target", "failing", "held"),
+    [
+        ("alpha-core-ml-cu1", "pip", {"alpha-core-cu1", "alpha-base-cu1"}),
+        ("alpha-core-ml-cu1", "ros2", set()),
+        ("alpha-core", "ros2-components", {"alpha-core-cu1"}),
+        ("alpha-core", "ros2-core", {"alpha-core-cu1", "alpha-base-cu1"}),
+        ("alpha-core", "contract", set()),
+    ],
+)
+def test_a_failure_holds_all_images_back_that_share_what_failed(
+    registry: Place, image_set: ImageSet, target: str, failing: str, held: set[str]
+) -> None:
+    run = registry.publish(image_set, poisoned={target}, failing=failing)
+    tags = registry.tagged("ros-torch")
+    assert {"alpha-core-cu1", "alpha-base-cu1"} - tags.keys() == held
+    assert "omega-core-cpu" in tags
+    if held:
+        assert f"tests that it shares with {target} failed: {failing}: it is" in waiting(run, "alpha-core-torch-cu1")[0]
+        found = {x.target: x for x in status.read(run.plan, registry.registry, PREFIX, LATER)}
+        assert "it shares with" in found["alpha-core-torch-cu1"].reason
+    mended = registry.publish(image_set, date=NEXT)
+    assert {name for _, name, _ in mended.made} == {target}
+    assert {"alpha-core-cu1", "alpha-base-cu1"} <= registry.tagged("ros-torch").keys()
     registry.check(image_set)
 
 

@@ -80,16 +80,11 @@ def test_runtimes_of_openmp_in_one_process(name: str) -> None:
     assert found == ([] if well else sorted(paths))
 
 
-@pytest.mark.parametrize("frameworks", [[], ["torch"], ["torch", "tensorflow"]])
-def test_orders_of_imports(frameworks: list[str]) -> None:
-    """All of the heavy ones; what is light comes first in some of them, and so does cv_bridge before cv2."""
-    heavy, light = ["cv2", *frameworks], ["numpy", "rospy"]
-    tried = program("programs/coexist/process.py")["orders"](heavy, light)
-    assert all(sorted(order) == sorted([*heavy, *light, "cv_bridge"]) for order in tried)
-    found = {tuple(name for name in order if name in heavy) for order in tried}
-    assert found == set(itertools.permutations(heavy)) and len(tried) == {1: 2, 2: 4, 3: 6}[len(heavy)]
-    for one, other in (("numpy", "cv2"), ("cv_bridge", "cv2"), *itertools.permutations(frameworks, 2)):
-        assert len({order.index(one) < order.index(other) for order in tried}) == 2
+def test_orders_of_imports() -> None:
+    names = ["cv_bridge", "cv2", "torch", "tensorflow", "numpy", "rospy"]
+    tried = program("programs/coexist/process.py")["orders"](names)
+    for one, other in itertools.combinations(names, 2):
+        assert {order.index(one) < order.index(other) for order in tried} == {True, False}
 
 
 # ---- The banner, and what was recorded -------------------------------------------------------------------------------

@@ -13,7 +13,7 @@ from pathlib import Path
 from rosml.bake import targets
 from rosml.bake.hcl import Code, aligned, block, key, literal, pairs, text
 from rosml.images import labels
-from rosml.images.expand import FLOATING, long_tests
+from rosml.images.expand import FLOATING
 from rosml.images.image_set import Image, ImageSet, Part
 from rosml.matrix import names, rules
 from rosml.matrix.model import Matrix, PartEntry
@@ -101,7 +101,7 @@ def _tables(image_set: ImageSet) -> Iterator[str]:
     )
     about = (
         "runtime: components on which programs run that are built on another one."
-        " short: the stack of a framework's short tags. aliases: names that it had. covered: what skips the longest tests, as an image with more has them."
+        " short: the stack of a framework's short tags. aliases: names that it had. lowest: its smallest component. carrying: what runs there what others share with it."
         " unlocked: what has no lock yet, and why."
     )
     yield _table("distributions", about, _tall(_distributions(image_set)))
@@ -185,7 +185,7 @@ def _framework(matrix: Matrix, name: str) -> Lines:
     parts = [part.name for part in matrix.parts if part.name in facts.parts]
     spelled = releases or [part.brings[0] for part in matrix.parts if part.name in parts and part.title]
     return [
-        {"repository": facts.repository, "parts": parts, "tests": facts.tests},
+        {"repository": facts.repository, "parts": parts},
         {"versions": rules.counted(matrix, facts), "spelled": spelled},
         {"stacks": {stack: _platforms(matrix, rules.joined_for(matrix, name, stack)) for stack in stacks}},
     ]
@@ -226,7 +226,7 @@ def _distribution(matrix: Matrix, name: str, images: Sequence[Image]) -> Lines:
     facts = matrix.distributions[name]
     alone = [image for image in images if image.stack is None]
     kinds = {_key(image): image for image in images}
-    whole = {_key(image): image for image in images if not rules.only_runs(matrix, image.component)}
+    carrying = [image for image in images if image.carriers[:1] == (image.target,)]
     platforms = _platforms(matrix, rules.architectures(matrix, name, rules.plain(matrix), None))
     short = [
         tag.split(":")[1]
@@ -234,7 +234,6 @@ def _distribution(matrix: Matrix, name: str, images: Sequence[Image]) -> Lines:
         if image.component == FLOATING
         for tag in image.tags[1 + len(facts.aliases) :]
     ]
-    long = set(long_tests(facts))
     chosen = {framework: rules.default_stack(matrix, name, framework) for framework in matrix.frameworks}
     defaults = {framework: stack for framework, stack in chosen.items() if stack}
     stacks: dict[str, list[str]] = {}
@@ -258,7 +257,7 @@ def _distribution(matrix: Matrix, name: str, images: Sequence[Image]) -> Lines:
         },
         {"apt": targets.apt_arguments(matrix, name) or None},
         {"stacks": stacks},
-        {"covered": [kind for kind, image in whole.items() if not long.issubset(image.tests)]},
+        {"lowest": next((image.component for image in carrying), ""), "carrying": [_key(image) for image in carrying]},
         {"unlocked": {kind: targets.unlocked(image) for kind, image in kinds.items() if not image.locked}},
     ]
 

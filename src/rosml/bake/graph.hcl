@@ -83,7 +83,7 @@ kinds = flatten([for name, row in distributions : [for choice in choices[name] :
   row          = row
   system       = systems[row.os]
   repository   = frameworks[choice.framework].repository
-  covered      = contains(row.covered, choice.key)
+  carrying     = contains(row.carrying, choice.key)
   unlocked     = try(row.unlocked[choice.key], "")
   platforms = [for platform in row.platforms : platform
   if choice.stack == "" ? true : contains(frameworks[choice.framework].stacks[choice.stack], platform)]
@@ -165,17 +165,18 @@ function "labels" {
   })
 }
 
-# The structure tests of an image. What takes longer than all others runs in the image with the most frameworks.
+# The structure tests of an image: what depends on its own sum, and in one image of a row what others share with it.
 function "tests" {
   params = [image, ros]
   result = concat(
-    ["contract", image.runtime ? "runtime" : "tools", image.row.wheels == "" ? ros : "${ros}-wheels"],
-    [for component in image.chain : "${ros}-${component}" if image.row.wheels == "" && !image.runtime],
+    ["contract", image.runtime ? "runtime" : "tools"],
+    image.row.wheels == "" ? [ros, "${ros}-beside"] : ["${ros}-wheels"],
     [for part in image.parts : part.kind if entries[part.kind].tested],
-    [for part in image.parts : "${part.kind}-build" if entries[part.kind].compiled && !image.runtime],
-    frameworks[image.framework].tests,
-    image.covered || image.runtime || image.row.wheels != "" ? [] : ["${ros}-workspace", "${ros}-components"],
-    image.covered || image.runtime ? [] : ["pip"]
+    image.stack != "" || image.runtime || image.row.wheels != "" ? [] : ["${ros}-${image.component}", "${ros}-components"],
+    image.carrying && image.component == image.row.lowest ? concat(
+      [for part in image.parts : "${part.kind}-build" if entries[part.kind].compiled],
+      image.row.wheels == "" ? ["${ros}-workspace", "pip"] : ["pip"]
+    ) : []
   )
 }
 

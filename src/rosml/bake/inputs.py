@@ -64,9 +64,18 @@ class Inputs:
             inputs |= {f"argument {name}": value for name, value in arguments.items()}
             inputs |= {f"label {name}": value for name, value in _facts(found.labels, f"{target}, label").items()}
             if "TESTS" in arguments:
-                inputs = self._of_tests(inputs, arguments["TESTS"].split())
+                inputs = self._of_files(inputs, arguments["TESTS"].split())
             self._known[key] = inputs
         return self._known[key]
+
+    def of_tests(self, image: Image, architecture: str, names: tuple[str, ...]) -> dict[str, str]:
+        """The inputs of an image's tests, if they are those of these names."""
+        known = self.of(image.test_target, architecture)
+        if names == image.tests:
+            return known
+        folder = self._source(structure.FOLDER)
+        inputs = {**known, **folder, "argument TESTS": " ".join(names)}
+        return self._of_files(inputs, names)
 
     def _built(
         self,
@@ -83,7 +92,7 @@ class Inputs:
         above = {"Dockerfile: before the first stage": self._stages[""].digest, ".dockerignore": self._ignored}
         return above | self._stage(stage, contexts, arguments, architecture)
 
-    def _of_tests(self, inputs: Mapping[str, str], names: Collection[str]) -> dict[str, str]:
+    def _of_files(self, inputs: Mapping[str, str], names: Collection[str]) -> dict[str, str]:
         """Inputs without the files of structure tests that do not belong to those of these names. The builder gets all."""
         inside = f"{structure.FOLDER}/"
         used = self._structure.of(names)
@@ -109,7 +118,7 @@ class Inputs:
             text = f"{listed(gone)}: not there, and the Dockerfile builds parts or images from it"
             raise RosmlError(text, "get it back with git checkout, or write it anew")
         folder = self.root / structure.FOLDER
-        tests = dict.fromkeys(name for image in self.image_set.images for name in image.tests)
+        tests = dict.fromkeys(name for image in self.image_set.images for name in (*image.tests, *image.shared))
         if untested := [
             f"{name}.yaml" for name in tests if folder.is_dir() and not (folder / f"{name}.yaml").is_file()
         ]:

@@ -108,11 +108,14 @@ class Maker(Protocol):
             parts: digests of the ROS image, which is the first, and of the parts, by target.
         """
 
-    def test(self, image: Image, architecture: str, digest: str, parts: Mapping[str, str]) -> Checked:
-        """Runs the structure tests of an image. Tests that do not pass are no error.
+    def test(
+        self, image: Image, architecture: str, digest: str, parts: Mapping[str, str], names: tuple[str, ...]
+    ) -> Checked:
+        """Runs structure tests of an image. Tests that do not pass are no error.
 
         Args:
             digest: of the image's manifest. parts: digests of what it was joined from or stands on, by target.
+            names: of the tests' files.
         """
 
 
@@ -168,7 +171,9 @@ class BuildKitMaker:
         )
         return self._joiner.manifest(ros, others, self.host, self._repository(image.repository)).digest
 
-    def test(self, image: Image, architecture: str, digest: str, parts: Mapping[str, str]) -> Checked:
+    def test(
+        self, image: Image, architecture: str, digest: str, parts: Mapping[str, str], names: tuple[str, ...]
+    ) -> Checked:
         """Tests an image in a root file system of the layers that its manifest names.
 
         A ROS image is taken by its digest. A joined one is joined in the builder from the same parts by their digests:
@@ -187,7 +192,7 @@ class BuildKitMaker:
         file = write_excerpt(self.services, self.image_set, image.target, image.test_target)
         place = f"{self.host}/{repository}@{digest}"
         size = sum(sizes[-len(image.parts) :]) if image.parts else 0
-        report, folder = structure_tests.run(self.services, image, architecture, place, file, given, size)
+        report, folder = structure_tests.run(self.services, image, architecture, place, file, given, names, size)
         failures = tuple(f"{outcome.file}: {outcome.name}" for outcome in report.failed)
         if failures:
             self.say(

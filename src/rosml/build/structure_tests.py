@@ -150,6 +150,7 @@ def run(
     reference: str,
     bake_file: Path,
     variables: Mapping[str, str],
+    names: tuple[str, ...],
     parts: int = 0,
 ) -> tuple[Report, Path]:
     """Runs the structure tests of an image.
@@ -158,7 +159,7 @@ def run(
         services: the builder. image, architecture: what is tested.
         reference: of its manifest, whose config they are told.
         bake_file, variables: what the builder is told of it.
-        parts: bytes of its parts in the registry, for its budget.
+        names: of the tests' files. parts: bytes of its parts in the registry, for its budget.
 
     Returns:
         The report, and the folder with the reports of each file.
@@ -175,15 +176,17 @@ def run(
     attempts = folder / "failed-attempts"
     attempt = attempts.read_text() if attempts.exists() else "0"
     name = image.test_target
+    tests = " ".join(names)
     sets = (
         f"{name}.target=test-report",
         f"{name}.output={exported.output(left)}",
         f"{name}.contexts.metadata={metadata}",
         f"{name}.args.TEST_ATTEMPT={attempt}",
+        f"{name}.args.TESTS={tests}",
     )
     buildx.run(services, buildx.Bake(name, f"test-{image.target}-{architecture}", bake_file, sets, dict(variables)))
     exported.unpack(left, reports)
-    report = read_report(reports, (*image.tests, "metadata"))
+    report = read_report(reports, (*names, "metadata"))
     if image.budget is not None:
         report = replace(report, outcomes=(*report.outcomes, within_budget(image.budget, parts)))
     if report.failed:

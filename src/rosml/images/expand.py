@@ -12,13 +12,6 @@ from rosml.matrix.model import ANY_PYTHON, Distribution, Framework, Matrix, Size
 from rosml.matrix.rules import Brought
 
 
-def long_tests(distribution: Distribution) -> tuple[str, ...]:
-    """What an image is tested with unless another one covers it: a workspace is built, each component's programs run, pip
-    installs. ROS from wheels has no messages to build and no components, and is so small that pip is tried in all."""
-    ros = f"ros{distribution.ros}"
-    return ("pip",) if distribution.wheels else (f"{ros}-workspace", f"{ros}-components", "pip")
-
-
 def expand(matrix: Matrix) -> ImageSet:
     """Every image and part of a matrix whose references hold."""
     images = tuple(_images(matrix))
@@ -29,7 +22,8 @@ def expand(matrix: Matrix) -> ImageSet:
 class _Kind:
     """What images of one distribution with one framework and stack have in common.
 
-    `covering`: the frameworks whose images have all their layers and more. `short`: whether they have the short tags.
+    `covering`: the frameworks whose images have all their parts and more, those with the most first. `short`: whether they have
+    the short tags.
     """
 
     framework: str
@@ -62,21 +56,19 @@ def _kind(matrix: Matrix, name: str, distribution: Distribution, framework: str,
     if stack is None:
         return _Kind(framework, facts, None, architectures, (), {})
     kinds = rules.parts(matrix, facts, matrix.stacks[stack])
-    families = set(rules.families(matrix, facts))
     parts = tuple(_part(matrix, kind, stack, python, architectures) for kind in kinds)
-    covering = tuple(
-        other
-        for other, more in matrix.frameworks.items()
-        if families
-        and families < set(rules.families(matrix, more))
-        and rules.stack_reason(matrix, name, other, stack) is None
+    more = {
+        other: rules.parts(matrix, entry, matrix.stacks[stack])
+        for other, entry in matrix.frameworks.items()
+        if rules.stack_reason(matrix, name, other, stack) is None
         and set(architectures) <= set(rules.architectures(matrix, name, other, stack))
-    )
+    }
+    covering = sorted((other for other in more if set(kinds) < set(more[other])), key=lambda other: -len(more[other]))
     known = rules.versions(matrix, matrix.stacks[stack])
     versions = {name: known[name] for name in rules.counted(matrix, facts) if name in known}
     brought = rules.brought(matrix, kinds, matrix.stacks[stack])
     short = stack == rules.default_stack(matrix, name, framework)
-    return _Kind(framework, facts, stack, architectures, parts, versions, brought, covering, short)
+    return _Kind(framework, facts, stack, architectures, parts, versions, brought, tuple(covering), short)
 
 
 def _image(matrix: Matrix, name: str, distribution: Distribution, component: str, kind: _Kind, latest: bool) -> Image:
@@ -86,13 +78,8 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
     below = names.image_target(name, chain[-2]) if len(chain) > 1 else names.os_target(distribution.os, runtime)
     target = names.image_target(name, component, kind.framework, kind.stack)
     groups = [name, component, kind.framework, *([kind.stack] if kind.stack else []), "all"]
-    entries = [matrix.part[part.kind] for part in kind.parts]
-    tests = ["contract", "runtime" if runtime else "tools", *_ros_tests(distribution, () if runtime else chain)]
-    tests += [entry.name for entry in entries if entry.tested]
-    tests += [f"{entry.name}-build" for entry in entries if entry.compiled and not runtime]
-    tests += kind.facts.tests
-    if not runtime and (distribution.wheels or not kind.covering):
-        tests += long_tests(distribution)
+    tests = _tests(matrix, name, component, kind)
+    carries = tests.carriers[:1] == (target,)
     wheels = _wheels_of(matrix, name, kind.architectures)
     return Image(
         target=target,
@@ -116,10 +103,10 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
         packages="" if kind.stack else _packages(matrix, name, distribution, component),
         wheels=() if kind.stack else distribution.wheels,
         parts=tuple(part.name for part in kind.parts),
-        tests=tuple(tests),
-        covered=()
-        if runtime
-        else tuple(names.image_target(name, component, other, kind.stack) for other in kind.covering),
+        tests=(*tests.own, *(tests.carried if carries else ())),
+        shared=(*tests.below, *(() if carries else tests.carried)),
+        carried=tests.carried,
+        carriers=tests.carriers,
         locks=(
             *(lock for item in wheels for lock in item.locks),
             *(lock for item in kind.parts for lock in item.locks),
@@ -133,10 +120,44 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
     )
 
 
-def _ros_tests(distribution: Distribution, chain: tuple[str, ...]) -> list[str]:
-    """The tests of an image's ROS, and of components."""
-    ros = f"ros{distribution.ros}"
-    return [f"{ros}-wheels"] if distribution.wheels else [ros, *(f"{ros}-{link}" for link in chain)]
+@dataclass(frozen=True)
+class _Tests:
+    """What an image is tested with.
+
+    What ROS, and parts, promise is the same in every image that has them, and is tried once: of ROS in the ROS image, of parts
+    once in each row, with its lowest component and all frameworks of a stack. An image that is asked for alone runs all of it.
+
+    Attributes:
+        own: what depends on its own sum. below: what the ROS image below it was tested with.
+        carried: what one image of a row runs for the others. carriers: the images that may be this one, the best first.
+    """
+
+    own: tuple[str, ...]
+    below: tuple[str, ...]
+    carried: tuple[str, ...]
+    carriers: tuple[str, ...]
+
+
+def _tests(matrix: Matrix, name: str, component: str, kind: _Kind) -> _Tests:
+    distribution = matrix.distributions[name]
+    ros, runtime = f"ros{distribution.ros}", rules.only_runs(matrix, component)
+    entries = [matrix.part[part.kind] for part in kind.parts]
+    own = ["contract", "runtime" if runtime else "tools"]
+    own += [f"{ros}-wheels"] if distribution.wheels else [ros, f"{ros}-beside"]
+    own += [entry.name for entry in entries if entry.tested]
+    first = (link for link in matrix.components if link in distribution.present and not rules.only_runs(matrix, link))
+    lowest = next((link for link in first if len(_chain(matrix, distribution, link)) == 1), component)
+    frameworks = (*kind.covering, kind.framework) if kind.stack or not runtime else ()
+    carriers = tuple(names.image_target(name, lowest, framework, kind.stack) for framework in frameworks)
+    if runtime:  # the others need a compiler
+        return _Tests(tuple(own), (), (), carriers)
+    carried = [f"{entry.name}-build" for entry in entries if entry.compiled]
+    if distribution.wheels:
+        return _Tests(tuple(own), (), (*carried, "pip"), carriers)
+    chain = [f"{ros}-{link}" for link in _chain(matrix, distribution, component)]
+    of_ros = [*chain, f"{ros}-components"]
+    below = of_ros if kind.stack else of_ros[:-2]
+    return _Tests((*own, *of_ros[len(below) :]), tuple(below), (*carried, f"{ros}-workspace", "pip"), carriers)
 
 
 def _chain(matrix: Matrix, distribution: Distribution, component: str) -> tuple[str, ...]:

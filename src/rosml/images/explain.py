@@ -205,5 +205,8 @@ def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator
         if architecture not in image.architectures and reason:
             yield f"not for {architecture}: {reason}"
     yield f"tags: {listed(image.tags)}"
+    yield f"a publishing run tests it with {listed(image.tests)}"
+    if image.shared:
+        yield f"what it shares with others is tested in {listed(image.proven_by)}: {listed(image.shared)}"
     if not image.locked:
         yield f"{missing.reason(image)}; {missing.remedy(image)}"

@@ -87,9 +87,11 @@ class Image:
         packages: Debian packages that a ROS image adds to its parent, separated by spaces.
         wheels: Python packages that a ROS image gets in their place.
         parts: parts that are joined to the parent, in this order.
-        tests: names of the files in tests/structure, those of its ancestors first.
-        covered: targets of images with all its layers and more frameworks, on all its architectures. What takes longer
-            than all other tests runs in them, and not in this one, unless a lock is missing to build any of them.
+        tests: names of the files in tests/structure that a publishing run tests it with.
+        shared: further ones that must hold in it, and that other images run for it (`proven_by`). It runs them itself where those
+            are not there.
+        carried: the tests that one image of a row runs for all with the same parts. carriers: the images that may be that one,
+            the best first.
         locks: locks of the wheels that its ROS comes from, and of its parts.
         unlocked: those that are missing; without all of them it cannot be built, and is in no group.
         damaged: those of `unlocked` that are there, and damaged or not of what the matrix says now.
@@ -122,7 +124,9 @@ class Image:
     wheels: tuple[str, ...] = ()
     brought: tuple[Brought, ...] = ()
     gpu: dict[str, str] = field(default_factory=dict)
-    covered: tuple[str, ...] = ()
+    shared: tuple[str, ...] = ()
+    carried: tuple[str, ...] = ()
+    carriers: tuple[str, ...] = ()
     unlocked: tuple[str, ...] = ()
     lost: tuple[str, ...] = ()
     damaged: tuple[str, ...] = ()
@@ -132,6 +136,12 @@ class Image:
     def locked(self) -> bool:
         """Whether it can be built: every lock is there."""
         return not self.unlocked
+
+    @property
+    def proven_by(self) -> tuple[str, ...]:
+        """The images whose tests count for it as well: the ROS image below it, and the one that runs what it shares with others."""
+        below = () if self.parent.startswith("_") else (self.parent,)  # a stage of the Dockerfile is none
+        return tuple(name for name in (*below, *self.carriers[:1]) if name != self.target)
 
     @property
     def test_target(self) -> str:

@@ -10,7 +10,6 @@ from pathlib import Path
 from rosml.base.errors import RosmlError
 from rosml.base.files import shown
 from rosml.images import lock_file, missing
-from rosml.images.expand import long_tests
 from rosml.images.image_set import Image, ImageSet
 
 
@@ -65,12 +64,17 @@ def with_locks(image_set: ImageSet, present: Collection[str], unusable: Collecti
     images = tuple(without(image) if absent.intersection(image.locks) else image for image in image_set.images)
     locked = {image.target for image in images if image.locked}
 
-    def alone(image: Image) -> Image:
-        """With all tests, since none of the images that cover it can be built."""
-        long = long_tests(image_set.matrix.distributions[image.distribution])
-        return replace(image, tests=tuple(dict.fromkeys((*image.tests, *long))))
+    def carried(image: Image) -> Image:
+        """With the tests that it shares in an image that can be built; in itself, if it is the first of these."""
+        carriers = tuple(name for name in image.carriers if name in locked) or image.carriers
+        if carriers[:1] != (image.target,):
+            return replace(image, carriers=carriers)
+        shared = tuple(name for name in image.shared if name not in image.carried)
+        return replace(
+            image, carriers=carriers, tests=tuple(dict.fromkeys((*image.tests, *image.carried))), shared=shared
+        )
 
-    images = tuple(alone(image) if image.covered and locked.isdisjoint(image.covered) else image for image in images)
+    images = tuple(map(carried, images))
     parts = tuple(
         replace(part, unlocked=tuple(lock for lock in part.locks if lock in absent)) for part in image_set.parts
     )

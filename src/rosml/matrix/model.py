@@ -232,7 +232,8 @@ class PartEntry(Facts):
     )
     tested: bool = Field(default=True, description="whether tests/structure has tests of its own for it")
     compiled: bool = Field(
-        default=False, description="whether it has more of them, in NAME-build, that need a compiler"
+        default=False,
+        description="whether it has more of them, in NAME-build, that run in one image of each row: they need a compiler, or take long",
     )
 
     @property
@@ -257,9 +258,6 @@ class Framework(Facts):
     )
     accelerators: tuple[Literal["cpu", "cuda"], ...] = Field(
         default=("cpu", "cuda"), description="accelerators that it exists for; both if left out"
-    )
-    tests: tuple[Name, ...] = Field(
-        default=(), description="tests in tests/structure beside those of its parts: of what these do together"
     )
 
 

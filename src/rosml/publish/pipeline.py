@@ -364,11 +364,12 @@ class Pipeline:
     def _test(self, item: Item, entry: Entry) -> Entry:
         """Runs an image's structure tests."""
         assert isinstance(item.thing, Image)
-        found = self._maker.test(item.thing, item.architecture, entry.digest, self._parts(item))
+        names = self.plan.tests(item)
+        found = self._maker.test(item.thing, item.architecture, entry.digest, self._parts(item), names)
         reason = f"tests failed: {some(list(found.failures))}"
         return replace(
             entry,
-            tested=self.plan.tests(item),
+            tested=self.plan.tests_digest(item),
             passed=found.passed,
             failures=found.failures,
             unpacked=found.unpacked,

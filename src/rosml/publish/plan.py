@@ -105,7 +105,7 @@ class Plan:
         force: everything is made anew. scanning: whether images are scanned; a digest of the policy.
         date: of the run. forced: what was made anew in this run already.
         whole: the plan covers every architecture of each base image, so that its index can be judged.
-        remarks: what people should know, such as a repository that does not answer.
+        remarks: what people should know, such as a repository that does not answer. digests: of tests, which are made once.
     """
 
     services: Services
@@ -122,6 +122,7 @@ class Plan:
     whole: bool = False
     remarks: list[str] = field(default_factory=list)
     forced: set[tuple[str, str]] = field(default_factory=set)
+    digests: dict[tuple[str, str, tuple[str, ...]], str] = field(default_factory=dict, repr=False)
 
     @cached_property
     def items(self) -> tuple[Item, ...]:
@@ -139,14 +140,12 @@ class Plan:
             for architecture in self.image_set.matrix.architectures if self.whole else image.architectures:
                 for link in reversed(chain):
                     if architecture in link.architectures:
-                        below_it = (link.parent,) if link.parent in self.image_set.by_target else ()
-                        ros.setdefault((link.target, architecture), Item(link, architecture, below_it))
+                        ros.setdefault((link.target, architecture), Item(link, architecture, self._needs(link)))
                 for part in own:
                     if architecture in part.architectures:
                         parts.setdefault((part.target, architecture), Item(part, architecture, ()))
                 if image.stack and architecture in image.architectures:
-                    needs = (image.parent, *(part.target for part in own))
-                    joined[image.target, architecture] = Item(image, architecture, needs)
+                    joined[image.target, architecture] = Item(image, architecture, self._needs(image))
         return (*ros.values(), *parts.values(), *joined.values())
 
     @cached_property
@@ -233,16 +232,75 @@ class Plan:
         return tuple(steps)
 
     def passed(self, item: Item, entry: Entry) -> bool:
-        """Whether the tests that there are now passed in the image of an entry."""
-        return entry.tested == self.tests(item) and entry.passed > 0 and not entry.failures
+        """Whether the tests that there are now passed in the image of an entry: all, or those that it runs itself."""
+        return self._tested(item, entry) and entry.passed > 0 and not entry.failures
 
-    def tests(self, item: Item) -> str:
-        """A digest of the tests of an image: files, programs, what they expect; not of the image itself."""
+    def _tested(self, item: Item, entry: Entry) -> bool:
+        """Whether the tests that there are now ran."""
         assert isinstance(item.thing, Image)
-        inputs = self.inputs.of(item.thing.test_target, item.architecture)
-        own = {name: value for name, value in inputs.items() if not name.startswith(TARGET)}
-        own["budget"] = str(item.thing.budget)
-        return hashlib.sha256(json.dumps(own, sort_keys=True).encode()).hexdigest()
+        return entry.tested in {self._digest_of(item, names) for names in (item.thing.tests, self._all(item.thing))}
+
+    def tests(self, item: Item) -> tuple[str, ...]:
+        """The tests that an image runs: those that depend on its own sum; and those that it shares with others, unless these are
+        part of this run, or passed them before with the same parts."""
+        assert isinstance(item.thing, Image)
+        asked = {image.target for image in self.images}
+        elsewhere = all(target in asked or not self._unproven(item, target) for target in item.thing.proven_by)
+        return item.thing.tests if elsewhere else self._all(item.thing)
+
+    def tests_digest(self, item: Item) -> str:
+        """A digest of the tests that an image runs: files, programs, what they expect; not of the image itself."""
+        return self._digest_of(item, self.tests(item))
+
+    def _all(self, image: Image) -> tuple[str, ...]:
+        return (*image.tests, *image.shared)
+
+    def _digest_of(self, item: Item, names: tuple[str, ...]) -> str:
+        assert isinstance(item.thing, Image)
+        key = (*item.key, names)
+        if key not in self.digests:
+            inputs = self.inputs.of_tests(item.thing, item.architecture, names)
+            own = {name: value for name, value in inputs.items() if not name.startswith(TARGET)}
+            own["budget"] = str(item.thing.budget)
+            self.digests[key] = hashlib.sha256(json.dumps(own, sort_keys=True).encode()).hexdigest()
+        return self.digests[key]
+
+    def unproven(self, item: Item) -> str:
+        """What other images were to prove of an image and did not; empty where they did, or it ran all tests itself."""
+        assert isinstance(item.thing, Image)
+        asked = {image.target for image in self.images}
+        entry = self.known[item.key]
+        whole = entry.tested == self._digest_of(item, self._all(item.thing))
+        for target in item.thing.proven_by:
+            if (target in asked or not whole) and (reason := self._unproven(item, target)):
+                return reason
+        return ""
+
+    def _unproven(self, item: Item, target: str) -> str:
+        """Why the tests of another image say nothing about one; empty where they passed, with the same parts."""
+        image = self.image_set.by_target[target]
+        proof = Item(image, item.architecture, self._needs(image))
+        entry = self.known.get(proof.key)
+        what = f"tests that it shares with {target}"
+        if entry is None or not entry.digest:
+            return f"{what}: that is not there"
+        if proof.key in self.by_key and (why := self.reasons(proof)):
+            return f"{what}: {why[0]}"
+        if not self._tested(proof, entry) or not (entry.passed or entry.failures):
+            return f"{what} have not passed"
+        assert isinstance(item.thing, Image)
+        common = {*item.thing.shared, *image.carried}
+        if failures := [failure for failure in entry.failures if failure.partition(":")[0] in common]:
+            return f"{what} failed: {some(failures)}"
+        for name, digest in entry.parts.items():
+            if (part := self.known.get((name, item.architecture))) and part.digest != digest:
+                return f"{what}: that has another {name}"
+        return self.unproven(proof) if target == item.thing.parent else ""
+
+    def _needs(self, image: Image) -> tuple[str, ...]:
+        """What an image is put together from."""
+        below = (image.parent,) if image.parent in self.image_set.by_target else ()
+        return (*below, *(self.image_set.part_by_name[name].target for name in image.parts))
 
     def hindrance(self, item: Item) -> str:
         """Why an item cannot be made on this machine; empty where it can."""
@@ -298,6 +356,8 @@ class Plan:
             if item.kind != "part" and not self.passed(item, entry):
                 failures = some(list(entry.failures)) if entry.failures else ""
                 return f"{key[1]}: tests " + (f"failed: {failures}" if failures else "have not passed")
+            if item.kind != "part" and (reason := self.unproven(item)):
+                return f"{key[1]}: {reason}"
             if self.scanning and "scan" in self._checks(item, entry):
                 outcome = "not done by this policy" if entry.scanned == "clean" else entry.scanned or "not done"
                 return f"{key[1]}: scan: {outcome}"
@@ -309,7 +369,7 @@ class Plan:
     def _used(self, part: Entry) -> bool:
         """Whether an image that has a part, this very one, passed its tests, and the scan where there is one."""
         return any(
-            entry.parts.get(part.target) == part.digest and not self._checks(item, entry)
+            entry.parts.get(part.target) == part.digest and not self._checks(item, entry) and not self.unproven(item)
             for key, item in self.by_key.items()
             if item.kind == "joined" and item.architecture == part.architecture and (entry := self.known.get(key))
         )
@@ -371,7 +431,13 @@ def survey(
     plan.inputs.check()
     book = Records(registry, prefix)
     keys = [item.key for item in plan.items] + [(thing.target, INDEX) for thing in plan.things()]
-    plan.known = book.read_all(keys)
+    keys += [
+        (target, item.architecture)
+        for item in plan.items
+        if isinstance(item.thing, Image)
+        for target in item.thing.proven_by
+    ]
+    plan.known = book.read_all(list(dict.fromkeys(keys)))
     plan.present = present(registry, prefix, plan.known.values())
     _ask(plan)
     return plan

@@ -107,11 +107,17 @@ def _state(plan: Plan, thing: Image | Part, tagged: str, serving: Sequence[str])
         if current and all(item.endswith(ELSEWHERE) for item in why):
             absent = [item.partition(":")[0] for item in why]
             return "published", f"not published: {', '.join(absent)}" if absent else ""
-        return "outdated", "; ".join(why) or still
+        return "outdated", "; ".join(why or _unproven(plan, members)) or still
     hindered = [plan.task(plan.by_key[key]).hindered for key in members]
     if all(hindered) and (waiting := [reason for reason in hindered if reason.startswith(WAITING)]):
         return WAITING, waiting[0].removeprefix(WAITING).lstrip(": ")
-    return "missing", "; ".join(why) or still
+    return "missing", "; ".join(why or _unproven(plan, members)) or still
+
+
+def _unproven(plan: Plan, members: Sequence[tuple[str, str]]) -> list[str]:
+    """What other images were to prove of an image and did not, by architecture."""
+    items = [plan.by_key[key] for key in members if key in plan.known]
+    return [f"{item.architecture}: {why}" for item in items if item.kind != "part" and (why := plan.unproven(item))]
 
 
 def _odd(date: str, now: str) -> str:
