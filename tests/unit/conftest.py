@@ -110,7 +110,7 @@ disk:
       torch: {{unpacked: 500, compressed: 50}}
       tensorflow-cc: {{unpacked: 400, compressed: 40}}
       tensorflow: {{unpacked: 100, compressed: 10}}
-rates: {{packages: 10, parts: 100, test: 5}}
+rates: {{packages: 10, parts: 100, test: 5, carried: 1}}
 ros_archive:
   live: http://ros.test/{{generation}}/ubuntu
   snapshot: http://snapshots.ros.test/{{ros_distro}}/{{day}}/ubuntu

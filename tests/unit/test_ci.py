@@ -108,7 +108,7 @@ def test_a_plan_names_what_changed_when_asked(
 
 def test_without_rates_all_the_same_machines_build(registry: Place, image_set: ImageSet) -> None:
     """How fast they are only balances them."""
-    without = parse(changed("rates: {packages: 10, parts: 100, test: 5}\n", "", SMALLER))
+    without = parse(changed("rates: {packages: 10, parts: 100, test: 5, carried: 1}\n", "", SMALLER))
     plan, _ = content(registry, without)
     shards = [shard["name"] for shard in plan["shards"]]
     assert shards == [shard["name"] for shard in content(registry, image_set)[0]["shards"]] != []
@@ -175,7 +175,9 @@ def test_estimates_count_what_is_built_and_tested(registry: Place, image_set: Im
         built = [task["target"].removeprefix("part-") for task in tasks if "build" in task["steps"]]
         sizes = [image_set.part_by_name[name].disk.unpacked for name in built if name in shard["parts"]]
         assert tested and sizes
-        seconds = sum(-(-size // rates.parts) for size in sizes) + rates.test * len(tested)
+        carriers = [task for task in tested if image_set.by_target[task["target"]].carriers[:1] == (task["target"],)]
+        seconds = sum(-(-size // rates.parts) for size in sizes)
+        seconds += rates.test * len(tested) + rates.carried * len(carriers)
         assert shard["estimates"]["seconds"] == seconds
 
 

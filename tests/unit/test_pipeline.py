@@ -190,6 +190,43 @@ def test_an_image_alone_is_tested_with_less_if_others_of_the_same_parts_passed(
     registry.check(image_set)
 
 
+def test_each_image_is_tested_as_soon_as_it_is_there(registry: Place, image_set: ImageSet) -> None:
+    """Those that test what others share come first, so that a run that ends early leaves whole images."""
+    run = registry.run(image_set)
+    run.images()
+    made = [(step, target) for step, target, _ in run.made]
+    assert made[:4] == [("build", "alpha-core"), ("test", "alpha-core")] * 2, "on both architectures"
+    joins = [target for step, target in made if step == "join"]
+    carriers = [target for target in joins if image_set.by_target[target].carriers[0] == target]
+    assert joins[: len(carriers)] == carriers
+    assert all(made[place + 1] == ("test", target) for place, (step, target) in enumerate(made) if step == "join")
+    assert sorted(run.made) == sorted(place_of(registry).publish(image_set).made)
+
+
+def place_of(registry: Place) -> Place:
+    """Another registry for the same runs."""
+    return Place(registry.services, upstream=registry.upstream)
+
+
+def test_a_run_whose_time_is_over_leaves_tested_images(
+    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nothing fails; the images that were tested get their tags, and the next run makes the rest."""
+    clock = iter(range(10_000))
+    monkeypatch.setattr("rosml.publish.pipeline.time.monotonic", lambda: float(next(clock)))
+    run = registry.run(image_set)
+    run.images(minutes=1)
+    run.index()
+    promote.Promotion(run).run()
+    assert not run.failed and run.made
+    assert any(outcome.reason == "the time of this run is over" for outcome in run.outcomes)
+    assert registry.tagged("ros") and not registry.tagged("ros-torch")
+    registry.check(image_set)
+    rest = registry.publish(image_set, date=NEXT)
+    assert not set(rest.made) & set(run.made)
+    registry.check(image_set)
+
+
 @pytest.mark.parametrize(
     ("target", "failing", "held"),
     [

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from itertools import permutations
 
 import pytest
@@ -43,14 +44,24 @@ def test_a_shard(small: ImageSet) -> None:
     assert first.estimates.download_mb == 10 + 3 * 2 + 100 + 30 + 200 + 150
     parts = (1000 + 100) + (300 + 30) + (2000 + 200) + (1500 + 150)
     assert first.estimates.disk_mb == (100 + 2 * 10) + 3 * (20 + 2 * 2) + 2 * parts + disk.RESERVE_MB
-    assert first.estimates.seconds == (100 + 3 * 20) // 10 + (1000 + 300 + 2000 + 1500) // 100 + 12 * 5 == 124
-    assert [shard.estimates.seconds for shard in shards] == [124, 77, 74, 42]
+    assert first.estimates.seconds == (100 + 3 * 20) // 10 + (1000 + 300 + 2000 + 1500) // 100 + 12 * 5 + 2 == 126
+    assert [shard.estimates.seconds for shard in shards] == [126, 79, 76, 44]
+
+
+def test_what_took_longer_the_last_time_counts_so(small: ImageSet) -> None:
+    """Of each step, and nothing that was in a cache."""
+    targets = [(image.target, "amd64") for image in small.images] + [(part.target, "amd64") for part in small.parts]
+    work = dealing.Work(frozenset(targets), frozenset(targets))
+    (before,) = dealing.deal(small, 1, work=work)
+    took = {("alpha-core", "amd64"): {"test": 105.2, "build": 0.4}, ("part-cuda-cu1", "amd64"): {"build": 1010.0}}
+    (after,) = dealing.deal(small, 1, work=dataclasses.replace(work, seconds=took))
+    assert after.estimates.seconds - before.estimates.seconds == (106 - 6) + (1010 - 10)
 
 
 def test_what_a_shard_has_already_costs_nothing(small: ImageSet) -> None:
     """Both distributions need CUDA, which is assembled once: 10 s, and 2 * 1100 MB; their Pythons differ."""
     apart, together = dealing.deal(small, 4), dealing.deal(small, 2)
-    assert [shard.estimates.seconds for shard in together] == [124 + 77 - 10, 74 + 42]
+    assert [shard.estimates.seconds for shard in together] == [126 + 79 - 10, 76 + 44]
     assert together[0].parts.count("cuda-cu1") == 1
     saved = apart[0].estimates.disk_mb + apart[1].estimates.disk_mb - together[0].estimates.disk_mb
     assert saved == 2 * 1000 + 2 * 100 + disk.RESERVE_MB

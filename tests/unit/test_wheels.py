@@ -41,7 +41,7 @@ def test_images(wheels: ImageSet) -> None:
     joined = wheels.image("sigma-core-ml-cu1")
     assert (joined.parent, joined.wheels, joined.locks[0]) == ("sigma-core", (), LOCK)
     assert joined.locks[1:] == wheels.image("alpha-core-ml-cu1").locks
-    assert joined.tests == ("contract", "tools", "ros2-wheels", "cuda", "torch", "tensorflow", "pip")
+    assert joined.tests == ("contract", "tools", "ros2-wheels", "cuda", "torch", "tensorflow", "torch-build", "pip")
 
 
 def test_it_never_gets_latest(wheels: ImageSet) -> None:

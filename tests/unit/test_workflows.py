@@ -70,7 +70,7 @@ LOGIN = {
 }
 """How every job logs in that asks a registry. Where a fork names its own registry, the job's token stays at home."""
 
-WRITERS = {"build", "join-images", "test", "record", "index", "promote", "rosdep"}
+WRITERS = {"images", "record", "index", "promote", "rosdep"}
 """Steps that write into the registry."""
 
 
@@ -363,7 +363,7 @@ def test_one_image_blocks_only_itself() -> None:
         assert jobs[name]["if"] == "${{ !cancelled() && needs.plan.result == 'success' }}"
     for step in RUNS:
         argv = words(step)
-        if argv[:2] == ["./rosml", "publish"] and argv[2] in WRITERS - {"build", "record", "rosdep"}:
+        if argv[:2] == ["./rosml", "publish"] and argv[2] in WRITERS - {"images", "record", "rosdep"}:
             unsigned = " && steps.signer.outcome != 'failure'" if argv[2] in ("index", "promote") else ""
             assert step.content["if"] == f"${{{{ !cancelled(){unsigned} }}}}"
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import time
 from datetime import UTC, datetime
 from pathlib import Path
@@ -60,6 +61,27 @@ def _step(name: str, help_text: str, options: tuple[str, ...] = _STEP) -> None:
 _step("build", "Builds ROS images and parts that are not as they should be, and pushes them by digest.")
 _step("join-images", "Puts images with frameworks together in the registry, from ROS images and parts; pulls nothing.")
 _step("test", "Runs the structure tests of images that have not passed them, on their architecture.")
+
+
+@main.command(name="images")
+@sharing(*_STEP)
+@click.option("--minutes", type=click.FloatRange(min=0), help="begin nothing more after so many")
+def images(minutes: float | None, **options: Any) -> None:
+    """Builds, joins and tests images, each as soon as it can be: what 'build', 'join-images' and 'test' do one after the other.
+
+    A run that ends early leaves images that were tested, and get their tags; the next one goes on.
+
+    \b
+    Example:
+      rosml publish images --plan plan.json --shard amd64-1 --minutes 310
+    """
+    call = Call(**options)
+    wait_for_turn()
+    pipeline = call.pipeline()
+    pipeline.images(math.inf if minutes is None else minutes)
+    call.report(pipeline)
+
+
 _step("index", "Makes indexes of images whose architectures are all there, tested and alike. No tag moves.", _GATED)
 _step("promote", "Moves tags to the indexes of images that passed everything; remembers where they were.", _GATED)
 

@@ -31,6 +31,7 @@ def planned(pipeline: Pipeline, shards: int, why: bool) -> Planned:
     work = dealing.Work(
         frozenset(task.item.key for task in here if task.item.making in task.steps),
         frozenset(task.item.key for task in here if "test" in task.steps),
+        {key: entry.seconds for key, entry in plan.known.items() if not entry.failed},
     )
     wanted = {image.target for image in plan.images}
     return Planned(
@@ -142,9 +143,13 @@ def _first(outcome: Outcome) -> str:
 
 
 def _counts(outcomes: list[Outcome]) -> list[str]:
-    """How many there are of each step and state."""
+    """How many there are of each step and state, and how long they took together."""
     counts = Counter((outcome.step, outcome.state) for outcome in outcomes)
-    return [f"{step}: {number} {state}" for (step, state), number in counts.items()]
+    seconds = {key: sum(x.seconds for x in outcomes if (x.step, x.state) == key) for key in counts}
+    return [
+        f"{step}: {number} {state}" + (f" in {duration(seconds[step, state])}" if seconds[step, state] >= 1 else "")
+        for (step, state), number in counts.items()
+    ]
 
 
 def _effort(uploaded: int, started: float) -> str:

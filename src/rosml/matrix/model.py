@@ -455,6 +455,7 @@ class Rates(Facts):
     packages: Rate = Field(default=25, description="MB unpacked per second, where apt installs packages")
     parts: Rate = Field(default=60, description="MB unpacked per second, where parts are assembled")
     test: Rate = Field(default=15, description="seconds for the tests of an image")
+    carried: Rate = Field(default=120, description="seconds for the tests that one image of a row runs for the others")
 
 
 class Matrix(Facts):

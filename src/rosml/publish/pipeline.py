@@ -8,6 +8,7 @@ then only to an index of images that passed.
 from __future__ import annotations
 
 import hashlib
+import math
 import threading
 import time
 from collections import Counter
@@ -113,6 +114,8 @@ class Pipeline:
     _may_push: bool = False
     _ask_anew: bool = False  # whether a failed build asks if ROS published new packages
     _synced: bool = False  # it did
+    _testing: bool = False  # whether an image is tested as soon as it is there
+    _end: float = math.inf  # by the monotonic clock, when nothing more is begun
     _signing: Any = field(default_factory=threading.Lock)  # one signature at a time
 
     @cached_property
@@ -167,8 +170,9 @@ class Pipeline:
             self.outcomes[before:] = [outcome for outcome in self.outcomes[before:] if outcome.state != "waits"]
 
     def join(self) -> None:
-        """Puts images with frameworks together, in the registry."""
-        self._each("join", [item for item in self.plan.items if item.kind == "joined"], self._join)
+        """Puts images with frameworks together, in the registry. Those first that test what others share with them."""
+        items = [item for item in self.plan.items if item.kind == "joined"]
+        self._each("join", sorted(items, key=_carries_nothing), self._join)
 
     def test(self, targets: Sequence[str] = ()) -> None:
         """Runs the structure tests of images that have not passed them.
@@ -178,6 +182,19 @@ class Pipeline:
         """
         wanted = [i for i in self.plan.items if i.kind != "part" and (not targets or i.target in targets)]
         self._each("test", wanted, self._test)
+
+    def images(self, minutes: float = math.inf) -> None:
+        """Builds, joins and tests: each image is tested as soon as it is there, so that a run that ends early leaves images that
+        can get their tags.
+
+        Args:
+            minutes: after which nothing more is begun. What is left waits for the next run.
+        """
+        self._testing, self._end = True, time.monotonic() + 60 * minutes
+        self.build()
+        self.join()
+        self.test()
+        self._testing, self._end = False, math.inf
 
     def _each(self, step: str, items: Sequence[Item], work: Callable[[Item, Entry], Entry]) -> None:
         """Does a step's work on those items whose turn it is."""
@@ -193,8 +210,15 @@ class Pipeline:
                 if step in task.steps:  # an earlier step is still to be done
                     self.outcomes.append(Outcome(step, *item.key, "waits", f"{task.steps[0]} comes first"))
                 continue
+            if time.monotonic() >= self._end:
+                self.outcomes.append(Outcome(step, *item.key, "waits", "the time of this run is over"))
+                continue
             number += 1
             self._do(step, item, f"({number} of {expected})", task.why, work)
+            if self._testing and item.kind != "part" and step != "test":
+                task = self.plan.task(item, ahead=False)
+                if task.steps[:1] == ("test",):
+                    self._do("test", item, "(as soon as it is there)", task.why, self._test)
 
     def _do(self, step: str, item: Item, place: str, why: Sequence[str], work: Callable[[Item, Entry], Entry]) -> None:
         """Does a step's work on an item, and writes down what came of it."""
@@ -634,6 +658,12 @@ class Pipeline:
         if manifest is None:
             raise RosmlError(f"{repository}@{digest} is not in the registry any more", "run 'build' and 'join' again")
         return manifest, self.registry.config(repository, manifest)
+
+
+def _carries_nothing(item: Item) -> bool:
+    """Whether an image tests nothing for others."""
+    assert isinstance(item.thing, Image)
+    return item.thing.carriers[:1] != (item.target,)
 
 
 def side_by_side(work: Callable[[T], R], items: Iterable[T]) -> list[R]:

@@ -27,7 +27,7 @@ class Estimates(_Fact):
     Attributes:
         download_mb: what the network brings: base images, Debian packages and wheels, compressed.
         disk_mb: room that it needs at its peak, which is its end, with the reserve; counted as `machine/disk.py` counts.
-        seconds: time of building and testing, by the matrix' rates.
+        seconds: time of building and testing: what each took the last time, or else by the matrix' rates.
     """
 
     download_mb: int

@@ -8,8 +8,8 @@ shared between units: a shard assembles them once, however many of its units nee
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
 
 from rosml.base.errors import RosmlError
 from rosml.images.image_set import Image, ImageSet
@@ -27,10 +27,12 @@ class Work:
 
     Attributes:
         made: images and parts that are built or joined. tested: images whose tests run.
+        seconds: what each step took the last time, where that is known.
     """
 
     made: frozenset[tuple[str, str]]
     tested: frozenset[tuple[str, str]]
+    seconds: Mapping[tuple[str, str], Mapping[str, float]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -99,15 +101,27 @@ def _unit(image_set: ImageSet, distribution: str, images: list[Image], architect
     def made(target: str) -> bool:
         return work is None or (target, architecture) in work.made
 
+    def took(target: str, step: str) -> int | None:
+        found = work.seconds.get((target, architecture), {}).get(step) if work else None
+        return math.ceil(found) if found and found >= 1 else None  # what was in a cache says nothing
+
+    def test(image: Image) -> int:
+        carried = rates.carried if image.carriers[:1] == (image.target,) else 0
+        known = took(image.target, "test")
+        return rates.test + carried if known is None else known
+
     ros = [image for image in ordered if image.stack is None and made(image.target)]
-    tests = sum(work is None or (image.target, architecture) in work.tested for image in ordered)
-    packages = sum(_own(image_set, image).unpacked for image in ros)
-    costs: Costs = {("distribution", distribution): _divided(packages, rates.packages) + rates.test * tests}
+    known = {image.target: seconds for image in ros if (seconds := took(image.target, "build")) is not None}
+    packages = sum(_own(image_set, image).unpacked for image in ros if image.target not in known)
+    tests = sum(test(image) for image in ordered if work is None or (image.target, architecture) in work.tested)
+    seconds = _divided(packages, rates.packages) + sum(known.values()) + tests
+    costs: Costs = {("distribution", distribution): seconds}
     if any(image.parent not in image_set.by_target for image in ros):
         costs["os", ordered[0].os] = _divided(image_set.matrix.disk.os.unpacked, rates.packages)
     for part in (image_set.part_by_name[name] for name in _parts(ordered)):
         if made(part.target):
-            costs["part", part.name] = _divided(part.disk.unpacked, rates.parts)
+            known_part = took(part.target, "build")
+            costs["part", part.name] = _divided(part.disk.unpacked, rates.parts) if known_part is None else known_part
     return Unit(distribution, ordered, costs)
 
 
