@@ -39,7 +39,7 @@ from rosml.base import clock as moments
 from rosml.base.errors import RosmlError
 from rosml.build import file_list, maker, part, sync
 from rosml.build.maker import BuildKitMaker
-from rosml.cli import report
+from rosml.cli import report, tables
 from rosml.images import image_set as sets
 from rosml.images import locked, selection
 from rosml.images.image_set import ImageSet
@@ -188,6 +188,34 @@ def test_an_image_alone_is_tested_with_less_if_others_of_the_same_parts_passed(
     run = registry.publish(image_set, date=NEXT, only=[BASE], packages="2")
     assert ran(run)[BASE] == (*image.tests, *image.shared), "the others stand on other packages"
     registry.check(image_set)
+
+
+def test_the_owner_sees_each_cause_once(registry: Place, image_set: ImageSet) -> None:
+    """What failed, with the last lines of its log, and all that it keeps from being published; what a further run would do."""
+    part = "part-torch-cu1-py312"
+    run = registry.publish(image_set, broken={part}, poisoned={"alpha-core"})
+    entry = run.plan.known[part, "amd64"]
+    run.plan.known[part, "amd64"] = replace(entry, failed={**entry.failed, "reason": "it broke\n@somebody `at` line 7"})
+    found = list(status.read(run.plan, registry.registry, PREFIX, LATER))
+    causes = status.causes(found, image_set.matrix.architectures)
+    assert [cause.state for cause in causes[:2]] == ["failed", "failed"]
+    by_reason = {cause.reason: cause for cause in causes}
+    assert by_reason["it broke"].targets == (part,)
+    assert by_reason["tests failed: contract: it is poisoned"].targets == ("alpha-core",), "of both architectures"
+    (waits,) = [cause for cause in causes if cause.reason == f"its build failed in this run (for {part})"]
+    assert {"alpha-core-torch-cu1", "alpha-base-torch-cu1", "alpha-core-ml-cu1", "alpha-base-ml-cu1"} == {
+        *waits.targets
+    }
+    ahead = status.ahead(run.plan)
+    assert ahead == {"build": 1, "join": 4, "test": 6}
+    text = tables.status_markdown("registry.example/rosml", found, causes, ahead)
+    assert (
+        text.startswith("## Images of registry.example/rosml\n")
+        and "A further run would build 1, join 4, test 6." in text
+    )
+    assert "````\nit broke\n@somebody `at` line 7\n````" in text
+    mended = registry.publish(image_set, date=NEXT)
+    assert {step: len(steps(mended, step)) for step in ahead} == ahead
 
 
 def test_each_image_is_tested_as_soon_as_it_is_there(registry: Place, image_set: ImageSet) -> None:

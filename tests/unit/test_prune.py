@@ -207,7 +207,7 @@ def test_what_cannot_be_had_is_told_apart(
     }
     counts = json.loads(status.as_json(found))["counts"]
     assert (counts["published"], counts["waiting for a builder"], counts["lock missing"]) == (1, 1, 2)
-    tables.print_status(found)
+    tables.print_status(found, [], {})
     lines = {line.split()[0]: " ".join(line.split()[1:]) for line in capsys.readouterr().out.splitlines() if line}
     assert lines["image"] == "state age platforms why"
     assert lines["alpha-core"] == "published 3 d amd64, arm64"

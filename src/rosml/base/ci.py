@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable, Sequence
 from pathlib import Path
+
+from rosml.base.terminal import shown
 
 SUMMARY = "GITHUB_STEP_SUMMARY"
 """Names the file that CI shows as a job's summary; Markdown is added to it."""
@@ -33,6 +36,15 @@ def table(columns: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """A table in Markdown."""
     lines = [columns, ["---"] * len(columns), *rows]
     return "".join(f"| {' | '.join(map(_cell, line))} |\n" for line in lines)
+
+
+def code(text: str) -> str:
+    """A text of others as code in Markdown, in which nothing of it is a link, a mention or HTML; a block if it has several lines."""
+    text = shown(text)
+    ticks = "`" * (1 + max((len(found) for found in re.findall("`+", text)), default=0))
+    if "\n" in text:
+        return f"{ticks}``\n{text}\n{ticks}``"
+    return f"{ticks} {text} {ticks}" if "`" in text else f"{ticks}{text}{ticks}"
 
 
 def _cell(text: str) -> str:

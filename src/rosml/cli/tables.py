@@ -4,23 +4,26 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from rosml.bake.diff import Difference, how_many, rows
 from rosml.bake.inputs import Inputs
-from rosml.base import terminal
-from rosml.base.problems import counted
+from rosml.base import ci, terminal
+from rosml.base.problems import counted, some
 from rosml.images import missing
 from rosml.images.facts import facts
 from rosml.images.image_set import Image
 from rosml.publish.plan_file import Shard
-from rosml.publish.status import STATES, ImageStatus, age
+from rosml.publish.status import STATES, Cause, ImageStatus, age
 from rosml.scan.judge import Run
 from rosml.scan.sarif import COLUMNS, finding_rows, summary
 
 if TYPE_CHECKING:
     from rich.text import Text
+
+MANY = 12
+"""From more names on, they are folded in a summary."""
 
 COLOURS = {"critical": "bold red", "high": "red", "medium": "yellow"}
 
@@ -114,13 +117,47 @@ def print_scan(run: Run) -> None:
     terminal.echo(f"{counted(len(run.images), 'image')}: {run.outcome.value}")
 
 
-def print_status(found: list[ImageStatus]) -> None:
-    """A line for each image, and how many there are of each state."""
+def print_status(found: list[ImageStatus], causes: Sequence[Cause], ahead: Mapping[str, int]) -> None:
+    """A line for each image, a block for each cause, and how many images there are of each state."""
     rows = (
         (it.target, coloured(it.state, STATES[it.state]), age(it.age), ", ".join(it.platforms), it.reason)
         for it in found
     )
     show(("image", "state", "age", "platforms", "why"), rows, wrapped=["why"])
+    out = terminal.console()
+    for cause in causes if len(found) > 1 else ():
+        head = f"{counted(len(cause.targets), 'image')} {cause.state}"
+        out.print(f"{head}: {cause.reason or some(cause.targets)}", style=STATES[cause.state], markup=False)
+        if cause.reason:
+            out.print(f"  {some(cause.targets)}", style="dim", markup=False)
+        for line in cause.log.split("\n") if cause.log else ():
+            out.print(f"  | {line}", style="dim", markup=False)
+    out.print(f"{_counts(found)}; {_ahead(ahead)}", style="dim")
+
+
+def _counts(found: Sequence[ImageStatus]) -> str:
+    """How many images there are of each state."""
     counts = Counter(item.state for item in found)
     text = ", ".join(f"{counts[name]} {name}" for name in STATES if counts[name])
-    terminal.console().print(f"{counted(len(found), 'image')}: {text}", style="dim")
+    return f"{counted(len(found), 'image')}: {text}"
+
+
+def _ahead(ahead: Mapping[str, int]) -> str:
+    """What a further run would do."""
+    steps = ", ".join(f"{name} {number}" for name, number in ahead.items())
+    return f"a further run would {steps}" if steps else "a further run has nothing to do"
+
+
+def status_markdown(place: str, found: Sequence[ImageStatus], causes: Sequence[Cause], ahead: Mapping[str, int]) -> str:
+    """How the images of a registry stand, for the owner of a repository: numbers, then each cause with its images and the last
+    lines of its log."""
+    lines = [f"## Images of {place}", "", f"{_counts(found)}. {_ahead(ahead).capitalize()}.", ""]
+    for cause in causes:
+        reason = f": {ci.code(cause.reason)}" if cause.reason else ""
+        lines += [f"### {counted(len(cause.targets), 'image')} {cause.state}{reason}", ""]
+        names = ", ".join(f"`{name}`" for name in cause.targets)
+        many = len(cause.targets) > MANY
+        lines += [f"<details><summary>{some(cause.targets)}</summary>\n\n{names}\n</details>" if many else names, ""]
+        if cause.log:
+            lines += [ci.code(cause.log), ""]
+    return "\n".join(lines)

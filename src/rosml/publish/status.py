@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
+import re
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
@@ -40,6 +41,7 @@ class ImageStatus:
         tag: its main tag, with the repository. digest: what that points at; empty where there is none.
         date: of the run that made that; empty where nobody knows. age: seconds since then.
         platforms: what the tag has.
+        log: the last lines of what failed, as the records have them.
     """
 
     target: str
@@ -50,6 +52,7 @@ class ImageStatus:
     date: str
     age: float | None
     platforms: tuple[str, ...]
+    log: str = ""
 
     def to_json(self) -> dict[str, Any]:
         """For `--json`."""
@@ -84,6 +87,7 @@ def read(plan: Plan, registry: Registry, prefix: str, now: str, serving: Sequenc
             date,
             (today - made).total_seconds() if made and today else None,
             platforms,
+            _log(plan, thing) if state == "failed" else "",
         )
 
 
@@ -118,6 +122,67 @@ def _unproven(plan: Plan, members: Sequence[tuple[str, str]]) -> list[str]:
     """What other images were to prove of an image and did not, by architecture."""
     items = [plan.by_key[key] for key in members if key in plan.known]
     return [f"{item.architecture}: {why}" for item in items if item.kind != "part" and (why := plan.unproven(item))]
+
+
+def _log(plan: Plan, thing: Image | Part) -> str:
+    """What the records have of a failure, if that is more than a line."""
+    entries = (entry for key in plan.members(thing) if (entry := plan.known.get(key)))
+    texts = (entry.failed.get("reason", "") for entry in entries if not _over(plan, entry))
+    return next((text for text in texts if "\n" in text), "")
+
+
+@dataclass(frozen=True)
+class Cause:
+    """Why some images are not published as they should be.
+
+    Attributes:
+        state: one of STATES. reason: what they have in common. targets: bake targets. log: the last lines of one of them.
+    """
+
+    state: str
+    reason: str
+    targets: tuple[str, ...]
+    log: str
+
+
+OPEN = ("failed", "outdated", "missing")
+"""The states of images that a further run may publish."""
+
+
+def causes(found: Sequence[ImageStatus], architectures: Iterable[str]) -> list[Cause]:
+    """Images that are not published as they should be, by state and reason; failures, and what most have in common, first.
+
+    Args:
+        architectures: whose names in reasons do not count, so that one fault on all of them is one cause.
+    """
+    names = re.compile(rf"(?:(?<=^)|(?<=; ))(?:{'|'.join(map(re.escape, architectures))}): ")
+    groups: dict[tuple[str, str], list[ImageStatus]] = {}
+    for item in found:
+        if item.state != "published":
+            reason = "" if item.state == "lock missing" else names.sub("", item.reason)
+            parts = dict.fromkeys(reason.split("; "))
+            if len(parts) > 1:
+                parts.pop(ELSEWHERE, None)  # who looks has one machine, and a publishing run has all
+            groups.setdefault((item.state, "; ".join(parts)), []).append(item)
+    made = (
+        Cause(state, reason, tuple(x.target for x in items), next((x.log for x in items if x.log), ""))
+        for (state, reason), items in groups.items()
+    )
+    order = [*STATES]
+    return sorted(made, key=lambda cause: (cause.state != "failed", order.index(cause.state), -len(cause.targets)))
+
+
+def ahead(plan: Plan) -> dict[str, int]:
+    """How often a further run would do each step, wherever its machines are."""
+    counts: Counter[str] = Counter()
+    for item in plan.items:
+        if item.thing.unlocked:
+            continue
+        if plan.reasons(item):
+            counts[item.making] += 1
+        if item.kind != "part" and (plan.reasons(item) or not plan.passed(item, plan.known[item.key])):
+            counts["test"] += 1
+    return {name: counts[name] for name in ("build", "join", "test") if counts[name]}
 
 
 def _odd(date: str, now: str) -> str:

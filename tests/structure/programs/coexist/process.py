@@ -1,4 +1,4 @@
-"""One process with ROS, numpy, the frameworks that the image promises, and OpenCV and cv_bridge if it has perception: whichever
+"""One process with ROS, the frameworks that the image promises with numpy, and OpenCV and cv_bridge if it has perception: whichever
 is imported first, each does its work, and the process ends cleanly.
 
 Without arguments: runs itself for both orders. `process.py NAME…`: one process with that order.
@@ -12,6 +12,7 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 
 def runtimes_too_many(maps: str, machine: str) -> list[str]:
@@ -36,6 +37,19 @@ def work(names: list[str]) -> None:
     import importlib
 
     modules = {name: importlib.import_module(name) for name in names}
+    if "numpy" in modules:
+        look(modules)
+    if "rospy" in modules:
+        assert modules["rospy"].Time.from_sec(1.5).nsecs == 500_000_000
+    else:
+        from rclpy.time import Time
+
+        assert Time(seconds=1, nanoseconds=5).nanoseconds == 1_000_000_005
+    print("worked:", " ".join(names))
+
+
+def look(modules: dict[str, Any]) -> None:
+    """Has all that knows pictures work on the same one."""
     np = modules["numpy"]
     picture = np.arange(4 * 6 * 3, dtype=np.uint8).reshape(4, 6, 3)
     if "cv_bridge" in modules:
@@ -59,13 +73,6 @@ def work(names: list[str]) -> None:
         assert abs(float(tf.reduce_mean(pooled)) - mean) < 1e-3
     runtimes = runtimes_too_many(Path("/proc/self/maps").read_text(), os.uname().machine)
     assert not runtimes, runtimes
-    if "rospy" in modules:
-        assert modules["rospy"].Time.from_sec(1.5).nsecs == 500_000_000
-    else:
-        from rclpy.time import Time
-
-        assert Time(seconds=1, nanoseconds=5).nanoseconds == 1_000_000_005
-    print("worked:", " ".join(names))
 
 
 def orders(names: list[str]) -> list[list[str]]:
@@ -86,9 +93,10 @@ def run(order: list[str]) -> str:
 def main() -> None:
     promised = [name for name in ("torch", "tensorflow") if f"EXPECT_{name.upper()}" in os.environ]
     seeing = ["cv_bridge", "cv2"] if "EXPECT_PACKAGES_PERCEPTION" in os.environ else []
-    ros = "rospy" if os.environ["ROS_VERSION"] == "1" else "rclpy"
+    names = [*seeing, *promised, *(["numpy"] if seeing or promised else [])]
+    names.append("rospy" if os.environ["ROS_VERSION"] == "1" else "rclpy")
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        if failed := list(filter(None, pool.map(run, orders([*seeing, *promised, "numpy", ros])))):
+        if failed := list(filter(None, pool.map(run, orders(names)))):
             sys.exit("\n".join(failed))
     print("both orders: each works and ends cleanly")
 
