@@ -9,6 +9,7 @@ import logging
 import re
 import threading
 from collections.abc import Callable, Iterator
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
@@ -526,6 +527,19 @@ def test_a_static_host_will_do(window: Windows, host: str, published: Published)
     assert {address.partition("127.0.0.1:")[0] for address in opened.requests} <= {"http://", "data:,"}
     assert page.get_by_role("link", name="catalogue.json").get_attribute("href") == "catalogue.json"
     assert page.request.get(f"{host}catalogue.json").json()["format"] == 1
+
+
+@pytest.mark.parametrize(("hours", "told"), [(1, ""), (47, ""), (49, "This catalogue is 2 days old.")])
+def test_a_catalogue_that_nobody_writes_anew_says_so(
+    hours: int, told: str, browser: Any, published: Published, tmp_path: Path
+) -> None:
+    created = (datetime.now(UTC) - timedelta(hours=hours)).strftime("%Y-%m-%dT%H:%M:%SZ")
+    site.write(tmp_path / "page", published.model_copy(update={"created": created}))
+    windows = Windows(browser, tmp_path / "page")
+    page = windows().open()
+    assert page.locator("#old").is_visible() == bool(told)
+    assert (page.locator("#old").text_content() or "").startswith(told)
+    windows.opened[0][0].close()
 
 
 def test_what_a_registry_says_is_text_and_never_markup(browser: Any, published: Published, tmp_path: Path) -> None:

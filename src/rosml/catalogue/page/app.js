@@ -73,6 +73,11 @@
   document.getElementById("where").textContent = catalogue.registry;
   document.getElementById("written").textContent =
     `Written ${catalogue.created.slice(0, 16).replace("T", " ")} UTC. ${r.count(built, "image")} of ${catalogue.images.length} published, as ${r.count(catalogue.sharing.images, "manifest")}: ${r.size(catalogue.sharing.stored)} in the registry, ${r.size(catalogue.sharing.apart)} without sharing.`;
+  // The night writes this page anew. Where it does not run, images get no updates, and the page would not say so.
+  const days = (Date.now() - Date.parse(catalogue.created)) / 86_400_000;
+  const old = document.getElementById("old");
+  old.hidden = !(days > 2);
+  old.textContent = old.hidden ? "" : `This catalogue is ${Math.floor(days)} days old. No night has run since, or none got this far: images have no updates of these days.`;
   window.addEventListener("hashchange", () => show(false));
   show(true);
   document.documentElement.dataset.ready = "yes";
