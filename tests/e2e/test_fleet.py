@@ -9,6 +9,7 @@ import http.client
 import http.server
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -161,13 +162,14 @@ def test_a_builder_without_room(mini: Mini, services: Services, tmp_path: Path) 
 
 # ---- A registry on a bad day -----------------------------------------------------------------------------------------
 
-Mood = Callable[[int], str]
+Mood = Callable[[int, str], str]
+"""What a registry answers, by the number of the request and by its method, path and who asks: nothing for what it would."""
 
 
 @contextmanager
 def moody(upstream: str, mood: Mood) -> Iterator[str]:
-    """A registry in front of the real one that now and then answers 500 or 429, or hangs up; gives its address. It knows the
-    password."""
+    """A registry in front of the real one that now and then answers with an error, or hangs up; gives its address. It knows
+    the password."""
     counter = iter(range(1, 1 << 30))
     account = credentials.from_docker(upstream)
     assert account
@@ -186,7 +188,7 @@ def moody(upstream: str, mood: Mood) -> Iterator[str]:
                     self.rfile.readline()
                 self.rfile.readline()
             with lock:
-                what = mood(next(counter))
+                what = mood(next(counter), f"{self.command} {self.path} {self.headers.get('User-Agent')}")
             if what == "hang up":
                 self.close_connection = True
                 self.connection.close()
@@ -235,7 +237,7 @@ def test_a_registry_that_fails_now_and_then(mini: Mini, services: Services) -> N
     """Every seventh answer is none: the run works on, or ends with an error and the next one finishes."""
     tags = published(mini, "ros1-bookworm-core*")
     faults, recorded, date = ("500", "429", "hang up"), set[tuple[str, str]](), now()
-    with moody(services.registry, lambda number: faults[number // 7 % 3] if number % 7 == 0 else "") as address:
+    with moody(services.registry, lambda number, _: faults[number // 7 % 3] if number % 7 == 0 else "") as address:
         for _attempt in range(4):
             place = f"{address}/{mini.prefix}"
             outcome = run(
@@ -255,6 +257,35 @@ def test_a_registry_that_fails_now_and_then(mini: Mini, services: Services) -> N
     assert {("build", "ros1-bookworm-core"), ("join", "ros1-bookworm-core-tensorflow-cpu")} <= recorded
     moved = mini.tags()
     assert all(moved[name] != tags[name] for name in ("ros:ros1-bookworm-core", "ros-tf:ros1-bookworm-core-cpu"))
+
+
+def test_a_push_that_is_refused_for_a_moment(mini: Mini, services: Services) -> None:
+    """As ghcr.io does while a repository is being made, or is busy. BuildKit asks once more in no time, or never.
+    What was built is pushed again, and not built again, also where all is built anew."""
+    install = mini.folder / "components/ros/install.sh"
+    install.write_text(install.read_text() + "date +%N >/opt/mini/now\n")
+    mini.all("--only", "ros1-bookworm-core")
+    faults = {
+        "POST .*/blobs/uploads/.* buildkit/": ["503"],
+        "PUT .*/manifests/.* buildkit/": ["403", "403", *["429"] * 6],
+    }
+
+    def mood(_number: int, asked: str) -> str:
+        return next((left.pop(0) for pattern, left in faults.items() if left and re.match(pattern, asked)), "")
+
+    with moody(services.registry, mood) as address:
+        command = mini.command(
+            "build", "--only", "ros1-bookworm-core", "--registry", f"{address}/{mini.prefix}", "--force"
+        )
+        outcome = run(*command, cwd=mini.folder)
+    assert faults == {pattern: [] for pattern in faults}, outcome.err
+    assert outcome.code == 0, outcome.err
+    told = re.findall(r"failed: (.*); attempt (\d)", outcome.err)
+    assert told == [("403 Forbidden", "2"), ("403 Forbidden", "3"), ("429 Too Many Requests", "4")]
+    log = (mini.folder / f".state/log/build-ros1-bookworm-core-{NATIVE}.log").read_text()
+    assert len(re.findall(r"^[\d.]+ s .*/ros/install\.sh", log, re.MULTILINE)) == 1
+    refused = re.findall(r"ERROR: .*/manifests/(sha256:\w+): 4", log)
+    assert len(refused) == 3 and len({*refused}) == 1 and refused[0] in outcome.err.rpartition("attempt 4")[2]
 
 
 def test_a_registry_that_is_gone(mini: Mini) -> None:

@@ -27,7 +27,7 @@ from rosml.machine import base_images
 from rosml.machine.services import Services
 from rosml.matrix.model import OperatingSystem
 from rosml.publish import plan
-from rosml.registry import oci
+from rosml.registry import failures, oci
 from rosml.registry.oci import Registry
 
 T = TypeVar("T")
@@ -190,7 +190,7 @@ def test_what_is_no_source(file: str, text: str, line: int) -> None:
 @pytest.fixture(autouse=True)
 def native(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
-    monkeypatch.setattr(oci, "WAIT", 0.01)
+    monkeypatch.setattr(failures, "WAIT", 0.01)
 
 
 @pytest.fixture

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import signal
 import subprocess
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +22,7 @@ from rosml.machine import buildx as builder
 from rosml.machine.buildx import Bake
 from rosml.machine.progress import BuildProgress
 from rosml.machine.services import Services
+from rosml.registry import failures, oci
 
 NAME = "[a ros 1/2] RUN --mount=type=secret,id=ca-bundle /run/components/ros/install.sh ros-core"
 DAY = "2026-11-21T11:03:"
@@ -284,6 +287,79 @@ def test_buildx_is_gone(tmp_path: Path, bake: Bake) -> None:
     with pytest.raises(RosmlError, match="cannot run /nowhere/buildx: No such file") as caught:
         builder.run(services(tmp_path), bake)
     assert caught.value.remedy == "run 'rosml setup'"
+
+
+PUSH = "failed to push {}/a: unexpected status from PUT request to http://x/v2/a/manifests/sha256:0: {}"
+
+TRY = """
+echo x >>"$here/tries"
+[ "$(wc -l <"$here/tries")" -gt {failures} ] && exit 0
+"""
+
+
+@pytest.fixture
+def tries(
+    tmp_path: Path, registry: str, bake: Bake, monkeypatch: pytest.MonkeyPatch
+) -> Callable[[str, int], list[str]]:
+    """What a build of which the first attempts fail calls; `{}` in the reason is the registry."""
+    monkeypatch.setattr(failures, "WAIT", 0.001)
+
+    def calling(reason: str, times: int) -> list[str]:
+        line = vertex(completed=f"{DAY}12Z", error=reason.replace("{}", registry))
+        text = TRY.format(failures=times) + says(line, code=1)
+        with contextlib.suppress(RosmlError):
+            builder.run(having(tmp_path, registry, text), replace(bake, sets=("a.no-cache=true", "a.tags=")))
+        return [call for call in calls(tmp_path) if call.startswith("buildx bake")]
+
+    return calling
+
+
+@pytest.mark.parametrize(
+    ("reason", "most"),
+    [
+        (PUSH.format("{}", "429 Too Many Requests"), failures.ATTEMPTS),
+        (PUSH.format("{}", "503 Service Unavailable"), failures.ATTEMPTS),
+        (PUSH.format("{}", "404 Not Found"), failures.ATTEMPTS_REFUSED),
+        (PUSH.format("{}", "401 Unauthorized"), 1),
+        (PUSH.format("{}", "413 Content Too Large"), 1),
+        ("failed to push {}/a: failed to do request: Put http://x: EOF", failures.ATTEMPTS_UNREACHED),
+        ("failed to push {}/a: x509: certificate signed by unknown authority", 1),
+        ("a: unexpected status from HEAD request to https://x: 429 Too Many Requests", failures.ATTEMPTS),
+        ("a: unexpected status from HEAD request to https://x: 403 Forbidden", 1),
+        ("process did not complete successfully: exit code: 1", 1),
+    ],
+)
+def test_what_a_registry_may_take_later_is_sent_again(
+    tries: Callable[[str, int], list[str]], reason: str, most: int
+) -> None:
+    assert len(tries(reason, 100)) == most
+
+
+def test_a_result_that_is_there_is_not_built_again(tries: Callable[[str, int], list[str]], tmp_path: Path) -> None:
+    """Where something could not be pulled, it is still to be built past the cache."""
+    first, second = tries(PUSH.format("{}", "429 Too Many Requests"), 1)
+    assert "a.no-cache=true" in first and "a.no-cache=true" not in second and "a.tags=" in second
+    log = (tmp_path / ".state/log/build-a.log").read_text()
+    assert log.count("$ ") == 2 and "429 Too Many Requests" in log, "the log has what was built"
+    (tmp_path / "tries").unlink()
+    *_, again = tries("a: unexpected status from HEAD request to https://x: 429 Too Many Requests", 1)
+    assert "a.no-cache=true" in again
+
+
+@pytest.mark.parametrize(("may", "attempts"), [(True, failures.ATTEMPTS), (False, 1)])
+def test_a_push_that_is_denied_is_sent_again_if_the_client_may_push(
+    tries: Callable[[str, int], list[str]], monkeypatch: pytest.MonkeyPatch, may: bool, attempts: int
+) -> None:
+    asked = []
+
+    def may_push(client: oci.Registry, repository: str) -> None:
+        asked.append((client.host, repository))
+        if not may:
+            raise RosmlError("access denied")
+
+    monkeypatch.setattr(oci.Registry, "may_push", may_push)
+    assert len(tries(PUSH.format("{}", "403 Forbidden"), 100)) == attempts
+    assert len(asked) == attempts and {repository for _, repository in asked} == {"a"}
 
 
 # ---- Ctrl-C ----------------------------------------------------------------------------------------------------------

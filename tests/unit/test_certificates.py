@@ -18,7 +18,7 @@ from stubs import services
 
 from rosml.base.errors import RosmlError
 from rosml.machine import regctl, trust
-from rosml.registry import certificates, oci
+from rosml.registry import certificates, failures
 from rosml.registry.oci import Registry
 
 NOW = datetime.datetime.now(datetime.UTC)
@@ -29,7 +29,7 @@ DAY = datetime.timedelta(days=1)
 def docker(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     monkeypatch.setenv("DOCKER_CONFIG", str(tmp_path / "docker"))
     monkeypatch.setattr(certificates, "SYSTEM", tmp_path / "system")
-    monkeypatch.setattr(oci, "WAIT", 0.001)
+    monkeypatch.setattr(failures, "WAIT", 0.001)
     return tmp_path / "docker/certs.d"
 
 

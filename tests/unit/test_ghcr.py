@@ -16,7 +16,7 @@ from stubs import services
 from rosml.base.errors import RosmlError
 from rosml.images.image_set import ImageSet
 from rosml.publish.steps import STEPS
-from rosml.registry import oci
+from rosml.registry import failures, oci
 from rosml.registry.credentials import Credentials
 
 NAME, SECRET = "somebody", "s3cret-Pass"
@@ -26,8 +26,8 @@ UNKNOWN = b'{"errors": [{"code": "MANIFEST_BLOB_UNKNOWN", "message": "blob unkno
 @pytest.fixture(params=["registry", "token"])
 def ghcr(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[StandIn]:
     """The registry, and who denies what does not exist yet."""
-    monkeypatch.setattr(oci, "WAIT", 0.001)
-    monkeypatch.setattr(oci, "LONGEST_WAIT", 0.02)
+    monkeypatch.setattr(failures, "WAIT", 0.001)
+    monkeypatch.setattr(failures, "LONGEST_WAIT", 0.02)
     with standing_in() as people, standing_in() as found:
         found.hides, found.users, found.bearer, found.scoped = request.param, {NAME: SECRET}, True, True
         found.expires, found.deletes, found.people = 3.0, False, f"http://{people.address}/me"

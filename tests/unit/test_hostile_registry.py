@@ -29,7 +29,7 @@ from rosml.build import file_list, release_file
 from rosml.join import file_lists
 from rosml.machine.services import Services
 from rosml.machine.setup import network
-from rosml.registry import credentials, oci
+from rosml.registry import credentials, failures, oci
 from rosml.registry.credentials import Credentials
 from rosml.registry.documents import Descriptor
 from rosml.registry.oci import Registry
@@ -58,8 +58,8 @@ NO_HOSTS = [
 
 @pytest.fixture(autouse=True)
 def quick(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr(oci, "WAIT", 0.001)
-    monkeypatch.setattr(oci, "LONGEST_WAIT", 0.01)
+    monkeypatch.setattr(failures, "WAIT", 0.001)
+    monkeypatch.setattr(failures, "LONGEST_WAIT", 0.01)
     monkeypatch.setenv("DOCKER_CONFIG", str(tmp_path / "docker"))
     monkeypatch.delenv("DOCKER_AUTH_CONFIG", raising=False)
 

@@ -23,7 +23,7 @@ from rosml.images import labels
 from rosml.join import file_lists
 from rosml.join.file_lists import Files
 from rosml.join.joiner import Joiner, JoinReport
-from rosml.registry import oci
+from rosml.registry import failures, oci
 from rosml.registry.oci import Reference, Registry
 from tests.e2e import parts
 from tests.e2e.parts import PARTS, Tiny, part, ros
@@ -89,8 +89,8 @@ class Place:
 
 @pytest.fixture
 def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
-    monkeypatch.setattr(oci, "WAIT", 0.001)
-    monkeypatch.setattr(oci, "LONGEST_WAIT", 0.01)
+    monkeypatch.setattr(failures, "WAIT", 0.001)
+    monkeypatch.setattr(failures, "LONGEST_WAIT", 0.01)
     monkeypatch.setenv("DOCKER_CONFIG", str(tmp_path / "docker"))
     with standing_in() as server:
         found = Place(server)
@@ -322,7 +322,7 @@ def test_dockers_media_types_become_ocis(place: Place) -> None:
 
 def test_a_connection_that_ends_anywhere_leaves_no_tag(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
     """Whichever request is the first that gets no answer, of every third; and the next call finishes it."""
-    monkeypatch.setattr(oci, "ATTEMPTS", 1)
+    monkeypatch.setattr(failures, "ATTEMPTS", 1)
     images = [place.ros(), *place.stack()]
     digest = place.join(*images).digest
     due = place.server.due

@@ -21,7 +21,7 @@ from registry_stand_in import DROP, StandIn, standing_in
 from stubs import executable
 
 from rosml.base.errors import RosmlError
-from rosml.registry import oci
+from rosml.registry import failures, oci
 from rosml.registry.credentials import DOCKER_HUB, Credentials, from_docker
 from rosml.registry.oci import Registry, parse
 
@@ -32,8 +32,8 @@ TYPE = "application/vnd.example.v1"
 
 @pytest.fixture(autouse=True)
 def quick(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr(oci, "WAIT", 0.001)
-    monkeypatch.setattr(oci, "LONGEST_WAIT", 0.01)
+    monkeypatch.setattr(failures, "WAIT", 0.001)
+    monkeypatch.setattr(failures, "LONGEST_WAIT", 0.01)
     monkeypatch.setenv("DOCKER_CONFIG", str(tmp_path / "docker"))
     monkeypatch.delenv("DOCKER_AUTH_CONFIG", raising=False)
 
@@ -193,7 +193,7 @@ PAGE = b"<html>Sign in to GitHub</html>"
 
 @pytest.mark.parametrize(
     ("code", "times", "body"),
-    [(303, 1, b""), (404, 1, PAGE), (429, oci.ATTEMPTS, b""), (200, 1, PAGE), (200, 1, b"[]"), (400, 1, b"")],
+    [(303, 1, b""), (404, 1, PAGE), (429, failures.ATTEMPTS, b""), (200, 1, PAGE), (200, 1, b"[]"), (400, 1, b"")],
 )
 def test_what_is_no_index_says_that_there_are_no_referrers(
     server: StandIn, registry: Registry, code: int, times: int, body: bytes
@@ -236,7 +236,7 @@ def test_a_manifest_that_is_redirected_elsewhere_is_not_missing(
         there = {"Location": f"http://{elsewhere.address}/v2/a/manifests/x?signed=s3cret"}
         server.fault(method, "/manifests/", 307, 2, headers=there)
         assert ask() == digest, "it passes"
-        server.fault(method, "/manifests/", 307, oci.ATTEMPTS, headers=there)
+        server.fault(method, "/manifests/", 307, failures.ATTEMPTS, headers=there)
         with pytest.raises(RosmlError, match=r"/v2/a/manifests/x: 307: a redirect to 127\.0\.0\.1") as caught:
             ask()
         assert "s3cret" not in caught.value.message and "run it again" in caught.value.remedy
@@ -327,7 +327,7 @@ def test_what_stays_wrong_is_an_error(server: StandIn, registry: Registry, kind:
     assert server.address in caught.value.message
     assert "/v2/a/manifests/x" in caught.value.message
     assert "run it again" in caught.value.remedy
-    assert server.count("manifests") == oci.ATTEMPTS
+    assert server.count("manifests") == failures.ATTEMPTS
 
 
 def test_a_registry_that_is_not_there_is_told_soon() -> None:
@@ -337,13 +337,13 @@ def test_a_registry_that_is_not_there_is_told_soon() -> None:
 
 
 def test_a_connection_that_drops_at_once_is_no_wrong_name(server: StandIn, registry: Registry) -> None:
-    server.fault("GET", "/manifests/", DROP, oci.ATTEMPTS - 1)
+    server.fault("GET", "/manifests/", DROP, failures.ATTEMPTS - 1)
     assert registry.manifest("a", "x") is None
 
 
 def test_retry_after(server: StandIn, registry: Registry, monkeypatch: pytest.MonkeyPatch) -> None:
     """It waits as long as the registry asks for, but no day."""
-    monkeypatch.setattr(oci, "LONGEST_WAIT", 1.2)
+    monkeypatch.setattr(failures, "LONGEST_WAIT", 1.2)
     for asked, waited in (("1", 1.0), ("86400", 1.2), ("Sat, 01 Jan 2050 00:00:00 GMT", 1.2), ("soon", 0.0)):
         server.fault("GET", "/tags/", 429, headers={"Retry-After": asked})
         pauses: list[float] = []
@@ -456,7 +456,7 @@ def test_a_blob_that_a_part_of_the_registry_does_not_know_yet(
     before = server.count("^PUT")
     with pytest.raises(RosmlError, match=rf"PUT /v2/a/manifests/x: {code} \(blob unknown to registry\)"):
         registry.put_manifest("a", "x", MANIFEST)
-    assert server.count("^PUT") - before == oci.ATTEMPTS_REFUSED, "it may really be missing"
+    assert server.count("^PUT") - before == failures.ATTEMPTS_REFUSED, "it may really be missing"
 
 
 @pytest.mark.parametrize("bearer", [True, False])
@@ -481,9 +481,9 @@ def test_a_push_that_is_denied_is_told_within_seconds(
     docker_config(tmp_path, auths={server.address: auth()})
     registry.head("a", "x")  # it knows the account
     server.fault("GET" if "token" in where else "POST", where, 403, 1000)
-    monkeypatch.setattr(oci, "WAIT", 0.5)
+    monkeypatch.setattr(failures, "WAIT", 0.5)
     pauses: list[float] = []
-    monkeypatch.setattr(oci, "LONGEST_WAIT", 30)
+    monkeypatch.setattr(failures, "LONGEST_WAIT", 30)
     monkeypatch.setattr(time, "sleep", pauses.append)
     with pytest.raises(
         RosmlError, match=r"access denied: cannot .* with the account that is logged in .*403"
@@ -513,7 +513,7 @@ def test_a_registry_that_deletes_nothing(server: StandIn, registry: Registry) ->
 @pytest.mark.parametrize("kind", [400, 403, 404, 405, 503])
 def test_a_registry_that_discards_nothing_is_asked_once(server: StandIn, registry: Registry, kind: int) -> None:
     """404 as well, where the manifest is still there; and once only, if it has no time."""
-    server.fault("DELETE", "/manifests/", kind, oci.ATTEMPTS)
+    server.fault("DELETE", "/manifests/", kind, failures.ATTEMPTS)
     digest = registry.put_manifest("a", "x", MANIFEST)
     for _ in range(2):
         registry.discard("a", digest)

@@ -24,7 +24,7 @@ from rosml.cli import call, catalogue, command, generate, image, locks, main, pa
 from rosml.images import load
 from rosml.machine import base_images
 from rosml.machine.services import Services
-from rosml.registry import oci
+from rosml.registry import failures
 
 REAL = load.load(ROOT / "matrix.yaml")
 PUBLISHED = "ros1-bookworm-core*"
@@ -125,7 +125,7 @@ def around(shop: Shop, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(load, "load", lambda *_: REAL)
     monkeypatch.setattr(package_state, "state", lambda *_: "monday")
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
-    monkeypatch.setattr(oci, "WAIT", 0.001)
+    monkeypatch.setattr(failures, "WAIT", 0.001)
     monkeypatch.setattr("signal.signal", lambda *_: None)
     monkeypatch.setenv("ROSML_DOCKER_HUB", "0")
     stubs.executable(shop.root / "uv", "exit 1")

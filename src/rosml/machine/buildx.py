@@ -8,9 +8,11 @@ import shlex
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Literal
 
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
@@ -18,6 +20,7 @@ from rosml.base.file_lock import turn
 from rosml.machine import trust
 from rosml.machine.progress import BuildProgress
 from rosml.machine.services import Services
+from rosml.registry import failures, login, oci
 
 _LOGIN = "docker login, with an account that may push there; then run it again"
 _REFUSED = (
@@ -68,8 +71,27 @@ uv, curl or apt."""
 CANCEL_SECONDS = 15.0
 """How long a builder that was told to stop may take before it is ended."""
 
+_PUSH = re.compile(r"failed to push (\S+): (.*)", re.DOTALL)
+_STATUS = re.compile(r"unexpected status(?: code)?(?: from \w+ request to)?(?: \S+)?: (\d{3}\b[\w ]*)")
+_CUT_OFF = re.compile(r"\bEOF\b|connection (?:reset|refused)|broken pipe|timeout|timed out|no such host", re.IGNORECASE)
+"""What BuildKit says of a push that failed, of what the registry answered, and of a registry that did not answer."""
+
 _OURS = re.compile(r"PLATFORM|SOURCE_DATE_EPOCH|REVISION|DIGESTS|ROS_SYNC_DATES|OS_(?!APT_MIRROR$).*")
 """Variables of the bake file that a shell may have for other reasons, and that would change what is built."""
+
+
+class Unanswered(RosmlError):
+    """A build that failed because a registry answered with an error, or not at all.
+
+    Attributes:
+        said: the answer, such as `403 Forbidden`. pushing: where the result was pushed to, which is made; empty if something
+            was pulled.
+    """
+
+    def __init__(self, message: str, remedy: str, said: str, pushing: str) -> None:
+        super().__init__(message, remedy)
+        self.said = said
+        self.pushing = pushing
 
 
 @dataclass(frozen=True)
@@ -134,6 +156,10 @@ def run(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, str]]:
     another one holds the steps that they share runs steps anew whose results are in the cache
     (https://github.com/moby/buildkit/issues/4674): gigabytes of parts were assembled three times.
 
+    BuildKit sends a request once, or four times within seconds where the registry is broken. A registry that is busy, or makes
+    the repository just now, needs longer: such a build is tried again, with the steps that are finished, as often as
+    the own client sends a request (`registry/failures.py`).
+
     Returns:
         The progress with all steps, and what buildx says about the target, e.g. `containerimage.digest`.
 
@@ -142,17 +168,54 @@ def run(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, str]]:
         KeyboardInterrupt: the user stopped it; the builder was told.
     """
     waits = f"waiting for another build in builder '{services.builder}'"
-    with turn(turn_file(services), lambda: BuildProgress(sys.stderr).say(waits)):
-        return _run(services, bake)
+    attempt = 0
+    while True:
+        attempt += 1
+        try:
+            with turn(turn_file(services), lambda: BuildProgress(sys.stderr).say(waits)):
+                return _run(services, bake, "w" if attempt == 1 else "a")
+        except Unanswered as error:
+            seconds = _pause(services, error, attempt)
+            if seconds is None:
+                raise
+            what = f"the push to {error.pushing}" if error.pushing else "a download of the build"
+            BuildProgress(sys.stderr).say(f"{what} failed: {error.said}; attempt {attempt + 1} in {seconds:.0f} s")
+            time.sleep(seconds)
+            if error.pushing:  # the result is the newest in the builder's cache, whose steps need not run anew
+                bake = replace(bake, sets=[item for item in bake.sets if not item.endswith(".no-cache=true")])
 
 
-def _run(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, str]]:
+def _pause(services: Services, error: Unanswered, attempt: int) -> float | None:
+    """Seconds to wait before a build is tried again; None if that does not help.
+
+    A push that is denied is tried again where the own client may push: the registry was making the repository, then. A
+    registry that denies it to the client as well, for some seconds, means it.
+    """
+    status = int(error.said[:3]) if error.said[:3].isdecimal() else 0
+    transient = failures.Transient(error.said)
+    if status in login.BUSY:
+        return failures.pause(transient, attempt)
+    if not error.pushing or status not in (0, 403, 404, 409):
+        return None
+    if status in (404, 409):
+        return failures.pause(failures.Refused(error), attempt)
+    if status == 403:
+        try:
+            place = oci.parse(error.pushing)
+            with oci.Registry(place.host, ca_bundle=services.ca_bundle) as client:
+                client.may_push(place.repository)
+        except RosmlError:
+            return None
+    return failures.pause(transient, attempt, reached=bool(status))
+
+
+def _run(services: Services, bake: Bake, mode: Literal["w", "a"]) -> tuple[BuildProgress, dict[str, str]]:
     folder = services.state / "log"
     folder.mkdir(parents=True, exist_ok=True)
     log_path = folder / f"{bake.name}.log"
     metadata = folder / f"{bake.name}.metadata.json"
     metadata.unlink(missing_ok=True)
-    with log_path.open("w") as log:
+    with log_path.open(mode) as log:
         arguments = command(services, bake, metadata)
         log.write(f"$ {shlex.join(arguments)}\n")
         progress = BuildProgress(sys.stderr, log)
@@ -197,7 +260,12 @@ def failure(bake: Bake, progress: BuildProgress, log: Path, code: int) -> RosmlE
     else:
         lines = list(progress.other) or [f"buildx ended with exit code {code}"]
     message += "".join(f"\n    {line}" for line in lines)
-    return RosmlError(f"{message}\n  the whole log: {log}", remedy)
+    message += f"\n  the whole log: {log}"
+    reason = step.error if step else ""
+    push, status = _PUSH.search(reason), _STATUS.search(reason)
+    if status or (push and _CUT_OFF.search(push[2])):
+        return Unanswered(message, remedy, status[1] if status else reason, push[1] if push else "")
+    return RosmlError(message, remedy)
 
 
 def _remedy(lines: Sequence[str]) -> str:

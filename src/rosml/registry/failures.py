@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import random
 import re
 from collections.abc import Iterator
 
@@ -10,6 +11,18 @@ import httpx
 
 from rosml.base import web
 from rosml.base.errors import RosmlError
+
+ATTEMPTS = 7
+"""How often a request is sent before it counts as failed: over about half a minute."""
+
+ATTEMPTS_UNREACHED = 3
+"""The same, while the registry never answered: a name that is wrong is told soon."""
+
+ATTEMPTS_REFUSED = 5
+"""The same, while the registry refuses what it may take a moment later: over about eight seconds."""
+
+WAIT, LONGEST_WAIT = 0.5, 30.0
+"""Seconds before the second attempt, which double with every further one; and what a registry may ask for at most."""
 
 
 class Busy(RosmlError):
@@ -52,6 +65,19 @@ class Denied(Refused):
 
 class Untrusted(Transient):
     """A registry whose certificate is not trusted, or none: sending it again does not help."""
+
+
+def pause(error: Transient, attempt: int, reached: bool = True) -> float | None:
+    """Seconds to wait before a request is sent again; None if it was sent often enough.
+
+    Args:
+        attempt: how often it was sent. reached: whether the registry answered at any time.
+    """
+    most = ATTEMPTS_REFUSED if isinstance(error, Refused) else ATTEMPTS if reached else ATTEMPTS_UNREACHED
+    if attempt >= most:
+        return None
+    backoff: float = WAIT * 2 ** (attempt - 1) + random.uniform(0, WAIT)
+    return min(max(backoff, error.after), LONGEST_WAIT)
 
 
 @contextlib.contextmanager

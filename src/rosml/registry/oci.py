@@ -27,7 +27,7 @@ from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of
 from rosml.base.units import size as in_words
-from rosml.registry import answers, certificates, documents, login
+from rosml.registry import answers, certificates, documents, failures, login
 from rosml.registry import credentials as docker
 from rosml.registry.answers import Answer, after, codes, reason
 from rosml.registry.credentials import DOCKER_HUB, Credentials
@@ -46,18 +46,6 @@ _ACCEPT = ", ".join((INDEX, IMAGE, DOCKER_INDEX, DOCKER_IMAGE))
 
 EMPTY_BLOB = b"{}"
 """The blob that the descriptor of type EMPTY points at: the config of an artifact that has none."""
-
-ATTEMPTS = 7
-"""How often a request is sent before it counts as failed: over about half a minute."""
-
-ATTEMPTS_UNREACHED = 3
-"""The same, while the registry never answered: a name that is wrong is told soon."""
-
-WAIT, LONGEST_WAIT = 0.5, 30.0
-"""Seconds before the second attempt, which double with every further one; and what a registry may ask for at most."""
-
-ATTEMPTS_REFUSED = 5
-"""The same, while the registry refuses what it may take a moment later: over about eight seconds."""
 
 ANSWER_SECONDS = 60.0
 """Longest pause within an answer, and before it."""
@@ -773,7 +761,7 @@ class Registry:
         with self._lock:
             turn = self._attaching[f"{repository}:{tag}"]
         with turn:
-            for _ in range(ATTEMPTS):
+            for _ in range(failures.ATTEMPTS):
                 digest, there, known = read()
                 if known:
                     return
@@ -782,7 +770,7 @@ class Registry:
                     self.put_manifest(repository, tag, content, INDEX)
                     if read()[2]:
                         return
-                time.sleep(random.uniform(0, WAIT))
+                time.sleep(random.uniform(0, failures.WAIT))
         raise RosmlError(f"{self.host}/{repository}:{tag} is written by others all the time", "run it again")
 
     # ---- Requests ----------------------------------------------------------------------------------------------------
@@ -899,15 +887,15 @@ class Registry:
             except Transient as error:
                 attempt += 1
                 self._reached = self._reached or error.connected
-                if isinstance(error, Refused) and attempt >= ATTEMPTS_REFUSED:
+                seconds = failures.pause(error, attempt, self._reached)
+                if seconds is None and isinstance(error, Refused):
                     raise error.error from None
-                if attempt >= (ATTEMPTS if self._reached else ATTEMPTS_UNREACHED):
+                if seconds is None:
                     remedy = "run it again; what is finished is kept"
                     if not self._reached:
                         remedy = "check its name, the network and the proxies (HTTPS_PROXY)"
                     raise error.final(f"{self.host}: {error}", remedy) from None
-                backoff = WAIT * 2 ** (attempt - 1) + random.uniform(0, WAIT)
-                time.sleep(min(max(backoff, error.after), LONGEST_WAIT))
+                time.sleep(seconds)
 
     def _send(
         self,
