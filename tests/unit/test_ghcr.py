@@ -3,17 +3,22 @@ referrers, deletes nothing, forgets tokens, has no time, and learns of blobs a m
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import itertools
+import json
+import re
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any, cast
 
 import pytest
+from conftest import SMALLER
 from memory_registry import DAY, NEXT, PREFIX, Place, Run, place
 from registry_stand_in import DENIED, StandIn, standing_in
 from stubs import services
 
 from rosml.base.errors import RosmlError
+from rosml.cli import publish, report
 from rosml.images.image_set import ImageSet
 from rosml.publish.steps import STEPS
 from rosml.registry import failures, oci
@@ -102,6 +107,57 @@ def test_two_nights(ghcr: StandIn, image_set: ImageSet, project: Path, monkeypat
     assert [outcome for run in second for outcome in run.outcomes if outcome.state != "waits"] == []
     assert [run.made for run in second if run.made] == []
     assert (tags(ghcr), ghcr.count("^(PUT|POST|DELETE)")) == (found, before)
+
+
+Make = Callable[[], tuple[int, dict[str, Any]]]
+
+
+@pytest.fixture
+def make(
+    ghcr: StandIn,
+    image_set: ImageSet,
+    project: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> Iterator[Make]:
+    """Calls the command that makes the repositories which a plan writes into: its exit code, and what it prints."""
+    here = place(project, services(project), monkeypatch)
+    (run,) = Night(ghcr, image_set, here, DAY, "alpha-core", "alpha-base-torch-cu1").job("plan")
+    (project / "plan.json").write_text(report.planned(run, 4, why=False).text())
+    (project / "matrix.yaml").write_text(SMALLER)
+    ghcr.requests.clear()
+    with oci.Registry(ghcr.address, credentials=lambda _: Credentials(NAME, SECRET)) as client:
+        monkeypatch.setattr(publish, "place_of", lambda *_: (client, PREFIX))
+        monkeypatch.setattr(oci.Registry, "close", lambda _: None)
+        arguments = ["--plan", f"{project}/plan.json", "--matrix", f"{project}/matrix.yaml", "--json"]
+
+        def called() -> tuple[int, dict[str, Any]]:
+            with pytest.raises(SystemExit) as ended:
+                publish.main(["repositories", *arguments], standalone_mode=False)
+            return int(ended.value.code or 0), json.loads(capsys.readouterr().out)
+
+        yield called
+
+
+MADE = ["records", "part", "ros", "ros-torch", "rosdep"]
+
+
+def test_repositories_are_made_before_machines_push_at_once(ghcr: StandIn, make: Make) -> None:
+    """One after the other, those that the plan writes into. The second time nothing is written."""
+    ghcr.fault("POST", "/uploads/", 403, 1000, each=3, body=DENIED)
+    assert make() == (0, {"made": MADE, "failed": {}})
+    found = [found[1] for request in ghcr.requests if (found := re.search(rf"/v2/{PREFIX}/([^/]+)/", request))]
+    assert [name for name, _ in itertools.groupby(found)] == MADE
+    assert all(ghcr.exists(f"{PREFIX}/{name}") for name in MADE) and not any(ghcr.tags.values())
+    before = ghcr.count("^(PUT|POST)")
+    assert make() == (0, {"made": [], "failed": {}}) and ghcr.count("^(PUT|POST)") == before
+
+
+def test_a_repository_that_cannot_be_made_holds_up_no_other(ghcr: StandIn, make: Make) -> None:
+    ghcr.fault("POST", "/records/blobs/uploads/", 403, 1000, body=DENIED)
+    code, said = make()
+    assert (code, said["made"]) == (1, MADE[1:])
+    assert "access denied: cannot push to rosml/records" in said["failed"]["records"]
 
 
 def test_a_tag_that_is_denied_to_a_reader_does_not_move(

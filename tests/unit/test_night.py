@@ -19,7 +19,7 @@ case "$step" in
   setup) exit ;;
   catalogue) mkdir public; echo page >public/index.html ;;
   plan) echo '{}' >plan.json ;;
-  images | index | promote) [ -f plan.json ] ;;
+  repositories | images | index | promote) [ -f plan.json ] ;;
   scan) [ -f plan.json ]; echo '{}' >scan.json; mkdir reports; echo '{}' >reports/a.sarif ;;
   record) [ -f plan.json ] && [ -f scan.json ] ;;
 esac
@@ -55,14 +55,16 @@ def test_a_night_in_which_nothing_fails(tmp_path: Path) -> None:
     assert not any("promote" in key for key in played.caches)
     assert steps(played, "scan") == ["client", "scanner", "test-scanner", "scan"]
     place = "--registry ghcr.io/somebody/images"
-    assert place in played.commands["plan"][-1] and place in played.commands["prune"][-1]
-    assert "--serve  --only  " in played.commands["plan"][-1] and "--shards 24 " in played.commands["plan"][-1]
+    plan, repositories = played.commands["plan"][-2:]
+    assert place in plan and place in played.commands["prune"][-1]
+    assert "--serve  --only  " in plan and "--shards 24 " in plan
+    assert repositories == "rosml publish repositories --plan plan.json"
 
 
 def test_one_failure_blocks_only_itself(tmp_path: Path) -> None:
     """The steps after it go on with what is there, and so do the other jobs; the run is red. A scan ends with a code of its own
     where the policy stops an image, and its results are there all the same."""
-    played = night(tmp_path, "images scan record index")
+    played = night(tmp_path, "repositories images scan record index")
     red = dict.fromkeys(("images", "scan", "promote"), "failure")
     assert played.results == {**dict.fromkeys(ALL, "success"), **red, "pages": "skipped"}
     assert steps(played, "images").count("images") == 2
@@ -137,6 +139,6 @@ def test_what_a_repository_and_a_person_choose(tmp_path: Path) -> None:
     assert {"signer", "test-signer"} <= set(steps(played, "promote"))
     assert len(played.caches) == 4, "of the scan, and of the signer: asked for, and kept"
     assert all(line.endswith(" .state/bin") for line in played.caches)
-    assert "--serve amd64 --only ros1-bookworm-* jazzy-core " in played.commands["plan"][-1]
-    assert "--shards 3 " in played.commands["plan"][-1]
+    plan = played.commands["plan"][-2]
+    assert "--serve amd64 --only ros1-bookworm-* jazzy-core " in plan and "--shards 3 " in plan
     assert (tmp_path / "calls.plan").read_text() == "true|ros1-bookworm-* jazzy-core\n"

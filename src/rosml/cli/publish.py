@@ -58,6 +58,47 @@ def _step(name: str, help_text: str, options: tuple[str, ...] = _STEP) -> None:
         call.report(pipeline)
 
 
+@main.command()
+@sharing("matrix", "json")
+@click.option(
+    "--plan", "plan_file", type=click.Path(path_type=Path, exists=True), required=True, help="what 'plan' wrote"
+)
+def repositories(plan_file: Path, matrix: Path, as_json: bool) -> None:
+    """Makes the repositories that a plan writes into, one after the other, before several machines push at once.
+
+    Registries such as ghcr.io make a repository at the first push, and refuse other pushes into it meanwhile. What was made
+    before stays as it is.
+
+    \b
+    Example:
+      rosml publish repositories --plan plan.json
+    """
+    from rosml.apps import rosdep_index
+    from rosml.base.errors import RosmlError
+    from rosml.images import load as loading
+    from rosml.matrix import source
+    from rosml.publish.plan_file import read_plan
+    from rosml.registry.repositories import make, repository_path
+
+    plan = read_plan(plan_file)
+    client, prefix = place_of(plan.registry, ROOT)
+    found = plan.repositories(loading.image_set(source.read(matrix)))  # without its locks: it names repositories
+    made, failed = list[str](), dict[str, str]()
+    with client:
+        for name in [*found, rosdep_index.NAME] if found else []:  # a job of the night writes rosdep's lists besides
+            place = repository_path(prefix, name)
+            try:
+                if make(client, place):
+                    made.append(name)
+                    say(f"made {client.host}/{place}")
+            except RosmlError as error:
+                failed[name] = error.message
+                say(f"failed: {error.message}; {error.remedy}")
+    if as_json:
+        terminal.echo(json.dumps({"made": made, "failed": failed}))
+    raise SystemExit(bool(failed))
+
+
 _step("build", "Builds ROS images and parts that are not as they should be, and pushes them by digest.")
 _step("join-images", "Puts images with frameworks together in the registry, from ROS images and parts; pulls nothing.")
 _step("test", "Runs the structure tests of images that have not passed them, on their architecture.")

@@ -11,7 +11,10 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from rosml.base.clock import checked_date
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of, unknown
+from rosml.images.image_set import PARTS, ImageSet
+from rosml.images.selection import select
 from rosml.publish.plan import Kind, Step
+from rosml.records.store import REPOSITORY
 
 Named = Annotated[tuple[str, ...], Field(min_length=1)]
 """Names of what is meant: none would mean all that there are."""
@@ -98,6 +101,19 @@ class Planned(_Fact):
     tasks: tuple[PlannedTask, ...]
     unchanged: int
     remarks: tuple[str, ...]
+
+    def repositories(self, image_set: ImageSet) -> list[str]:
+        """The repositories that something of the plan is written into, the records first; without the registry's prefix.
+
+        Raises:
+            RosmlError: it has an image that the image set lacks (exit code 2).
+        """
+        wanted = [task for task in self.tasks if task.steps]
+        images = [task.target for task in wanted if task.kind != "part"]
+        found = [REPOSITORY] if wanted else []
+        found += [PARTS] if len(images) < len(wanted) else []
+        found += [image.repository for image in select(image_set, images)] if images else []
+        return list(dict.fromkeys(found))
 
     def text(self) -> str:
         """What `read_plan` reads."""

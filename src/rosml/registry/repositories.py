@@ -32,3 +32,26 @@ def destination(text: str) -> Destination:
         text = f"{text!r} is no place for images"
         raise RosmlError(text, "name a registry and a path in it, such as ghcr.io/me/rosml", exit_code=2)
     return Destination(host, prefix)
+
+
+MADE = "application/vnd.rosml.repository.v1"
+"""The type of the artifact by which a repository is made. It has no tag."""
+
+
+def make(registry: oci.Registry, repository: str) -> bool:
+    """Has a registry make a repository, by an artifact of some bytes, if it did not do so before.
+
+    Registries such as ghcr.io make a repository when somebody pushes into it first, and refuse others who push there meanwhile.
+
+    Returns:
+        Whether it was made now.
+
+    Raises:
+        RosmlError: the registry does not answer or refuses.
+    """
+    artifact = oci.encoded(oci.artifact(MADE, oci.EMPTY_BLOB, oci.EMPTY))
+    if registry.head(repository, oci.digest_of(artifact)):
+        return False
+    registry.put_blob(repository, oci.EMPTY_BLOB)
+    registry.put_manifest(repository, "", artifact)
+    return True
