@@ -21,7 +21,7 @@ from registry_stand_in import DROP, StandIn, standing_in
 from stubs import executable
 
 from rosml.base.errors import RosmlError
-from rosml.registry import failures, oci
+from rosml.registry import failures, login, oci
 from rosml.registry.credentials import DOCKER_HUB, Credentials, from_docker
 from rosml.registry.oci import Registry, parse
 
@@ -602,6 +602,49 @@ def test_readers_go_on_while_another_scope_gets_its_token(server: StandIn, regis
         slow.result()
     assert answered == [READERS]
     assert server.count("/token") == 2
+
+
+def test_scopes_get_their_tokens_side_by_side(server: StandIn, registry: Registry) -> None:
+    """An answer of the token server leaves when the other scope's request is there as well."""
+    server.bearer = True
+    registry.head("c", "x")  # from here on it is known that a token is wanted
+    both = threading.Barrier(2, timeout=5)
+    server.answering = lambda request: both.wait() if "/token" in request else None
+    with ThreadPoolExecutor(2) as pool:
+        list(pool.map(lambda repository: registry.head(repository, "x"), ("a", "b")))
+    assert not both.broken
+
+
+@pytest.mark.parametrize("who", ["registry", "token"])
+def test_an_empty_registry_is_asked_for_one_token(
+    server: StandIn, registry: Registry, tmp_path: Path, who: str
+) -> None:
+    """However much is looked for in a repository that does not exist yet; what is put there is found at once."""
+    server.users, server.bearer, server.hides = {NAME: SECRET}, True, who
+    docker_config(tmp_path, auths={server.address: auth()})
+    with ThreadPoolExecutor(16) as pool:
+        found = list(pool.map(lambda number: registry.head("a", f"x{number}"), range(2200)))
+    assert not any(found)
+    log_in = (
+        who == "token"
+    )  # a denial is held against one request without a scope, which says whether the account is known
+    assert server.count("/token") == 1 + log_in
+    digest = registry.put_manifest("a", "x1", MANIFEST)
+    assert registry.head("a", "x1") == digest
+
+
+def test_a_denial_is_soon_asked_about_again(
+    server: StandIn, registry: Registry, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Another machine may have made the repository."""
+    monkeypatch.setattr(login, "DENIED_SECONDS", 0.05)
+    server.users, server.bearer, server.hides = {NAME: SECRET}, True, "token"
+    docker_config(tmp_path, auths={server.address: auth()})
+    assert registry.head("a", "x") == ""
+    with Registry(server.address) as other:
+        digest = other.put_manifest("a", "x", MANIFEST)
+    time.sleep(0.1)
+    assert registry.head("a", "x") == digest
 
 
 def test_a_token_that_ended_is_replaced(server: StandIn, registry: Registry) -> None:

@@ -10,6 +10,7 @@ import base64
 import re
 import threading
 import time
+from collections import defaultdict
 from collections.abc import Callable
 
 import httpx
@@ -31,6 +32,10 @@ TOKEN_SECONDS = 60.0
 
 LONGEST = 86400.0
 """How long a token is kept at most, in seconds."""
+
+DENIED_SECONDS = 5.0
+"""How long a scope that the token server denied is not asked for again, if it only reads. A registry that is empty has thousands
+of reads denied at once. Another machine may make the repository at any time."""
 
 BUSY = (429, 500, 502, 503, 504)
 """Answers that may be other ones a moment later."""
@@ -57,8 +62,9 @@ class Login:
         self._asked = False
         self._challenge: Challenge | None = None
         self._tokens: dict[frozenset[str], tuple[str, float]] = {}
+        self._denied: dict[frozenset[str], tuple[RosmlError, float]] = {}
         self._lock = threading.Lock()  # of its own state; never held while somebody is asked
-        self._asking = threading.Lock()
+        self._asking: defaultdict[frozenset[str], threading.Lock] = defaultdict(threading.Lock)  # none: for the log-in
         self._logged_in = False  # it has taken the credentials
 
     def challenged(self, answer: httpx.Response) -> bool:
@@ -86,19 +92,31 @@ class Login:
             return ""
         if wanted.bearer and (header := self._kept(scopes, refused)):
             return header
-        with self._asking:  # one thread at a time runs the program that keeps passwords, and asks for tokens
+        with self._turn(frozenset()):  # one thread runs the program that keeps passwords
             if not self._asked:
                 self.known, self._asked = self._find(self.host), True
-            if not wanted.bearer:
-                if self.known is None:
-                    raise self.denied("log in", "it asks for a user's name and a password")
-                return "Basic " + base64.b64encode(f"{self.known.username}:{self.known.password}".encode()).decode()
+        if not wanted.bearer:
+            if self.known is None:
+                raise self.denied("log in", "it asks for a user's name and a password")
+            return "Basic " + base64.b64encode(f"{self.known.username}:{self.known.password}".encode()).decode()
+        with self._turn(scopes):  # one thread asks for all that need the same token
             if header := self._kept(scopes, refused):
                 return header
-            token, seconds = self._token(wanted, scopes | wanted.scopes if refused else scopes)
+            try:
+                token, seconds = self._token(wanted, scopes | wanted.scopes if refused else scopes)
+            except Denied as denied:
+                if all(scope.endswith(":pull") for scope in scopes):
+                    with self._lock:
+                        self._denied[scopes] = (denied.error, time.monotonic() + DENIED_SECONDS)
+                raise
             with self._lock:
                 self._tokens[scopes] = (token, time.monotonic() + 0.8 * seconds)
             return f"Bearer {token}"
+
+    def reconsider(self, scopes: frozenset[str]) -> None:
+        """Has scopes asked for again that were denied: there is the repository now."""
+        with self._lock:
+            self._denied.pop(scopes, None)
 
     def denied(self, what: str, said: str) -> RosmlError:
         """The error about something that who asks may not do."""
@@ -106,12 +124,26 @@ class Login:
         remedy = f"docker login {self.host}, with an account that may; or check that there is such a repository"
         return RosmlError(f"{self.host}: access denied: cannot {what} {known} ({said})", remedy)
 
+    def _turn(self, scopes: frozenset[str]) -> threading.Lock:
+        """What threads wait for that need the same."""
+        with self._lock:
+            return self._asking[scopes]
+
     def _kept(self, scopes: frozenset[str], refused: str) -> str:
-        """The header with the token that is there for some scopes; empty if there is none, or it does not hold."""
+        """The header with the token that is there for some scopes; empty if there is none, or it does not hold.
+
+        Raises:
+            Denied: the token server denied them a moment ago.
+        """
         with self._lock:
             token, end = self._tokens.get(scopes, ("", 0.0))
-        header = f"Bearer {token}"
-        return header if token and header != refused and time.monotonic() <= end else ""
+            denied, until = self._denied.get(scopes, (None, 0.0))
+        header, now = f"Bearer {token}", time.monotonic()
+        if token and header != refused and now <= end:
+            return header
+        if denied and now <= until:
+            raise Denied(denied)
+        return ""
 
     def _realm(self, wanted: Challenge) -> httpx.URL:
         """The address of the token server, if credentials may go there."""
@@ -144,8 +176,9 @@ class Login:
         if answer.status_code in BUSY:
             raise Transient(said, answers.after(answer.headers))
         if answer.status_code == 403 and known and scopes:
-            if not self._logged_in:  # without a repository, it is the log-in alone that can be refused
-                self._token(wanted, frozenset())
+            with self._turn(frozenset()):
+                if not self._logged_in:  # without a repository, it is the log-in alone that can be refused
+                    self._token(wanted, frozenset())
             raise Denied(self.denied(f"have {' '.join(sorted(scopes))}", said))
         if not answer.is_success:
             raise self.denied("log in", said)

@@ -404,6 +404,7 @@ class Registry:
             push=True,
         )
         self._there.add(repository)
+        self._login.reconsider(self._scopes(repository))
         return digest, answer.headers
 
     def tag(self, repository: str, digest: str, name: str) -> None:
