@@ -14,6 +14,7 @@ from typing import Any
 
 import click
 import pytest
+import yaml
 from conftest import ROOT
 from workflows import FOLDER, accepted, load, text
 
@@ -51,7 +52,6 @@ PERMISSIONS = {
 
 ACTIONS = {
     "actions/checkout",
-    "actions/cache",
     "actions/cache/restore",
     "actions/cache/save",
     "actions/upload-artifact",
@@ -166,14 +166,10 @@ BUILDERS = {("ci", "images"), ("ci", "test"), ("locks", "try"), ("nightly", "ima
 
 FROM_SOURCE = {
     "./rosml setup",
-    *(f"./rosml setup {name}" for name in ("scanner", "signer")),
+    *(f"./rosml setup {name}" for name in ("linters", "scanner", "signer", "suite")),
     *(f"make {name}" for name in ("test", "test-all", "test-scanner", "test-signer", "lint", "unit")),
 }
 """Commands that build programs from their Go modules."""
-
-
-CAN_FAIL = ("nightly", "proofs")
-"""Workflows whose jobs keep programs as soon as they are built."""
 
 
 def command(step: Mapping[str, Any]) -> str:
@@ -195,28 +191,59 @@ def test_a_job_installs_what_it_uses(name: str, job: str) -> None:
 
 @pytest.mark.parametrize(("name", "job"), PERMISSIONS)
 def test_programs_are_cached(name: str, job: str) -> None:
-    """Before they are built; by what pins them, for each job apart, since a cache is never written a second time. In a night and
-    in proofs also where the job fails later, as first ones do: trivy takes 10 minutes."""
+    """Before they are built; by what pins them, for each job apart, since a cache is never written a second time. They are kept as
+    soon as they are built: a job that fails later, as first ones do, has them the next time. Trivy takes 10 minutes."""
     content = load(name)["jobs"][job]["steps"]
     builds = [it for it, step in enumerate(content) if command(step) in FROM_SOURCE]
-    reads, writes = ("actions/cache/restore@", "actions/cache/save@") if name in CAN_FAIL else ("actions/cache@",) * 2
+    assert not [step for step in content if str(step.get("uses")).startswith("actions/cache@")], (
+        "green jobs alone keep it"
+    )
     read, written = (
-        [it for it, step in enumerate(content) if str(step.get("uses")).startswith(way)] for way in (reads, writes)
+        [it for it, step in enumerate(content) if str(step.get("uses")).startswith(f"actions/cache/{way}@")]
+        for way in ("restore", "save")
     )
     assert len(read) == len(written) == bool(builds)
     for it in (*read, *written):
-        assert read[0] < builds[0]
-        if name in CAN_FAIL:
-            assert written[0] - 1 in builds
-            condition = content[written[0]]["if"]
-            assert "steps.programs.outputs.cache-hit != 'true'" in condition
-            assert name == "nightly" or "!cancelled()" in condition
+        condition = content[written[0]]["if"]
+        assert read[0] < builds[0] == written[0] - 1
+        assert "steps.programs.outputs.cache-hit != 'true'" in condition
+        tests = command(content[builds[0]]).startswith("make ")  # and not only what installs programs
+        assert ("!cancelled()" in condition) is tests
         assert content[it]["with"]["path"] == ".state/bin"
         assert re.fullmatch(
             r"\$\{\{ github.workflow \}\}-\$\{\{ github.job \}\}-(\$\{\{ strategy.job-index \}\}-)?"
             r"\$\{\{ runner.os \}\}-\$\{\{ runner.arch \}\}-\$\{\{ hashFiles\('tools/go/\*\*'\) \}\}",
             content[it]["with"]["key"],
         )
+
+
+def test_a_job_that_is_run_again_leaves_what_it_made_by_then() -> None:
+    """An artifact is of the whole run: without that, its second upload fails, and others take what the first one left. One of which
+    each attempt has its own is taken by the same attempt."""
+    named = {
+        name: [
+            step for step in content if "artifact" in str(step.get("uses")) or "deploy-pages" in str(step.get("uses"))
+        ]
+        for name, content in artifact_steps()
+    }
+    assert {name for name, found in named.items() if found} == {"locks", "nightly", ci_files.ACTION, ci_files.INDEX}
+    for found in named.values():
+        for step in found:
+            given, attempt = step.get("with", {}), "${{ github.run_attempt }}"
+            if "/upload-artifact@" in step["uses"]:
+                assert given.get("overwrite") is True or attempt in given["name"], step
+            if "/upload-pages-artifact@" in step["uses"]:  # which cannot overwrite
+                assert attempt in given["name"]
+            if "/deploy-pages@" in step["uses"]:
+                assert {"name": given["artifact_name"]}.items() <= found[found.index(step) - 1]["with"].items()
+
+
+def artifact_steps() -> Iterator[tuple[str, list[dict[str, Any]]]]:
+    """Steps of each workflow, and of the actions for other repositories."""
+    for name in NAMES:
+        yield name, [step for job in load(name)["jobs"].values() for step in job["steps"]]
+    for name in (ci_files.ACTION, ci_files.INDEX):
+        yield name, yaml.safe_load((ROOT / name).read_text())["runs"]["steps"]
 
 
 # ---- Rights ----------------------------------------------------------------------------------------------------------
