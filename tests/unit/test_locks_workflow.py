@@ -74,7 +74,7 @@ def step(command: str, folder: Path, **environment: str) -> str:
 def test_what_is_proposed_is_whole(checkout: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
     """All that the steps change is handed over, and in a checkout with nothing else of it, nothing is stale."""
     for item in UPGRADE["steps"]:
-        if "run" in item:
+        if "run" in item and " setup " not in item["run"]:
             step(item["run"], checkout, **item.get("env", {}))
     changed = [line[3:] for line in git(checkout, "status", "--porcelain", "--untracked-files=all").splitlines()]
     assert any(name.startswith("locks/") for name in changed), "the local replacement for uv has other versions"

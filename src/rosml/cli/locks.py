@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from rosml.locks.base_digests import Pins
     from rosml.locks.resolve import Move
     from rosml.locks.upstream import Newer
+    from rosml.scan.locked import Refused
 
 
 @click.command("locks", cls=Command)
@@ -54,6 +55,7 @@ def main(
     """Resolves every stack for every Python version and architecture, and writes the locks that changed.
 
     With --upgrade or --bases, digests of base images in matrix.yaml move as well; run 'rosml generate' then.
+    If there is a scanner ('rosml setup scanner'), says which versions will keep images from their tags, by scan.yaml.
 
     \b
     Examples:
@@ -95,16 +97,24 @@ def main(
     fresh = [path for path in stale if path not in earlier]
     if not as_json:
         tables.show(COLUMNS, rows_of(moved))
+    stopped, unknown = judged(image_set, locks.texts)
     if report:
         text = markdown(moved, fresh, locks.left_out) + (base_table(pinned) if pinned else "")
+        text += refused_table(stopped, unknown)
         files.write(report, text + (upstream_table(image_set, stacks) if upgrade else ""))
     for path in sorted(there - locks.texts.keys()):
         terminal.echo(f"{path}: belongs to nothing in {matrix.name}; delete it", err=as_json)
     for request, reason in locks.left_out.items():
         terminal.echo(f"{request}: locks stay as they are: {reason}", err=True)
+    for line in [*map(str, stopped), *([unknown] if unknown else [])]:
+        terminal.echo(line, err=True)
+    if stopped:
+        terminal.echo(
+            "raise what the scan will stop, or add entries to scan.yaml, with a reason and a last day", err=True
+        )
     terminal.echo(f"{len(locks.texts)} locks, {len(stale)} {'stale' if check else 'changed'}", err=as_json)
     if as_json:
-        terminal.echo(to_json(moved, stale, fresh, locks.left_out, pinned))
+        terminal.echo(to_json(moved, stale, fresh, locks.left_out, pinned, stopped, unknown))
     if check:
         words = [*(["--upgrade"] if upgrade else []), *(word for stack in stacks for word in ("--stack", stack))]
         require_fresh(len(stale), pinned, words, as_json)
@@ -214,12 +224,15 @@ def to_json(
     fresh: Sequence[str] = (),
     left_out: Mapping[Any, str] | None = None,
     pinned: Pins | None = None,
+    stopped: Sequence[Refused] = (),
+    unknown: str = "",
 ) -> str:
     """What `--json` prints. Where a package was, or is, not there, its version is `null`.
 
     Args:
         moved: versions, with how many locks have each. stale: locks that changed, or would. fresh: new ones among them.
         left_out: requests whose locks stay as they are, with the reason. pinned: base images.
+        stopped: versions that the scan will stop. unknown: why nobody knows that.
     """
     found = {
         "moved": [
@@ -231,6 +244,8 @@ def to_json(
         "left_out": {str(request): reason for request, reason in (left_out or {}).items()},
         "base_images": [asdict(pin) for pin in (pinned.moved if pinned else ())],
         "base_images_left_out": dict(pinned.left_out) if pinned else {},
+        "refused": [item.to_json() for item in stopped],
+        "refused_unknown": unknown,
     }
     return json.dumps(found, indent=2, ensure_ascii=False)
 
@@ -264,6 +279,32 @@ def base_table(pinned: Pins) -> str:
     text = ci.table(("system", "base image", "old", "new"), rows) if rows else "No base image moved.\n"
     lines = "".join(f"- {line}\n" for line in base_digests.reasons(pinned.left_out))
     return f"\n{text}" + (f"\n{lines}" if lines else "")
+
+
+def judged(image_set: ImageSet, texts: Mapping[str, str]) -> tuple[list[Refused], str]:
+    """What of locks the scan will stop by scan.yaml, and why nobody knows it, if so."""
+    from datetime import UTC, datetime
+
+    from rosml.scan import locked, policy
+    from rosml.scan.trivy import ScannerFailed, Trivy
+
+    try:
+        trivy = Trivy.find(ROOT)
+        return locked.refused(image_set, texts, policy.load(ROOT / "scan.yaml"), trivy, datetime.now(UTC), say), ""
+    except ScannerFailed as error:
+        remedy = f"; {error.remedy}" if error.remedy else ""
+        return [], f"nobody knows whether the scan will stop what is locked: {error.message}{remedy}"
+
+
+def refused_table(stopped: Sequence[Refused], unknown: str) -> str:
+    """What the scan will stop: a part of the text of a pull request."""
+    if unknown:
+        return f"\n{unknown[0].upper()}{unknown[1:]}\n"
+    if not stopped:
+        return "\nThe scan will stop nothing that is locked.\n"
+    rows = [(it.package, it.version, it.id, it.severity, it.fixed or "-", str(len(it.images))) for it in stopped]
+    columns = ("package", "version", "advisory", "severity", "fixed in", "images")
+    return "\nBy `scan.yaml`, the scan will stop images with these versions:\n\n" + ci.table(columns, rows)
 
 
 COLUMNS = ("stack", "package", "old", "new", "locks")
