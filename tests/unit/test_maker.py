@@ -17,7 +17,7 @@ from rosml.build import sync
 from rosml.build.maker import BuildKitMaker, Checked, require_buildable
 from rosml.images import apt_source, locked
 from rosml.images import image_set as sets
-from rosml.machine import base_images
+from rosml.machine import base_images, disk
 from rosml.machine.services import Services
 from rosml.registry.oci import Manifest
 
@@ -128,6 +128,25 @@ def line(stage: Stage, variable: str) -> str:
     """What buildx found in a variable of its environment."""
     lines = (stage.folder / "env-bake").read_text().splitlines()
     return next(text.partition("=")[2] for text in lines if text.startswith(f"{variable}="))
+
+
+def test_room_is_made_for_what_the_builder_does_not_have_yet(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A second test of an image needs none, unless the builder forgot something for another one meanwhile."""
+    needed: list[int] = []
+    forgets = iter([False, False, True, False])
+
+    def make_room(_services: Services, room: int, _say: object) -> bool:
+        needed.append(room)
+        return next(forgets)
+
+    monkeypatch.setattr(disk, "make_room", make_room)
+    maker = stage.maker
+    for target in (TARGET, TARGET, "alpha-core", TARGET):
+        maker.test(stage.image_set.image(target), "amd64", MANIFEST, {})
+    core, base = (
+        disk.tested_mb(stage.image_set, stage.image_set.image(name), set()) for name in ("alpha-core", TARGET)
+    )
+    assert needed == [base, 0, 0, base - core] and 0 < core < base
 
 
 def test_a_test_fails(stage: Stage) -> None:

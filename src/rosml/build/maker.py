@@ -23,7 +23,7 @@ from rosml.build.variables import base, variables
 from rosml.images import missing
 from rosml.images.image_set import Image, ImageSet, Part, repository_of
 from rosml.join.joiner import Joiner
-from rosml.machine import base_images, buildx
+from rosml.machine import base_images, buildx, disk
 from rosml.machine.services import Services
 from rosml.registry import repositories
 from rosml.registry.oci import Manifest, Reference
@@ -137,9 +137,11 @@ class BuildKitMaker:
     prefix: str
     say: Callable[[str], None]
     force: bool = False
+    _there: set[str] = field(default_factory=set)  # names of parts, and targets, that the builder has
 
     def build_part(self, part: Part, architecture: str) -> Made:
         """Builds a part from its lock."""
+        self._make_room(disk.part_mb(part), part.name)
         platform = self._platform(architecture)
         start, digest = parts.push(self.services, self.image_set, part, self.say, self._place, [platform], self.force)
         self._list_files(part, digest)
@@ -148,6 +150,7 @@ class BuildKitMaker:
     def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], moment: str) -> Made:
         """Builds a ROS image on the one below it, as it is in the registry."""
         self._require_builder(architecture)
+        self._make_room(disk.needed_mb(self.image_set, image, self._there), image.parent, image.target)
         given = self.variables(image, architecture, package_state.ros_date(moment)) | {"DIGESTS": json.dumps(parts)}
         sets = [f"{image.target}.tags="]
         # The first component brings the essentials, which are the operating system's own packages.
@@ -192,6 +195,8 @@ class BuildKitMaker:
         file = write_excerpt(self.services, self.image_set, image.target, image.test_target)
         place = f"{self.host}/{repository}@{digest}"
         size = sum(sizes[-len(image.parts) :]) if image.parts else 0
+        room = disk.tested_mb(self.image_set, image, self._there)
+        self._make_room(room, *image.parts, image.parent, *([] if image.stack else [image.target]))
         report, folder = structure_tests.run(self.services, image, architecture, place, file, given, names, size)
         failures = tuple(f"{outcome.file}: {outcome.name}" for outcome in report.failed)
         if failures:
@@ -204,6 +209,12 @@ class BuildKitMaker:
     def variables(self, image: Image, architecture: str, moment: str = "") -> dict[str, str]:
         """Variables of the bake file for an image; `build/variables.py` says which."""
         return variables(self.services, self.image_set, image, architecture, self._place, self.say, moment)
+
+    def _make_room(self, needed: int, *coming: str) -> None:
+        """Makes room for a build, by which the builder will have some parts and ROS images."""
+        if disk.make_room(self.services, needed, self.say):
+            self._there.clear()
+        self._there.update(coming)
 
     @cached_property
     def _joiner(self) -> Joiner:
