@@ -24,10 +24,12 @@ from rosml.cli.call import Call
 from rosml.images import locked
 from rosml.images.image_set import ImageSet
 from rosml.locks.resolve import Move
-from rosml.machine import revision
+from rosml.machine import disk, revision
+from rosml.matrix.model import Size
 from rosml.publish import plan_file
 from rosml.publish.plan_file import Planned
 from rosml.publish.steps import STEPS
+from rosml.records.store import Entry
 
 
 @pytest.fixture
@@ -179,6 +181,29 @@ def test_estimates_count_what_is_built_and_tested(registry: Place, image_set: Im
         seconds = sum(-(-size // rates.parts) for size in sizes)
         seconds += rates.test * len(tested) + rates.carried * len(carriers)
         assert shard["estimates"]["seconds"] == seconds
+
+
+def test_estimates_take_the_sizes_that_earlier_runs_measured(registry: Place, image_set: ImageSet) -> None:
+    """The largest of all architectures; what stands on a measured image adds to it what the matrix says."""
+    run = registry.run(image_set)
+    before, planned = run.plan.forecast, report.planned(run, 4, why=False)
+    assert before == image_set
+    for architecture, unpacked in (("amd64", 4_000), ("arm64", 4_500)):
+        entry = Entry("alpha-core", architecture, unpacked=unpacked * 1_000_000, size=1_000_000_000)
+        run.plan.known["alpha-core", architecture] = entry
+    del run.plan.__dict__["forecast"]
+    core, base = (image_set.image(name).disk for name in ("alpha-core", "alpha-base"))
+    found = run.plan.forecast
+    assert found.image("alpha-core").disk == Size(unpacked=4_500, compressed=1_000)
+    assert found.image("alpha-base").disk == Size.total(found.image("alpha-core").disk, base - core)
+    assert found.image("omega-core").disk == image_set.image("omega-core").disk
+    shards = {shard.name: shard for shard in report.planned(run, 4, why=False).shards}
+    for shard in planned.shards:
+        more = shards[shard.name].estimates.disk_mb - shard.estimates.disk_mb
+        grown = 4_500 - core.unpacked + 2 * (1_000 - core.compressed)
+        assert more == (grown if "alpha" in shard.distributions else 0)
+    needed = [disk.needed_mb(images, image_set.image("alpha-base"), set()) for images in (image_set, found)]
+    assert needed[1] - needed[0] == grown
 
 
 def test_what_is_only_to_be_scanned_needs_none(registry: Place, image_set: ImageSet) -> None:

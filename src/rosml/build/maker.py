@@ -128,6 +128,7 @@ class BuildKitMaker:
         registry: where images go (`oci.Registry`). host: its address. prefix: path of its repositories.
         say: told what is going on, a line at a time.
         force: whether to build past the builder's cache.
+        forecast: the image set with what is known of sizes; by what the matrix says if None.
     """
 
     services: Services
@@ -137,6 +138,7 @@ class BuildKitMaker:
     prefix: str
     say: Callable[[str], None]
     force: bool = False
+    forecast: ImageSet | None = None
     _there: set[str] = field(default_factory=set)  # names of parts, and targets, that the builder has
 
     def build_part(self, part: Part, architecture: str) -> Made:
@@ -150,7 +152,7 @@ class BuildKitMaker:
     def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], moment: str) -> Made:
         """Builds a ROS image on the one below it, as it is in the registry."""
         self._require_builder(architecture)
-        self._make_room(disk.needed_mb(self.image_set, image, self._there), image.parent, image.target)
+        self._make_room(disk.needed_mb(self._sizes, image, self._there), image.parent, image.target)
         given = self.variables(image, architecture, package_state.ros_date(moment)) | {"DIGESTS": json.dumps(parts)}
         sets = [f"{image.target}.tags="]
         # The first component brings the essentials, which are the operating system's own packages.
@@ -195,7 +197,7 @@ class BuildKitMaker:
         file = write_excerpt(self.services, self.image_set, image.target, image.test_target)
         place = f"{self.host}/{repository}@{digest}"
         size = sum(sizes[-len(image.parts) :]) if image.parts else 0
-        room = disk.tested_mb(self.image_set, image, self._there)
+        room = disk.tested_mb(self._sizes, image, self._there)
         self._make_room(room, *image.parts, image.parent, *([] if image.stack else [image.target]))
         report, folder = structure_tests.run(self.services, image, architecture, place, file, given, names, size)
         failures = tuple(f"{outcome.file}: {outcome.name}" for outcome in report.failed)
@@ -209,6 +211,10 @@ class BuildKitMaker:
     def variables(self, image: Image, architecture: str, moment: str = "") -> dict[str, str]:
         """Variables of the bake file for an image; `build/variables.py` says which."""
         return variables(self.services, self.image_set, image, architecture, self._place, self.say, moment)
+
+    @property
+    def _sizes(self) -> ImageSet:
+        return self.forecast or self.image_set
 
     def _make_room(self, needed: int, *coming: str) -> None:
         """Makes room for a build, by which the builder will have some parts and ROS images."""

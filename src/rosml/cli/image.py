@@ -66,7 +66,7 @@ def main(target: str, matrix: Path, namespace: str, platform: str, force: bool, 
     wait_for_turn()
     run = call.pipeline()
     there = {target.removeprefix("part-") for target, name in run.plan.by_key if run.plan.made((target, name))}
-    disk.require(services.state, disk.needed_mb(image_set, wanted, there), wanted.target)
+    disk.require(services.state, disk.needed_mb(run.plan.forecast, wanted, there), wanted.target)
     run.build()
     run.join()
     run.test([wanted.target])

@@ -43,7 +43,7 @@ def planned(pipeline: Pipeline, shards: int, why: bool) -> Planned:
         force=plan.force,
         upstream=plan.upstream,
         targets=tuple(image.target for image in plan.images),
-        shards=dealing.deal(plan.image_set, shards, lambda image: image.target in wanted, work),
+        shards=dealing.deal(plan.forecast, shards, lambda image: image.target in wanted, work),
         tasks=tuple(
             PlannedTask(
                 target=task.item.target,

@@ -33,7 +33,7 @@ def needed_mb(image_set: ImageSet, image: Image, built: Iterable[str]) -> int:
     done = built if isinstance(built, Set) else set(built)
     total = 0
     if image.target not in done:
-        total += _ros_mb(image_set, image_set.by_target[image.parent] if image.stack else image, done)
+        total += _ros_mb(image_set, _ros(image_set, image), done)
     for name in image.parts:
         if name not in done:
             total += part_mb(image_set.part_by_name[name])
@@ -51,9 +51,13 @@ def tested_mb(image_set: ImageSet, image: Image, there: Set[str]) -> int:
     Args:
         there: names of the parts, and targets, that the builder has.
     """
-    ros = image_set.by_target[image.parent] if image.stack else image
     parts = [image_set.part_by_name[name].disk for name in image.parts if name not in there]
-    return _ros_mb(image_set, ros, there) + sum(size.unpacked + size.compressed for size in parts)
+    return _ros_mb(image_set, _ros(image_set, image), there) + sum(size.unpacked + size.compressed for size in parts)
+
+
+def _ros(image_set: ImageSet, image: Image) -> Image:
+    """The ROS image that an image is, or that parts are joined to, with the size that the image set says."""
+    return image_set.by_target[image.parent if image.stack else image.target]
 
 
 def _ros_mb(image_set: ImageSet, image: Image, done: Set[str]) -> int:

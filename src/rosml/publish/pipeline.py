@@ -123,7 +123,7 @@ class Pipeline:
         plan = self.plan
         services, image_set = plan.services, plan.image_set
         return self.maker or BuildKitMaker(
-            services, image_set, self.registry, self.host, self.prefix, self.say, plan.force
+            services, image_set, self.registry, self.host, self.prefix, self.say, plan.force, plan.forecast
         )
 
     @property

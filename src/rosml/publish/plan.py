@@ -10,7 +10,7 @@ import hashlib
 import json
 from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Literal
 
@@ -22,6 +22,7 @@ from rosml.images.image_set import Image, ImageSet, Part, repository_of
 from rosml.images.selection import require_architectures, select
 from rosml.machine import base_images
 from rosml.machine.services import Services
+from rosml.matrix.model import Size
 from rosml.records import store
 from rosml.records.store import INDEX, Entry, Records
 from rosml.registry.oci import Registry
@@ -147,6 +148,25 @@ class Plan:
                 if image.stack and architecture in image.architectures:
                     joined[image.target, architecture] = Item(image, architecture, self._needs(image))
         return (*ros.values(), *parts.values(), *joined.values())
+
+    @cached_property
+    def forecast(self) -> ImageSet:
+        """The image set with the sizes of ROS images that earlier runs measured, in the place of what the matrix forecasts. What
+        stands on such an image, and was never measured, adds to it what the matrix says."""
+        sizes: dict[str, Size] = {}
+        for image in self.image_set.images:
+            if image.stack is None:
+                sizes[image.target] = self._size(image, sizes)
+        images = tuple(replace(image, disk=sizes.get(image.target, image.disk)) for image in self.image_set.images)
+        return replace(self.image_set, images=images)
+
+    def _size(self, image: Image, sizes: Mapping[str, Size]) -> Size:
+        entries = [self.known.get((image.target, architecture)) for architecture in image.architectures]
+        if found := [(entry.unpacked, entry.size) for entry in entries if entry and entry.unpacked and entry.size]:
+            unpacked, compressed = max(found)
+            return Size(unpacked=unpacked // 1_000_000, compressed=compressed // 1_000_000)
+        below = self.image_set.by_target.get(image.parent)
+        return Size.total(sizes[below.target], image.disk - below.disk) if below else image.disk
 
     @cached_property
     def by_key(self) -> dict[tuple[str, str], Item]:
