@@ -20,7 +20,7 @@ from rosml.build import part as building
 from rosml.images.image_set import ImageSet
 from rosml.machine.services import Services
 from rosml.registry import oci
-from rosml.scan import judge, policy, sbom
+from rosml.scan import judge, locked, policy, sbom
 from rosml.scan.judge import Outcome, Part
 from rosml.scan.trivy import Database, ScannerFailed, Trivy
 from tests.e2e.conftest import LOG, NAMESPACE, Published
@@ -185,3 +185,13 @@ def test_an_image_that_is_not_there(trivy: Trivy, joined: Joined) -> None:
     part = joined.parts[0]
     with pytest.raises(ScannerFailed, match=r"MANIFEST_UNKNOWN|manifest unknown|NAME_UNKNOWN"):
         trivy.sbom(f"{part.registry}/{part.repository}@sha256:{'0' * 64}")
+
+
+def test_a_lock_is_scanned_as_the_part_that_is_made_of_it(
+    image_set: ImageSet, trivy: Trivy, rules: policy.Rules, database: Database
+) -> None:
+    """numpy, of which the database knows something, is found in each lock that pins it, and in no other."""
+    texts = {path: (ROOT / path).read_text() for path in image_set.part_by_name["common-cu128-py311"].locks}
+    (found,) = locked.refused(image_set, texts, rules, trivy, datetime.now(UTC), LOG.info)
+    assert (found.package, found.id, found.fixed) == ("numpy", "CVE-2026-90004", "99.0")
+    assert set(found.locks) == texts.keys() and found.images
