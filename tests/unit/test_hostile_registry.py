@@ -44,7 +44,7 @@ WALL = 10.0
 SOMEBODY = Credentials("somebody", "s3cret-Pass")
 DIGEST = "sha256:" + "1" * 64
 DEEP = b'{"a":' * 100_000
-BOMB = gzip.compress(bytes(200 << 20))
+BOMB = gzip.compress(bytes(200 << 20), mtime=0)
 LABEL = "a" * 64
 NO_HOSTS = [
     "http://[",
