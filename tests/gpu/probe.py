@@ -15,8 +15,7 @@ import json
 import sys
 import time
 import traceback
-from collections.abc import Callable, Iterator
-from typing import Any
+from typing import Any, Callable, Iterator
 
 Probe = Callable[[], str]
 

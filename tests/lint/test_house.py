@@ -37,26 +37,6 @@ def test_imports_go_one_way() -> None:
         pytest.fail(done.stdout + done.stderr, pytrace=False)
 
 
-BUILT_IN = ("defaultdict", "dict", "frozenset", "list", "set", "tuple", "type")
-
-
-def newer_than_3_8(code: str) -> list[str]:
-    """What Python 3.8 of Ubuntu 20.04 ends at: types of the language with arguments, outside of annotations."""
-    nodes = [*ast.walk(ast.parse(code))]
-    kinds = [
-        kind for node in nodes for kind in (getattr(node, "annotation", None), getattr(node, "returns", None)) if kind
-    ]
-    unread = {id(inner) for kind in kinds for inner in ast.walk(kind)}
-    found = [node for node in nodes if isinstance(node, ast.Subscript) and id(node) not in unread]
-    return [ast.unparse(node) for node in found if ast.unparse(node.value) in BUILT_IN]
-
-
-def test_scripts_in_images_need_no_newer_python() -> None:
-    assert newer_than_3_8("a: dict[str, int] = {}\nb = dict[str, int]\n") == ["dict[str, int]"]
-    files = [file for folder in ("components", "tests/structure") for file in (ROOT / folder).rglob("*.py")]
-    assert {str(file): found for file in files if (found := newer_than_3_8(file.read_text()))} == {}
-
-
 def test_only_commands_print() -> None:
     files = {file.relative_to(ROOT).as_posix(): file.read_text() for file in (ROOT / "src/rosml").rglob("*.py")}
     assert [name for name in files if not name.startswith(PRINTS) and printing(files[name])] == []

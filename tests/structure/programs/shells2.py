@@ -10,7 +10,7 @@ import sys
 
 SETUP = f"/opt/ros/{os.environ['ROS_DISTRO']}/setup"
 CLEAN = {"HOME": "/root", "PATH": "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin", "TERM": "dumb"}
-CLEAN |= {name: os.environ[name] for name in ("LANG", "ROS_DISTRO", "WORKSPACE") if name in os.environ}
+CLEAN.update({name: os.environ[name] for name in ("LANG", "ROS_DISTRO", "WORKSPACE") if name in os.environ})
 
 SHELLS = {
     "bash": ["bash", "-c", f"source {SETUP}.bash && ros2 --help >/dev/null"],

@@ -9,7 +9,7 @@ from actionlib.msg import TestAction, TestGoal, TestResult
 from actionlib_msgs.msg import GoalStatus
 
 rospy.init_node("action", disable_signals=True)
-server = actionlib.SimpleActionServer(
+server: actionlib.SimpleActionServer = actionlib.SimpleActionServer(
     "count", TestAction, lambda goal: server.set_succeeded(TestResult(result=goal.goal + 1)), auto_start=False
 )
 server.start()
