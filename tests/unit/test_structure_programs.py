@@ -6,6 +6,7 @@ import itertools
 import os
 import runpy
 import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -46,6 +47,47 @@ def test_the_simulators_have_the_name_that_the_distribution_gives_them(
         ["bash", "-eu", "-o", "pipefail", script], env=env, capture_output=True, text=True, check=False
     )
     assert (done.returncode, done.stdout) == (0, f"installed {package}\n"), done.stderr
+
+
+# ---- Words of commands that differ by distribution -------------------------------------------------------------------
+
+RECORD = """\
+#!{python}
+import argparse, sys
+parser = argparse.ArgumentParser(prog="ros2")
+parser.add_argument("--output")
+parser.add_argument("--exclude-topics", nargs="+")
+parser.add_argument("--topic-polling-interval")
+group = parser.add_mutually_exclusive_group()
+{topics}
+assert sys.argv[1:3] == ["bag", "record"]
+print(parser.parse_args(sys.argv[3:]))
+"""
+POSITIONAL = 'group.add_argument("positional", nargs="*", default=[])\n'
+OPTION = 'group.add_argument("--topics", nargs="+", default=[])\n'
+GENERATIONS = {"humble": POSITIONAL, "jazzy": POSITIONAL + OPTION, "lyrical": OPTION}
+
+
+@pytest.mark.parametrize("distro", GENERATIONS)
+def test_ros2_bag_records_by_words_that_each_generation_knows(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, distro: str
+) -> None:
+    """Parsers laid out as rosbag2's are; the words stand where `nodes2/bag.py` has them."""
+    ros2 = tmp_path / "ros2"
+    ros2.write_text(RECORD.format(python=sys.executable, topics=GENERATIONS[distro]))
+    ros2.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
+    words = program("programs/nodes2/record.py")["topics"]("/numbers")
+    done = subprocess.run(
+        ["ros2", "bag", "record", "--output", "bag", *words], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    name = "positional" if distro == "humble" else "topics"
+    assert f"{name}=['/numbers']" in done.stdout
+    assert (
+        'start("record", "--output", str(folder), *topics("/numbers"))'
+        in (STRUCTURE / "programs/nodes2/bag.py").read_text()
+    )
 
 
 # ---- One runtime of OpenMP -------------------------------------------------------------------------------------------

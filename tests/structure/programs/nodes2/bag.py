@@ -11,6 +11,7 @@ import time
 from pathlib import Path
 
 import rclpy
+from record import topics
 from std_msgs.msg import Int32
 from waiting import SECONDS, until
 
@@ -39,7 +40,7 @@ def stop(name: str, process: subprocess.Popen[bytes]) -> str:
 
 
 publisher = node.create_publisher(Int32, "numbers", SENT)
-recorder = start("record", "--output", str(folder), "/numbers")
+recorder = start("record", "--output", str(folder), *topics("/numbers"))
 until("`ros2 bag record` listens to /numbers", publisher.get_subscription_count, lambda: time.sleep(0.1))
 for number in range(SENT):
     publisher.publish(Int32(data=number))
