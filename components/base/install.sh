@@ -49,6 +49,7 @@ apt-get update
 # What was mended since the base image was made, whose digest moves with a pull request alone.
 apt-get upgrade --yes
 apt-get install --yes "${packages[@]}"
+if [[ -z ${RUNTIME:-} ]]; then "$here/pip.sh"; fi
 
 # git-lfs writes its settings in an order of its own every time.
 if [[ -e /etc/gitconfig ]]; then

@@ -14,9 +14,12 @@ from rosml import ROOT
 from rosml.build.push import COMPRESSION
 from rosml.machine.services import Services
 from tests.e2e.conftest import NAMESPACE, run
-from tests.e2e.images import NATIVE, build, ca_secret
+from tests.e2e.images import NATIVE, build, ca_secret, context
 
 pytestmark = pytest.mark.full(proof="relatives")
+
+PIP_20 = "4ae14a42d8adba3205ebeb38aa68cfc0b6c346e1ae2e699a0b3bad4da19cef5c"
+"""The sha256 of pip 20.0.2, which Ubuntu 20.04 has."""
 
 LENIENT = 'Acquire::Check-Valid-Until "false"'
 """A mirror of a release that moves every day may be some weeks old."""
@@ -34,18 +37,42 @@ def base_image(services: Services, suite: str, monkeypatch: pytest.MonkeyPatch) 
     return f"docker.io/library/debian:{suite}@{debian.debian(services, suite, NATIVE)}"
 
 
-def told(services: Services, folder: Path, suite: str, python: str, monkeypatch: pytest.MonkeyPatch) -> str:
+def with_older_pip(services: Services, folder: Path, reference: str) -> str:
+    """A release with the pip of Ubuntu 20.04 in the place of its own; gives its reference."""
+    folder.mkdir()
+    (folder / "pip").mkdir()
+    (folder / "pip/requirements.txt").write_text(f"pip==20.0.2 --hash=sha256:{PIP_20}\n")
+    steps = [
+        "install-packages python3-pip python3-venv",
+        "online python3 -m pip download --no-deps --require-hashes --dest /pip --requirement /pip/requirements.txt",
+        "rm -r /usr/lib/python3/dist-packages/pip /usr/lib/python3/dist-packages/pip-* /usr/share/python-wheels/pip-*",
+        "python3 -m zipfile -e /pip/pip-20.0.2-py2.py3-none-any.whl /usr/lib/python3/dist-packages",
+        "mv /pip/pip-20.0.2-py2.py3-none-any.whl /usr/share/python-wheels",
+        "rm -r /pip",
+    ]
+    context(reference, folder, steps)
+    (folder / "Dockerfile").write_text((folder / "Dockerfile").read_text().replace("\nRUN", "\nCOPY pip /pip\nRUN", 1))
+    name = f"{services.registry}/{NAMESPACE}/relative:older-pip"
+    output = f"type=image,push=true,name={name},{COMPRESSION}"
+    done = run(
+        *services.buildx, "build", "--output", output, *ca_secret(services), str(folder), env=services.environment()
+    )
+    assert done.code == 0, done.err
+    return name
+
+
+def told(services: Services, folder: Path, base: str, suite: str, python: str) -> str:
     """Builds the base layer on a release and checks it; what the builder said.
 
     Raises:
         AssertionError: the build or a check failed, with what was said.
     """
     reference = f"{services.registry}/{NAMESPACE}/relative:{suite}"
-    base = [*services.buildx, "build", "--progress", "plain", "--target", "base", "--build-arg", "NUMPY=<3"]
-    base += ["--build-arg", f"SOURCE_DATE_EPOCH={debian.EPOCH}", *ca_secret(services)]
-    base += ["--build-context", f"os=docker-image://{base_image(services, suite, monkeypatch)}"]
-    base += ["--output", f"type=image,push=true,name={reference},{COMPRESSION}"]
-    done = run(*base, str(ROOT), env=services.environment())
+    command = [*services.buildx, "build", "--progress", "plain", "--target", "base", "--build-arg", "NUMPY=<3"]
+    command += ["--build-arg", f"SOURCE_DATE_EPOCH={debian.EPOCH}", *ca_secret(services)]
+    command += ["--build-context", f"os=docker-image://{base}"]
+    command += ["--output", f"type=image,push=true,name={reference},{COMPRESSION}"]
+    done = run(*command, str(ROOT), env=services.environment())
     assert done.code == 0, done.err
     shutil.copytree(Path(__file__).parent / "relatives", folder, dirs_exist_ok=True)
     shutil.copytree(ROOT / "tests/structure/checks", folder / "checks")
@@ -53,12 +80,15 @@ def told(services: Services, folder: Path, suite: str, python: str, monkeypatch:
 
 
 def test_ubuntu_20(services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert "relative: holds" in told(services, tmp_path, "bullseye", "3.9", monkeypatch)
+    """Its own pip installs what contradicts the constraints, and only warns."""
+    base = with_older_pip(services, tmp_path / "older", base_image(services, "bullseye", monkeypatch))
+    assert "relative: holds" in told(services, tmp_path / "relative", base, "bullseye", "3.9")
 
 
 def test_ubuntu_26(services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """What moves every day may fail any day: it warns of what comes."""
     try:
-        assert "relative: holds" in told(services, tmp_path, "sid", "3.14", monkeypatch)
+        base = base_image(services, "sid", monkeypatch)
+        assert "relative: holds" in told(services, tmp_path / "relative", base, "sid", "3.14")
     except AssertionError as error:
         warnings.warn(f"Debian sid: {str(error)[-3000:]}", stacklevel=1)

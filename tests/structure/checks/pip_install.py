@@ -160,9 +160,10 @@ for option in ("--system-site-packages", "--clear"):
     assert {name: found[name] for name in (*carried, "numpy")} == {**own, "numpy": numpy}, found
     shown = [path.name for name in carried for path in environment.glob(f"lib/python3*/site-packages/{name}-*")]
     assert bool(shown) == (bool(carried) and option == "--clear"), shown
-    for name in carried:
+    for name in ("numpy", *carried):
         said = install(f"wantsfar{name}", expect=1, by=inside)
         assert REASON.search(said), said
+    for name in carried:
         install("--upgrade", name, by=("unpinned", *inside))
         assert versions(inside)[name] == FAR
 assert versions() == before
