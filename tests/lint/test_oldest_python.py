@@ -1,4 +1,4 @@
-"""Files of Python that run in images need no newer Python than that of the oldest row, which `matrix.yaml` says."""
+"""Files of Python that run in images need no newer Python than the oldest one of `matrix.yaml`."""
 
 from __future__ import annotations
 
@@ -170,7 +170,7 @@ def test_files_start() -> None:
     _, home = interpreter(oldest())
     python = [f"{home}/bin/python{oldest()}"] if home else [uv(), "run", "-q", "--no-project", "-p", oldest(), "python"]
     if subprocess.run([*python, "--version"], capture_output=True, check=False).returncode:
-        pytest.skip("no Python as old as that of the oldest row is here, nor can it be downloaded")
+        pytest.skip("no Python as old as the oldest one of the matrix is here, nor can it be downloaded")
     own = " ".join(sys.stdlib_module_names)
     env = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "OUT": "/out", "SITE": "/site", "PYTHON": oldest()}
     argv = [*python, "-c", STARTS, own, *files()]
