@@ -142,7 +142,7 @@ def test_room_is_made_for_what_the_builder_does_not_have_yet(stage: Stage, monke
     monkeypatch.setattr(disk, "make_room", make_room)
     maker = stage.maker
     for target in (TARGET, TARGET, "alpha-core", TARGET):
-        maker.test(stage.image_set.image(target), "amd64", MANIFEST, {})
+        maker.test(stage.image_set.image(target), "amd64", MANIFEST, {}, ("contract",))
     core, base = (
         disk.tested_mb(stage.image_set, stage.image_set.image(name), set()) for name in ("alpha-core", TARGET)
     )

@@ -1,0 +1,91 @@
+"""One issue at GitHub that says what keeps images from being published, for who looks at no summaries. It is closed when nothing
+does.
+
+Endpoints: https://docs.github.com/en/rest/issues/issues (version 2022-11-28).
+"""
+
+from __future__ import annotations
+
+import re
+
+import httpx
+from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
+
+from rosml.base import untrusted, web
+from rosml.base.errors import RosmlError
+
+LABEL = "nightly"
+"""Only who may write to a repository sets a label, so an issue with it is ours."""
+
+TITLE = "Images that are not published"
+
+LONGEST = 60_000
+"""Characters of an issue's text; GitHub takes 65,536."""
+
+ANSWER_BYTES = 4 << 20
+SECONDS = 30.0
+
+_REMEDY = "let the job have the right 'issues: write'; the variable ROSML_ISSUE=false does without the issue"
+
+
+class _Issue(BaseModel):
+    model_config = ConfigDict(extra="ignore")
+
+    number: int
+    html_url: str = ""
+    title: str = ""
+
+
+_LIST = TypeAdapter(list[_Issue])
+
+
+class Issues:
+    """The issues of a repository.
+
+    Args:
+        api: address of the REST API, such as https://api.github.com. repository: OWNER/NAME. token: may write issues.
+
+    Raises:
+        RosmlError: such a repository or address cannot be.
+    """
+
+    def __init__(self, api: str, repository: str, token: str) -> None:
+        if not re.fullmatch(r"[\w.-]+/[\w.-]+", repository) or not re.fullmatch(r"https?://[\w.:/-]+", api):
+            raise RosmlError(f"{repository!r} at {api!r} is no repository", "run it in a job of GitHub Actions", exit_code=2)
+        headers = {
+            "Authorization": f"Bearer {token}",
+            "Accept": "application/vnd.github+json",
+            "X-GitHub-Api-Version": "2022-11-28",
+        }
+        self._client = web.client(base_url=f"{api}/repos/{repository}/", headers=headers, timeout=SECONDS)
+
+    def keep(self, text: str, unpublished: int) -> str:
+        """Opens the issue, or brings it up to date; closes it if nothing is left. Gives what was done, for people.
+
+        Args:
+            text: Markdown. unpublished: images that a further run may publish.
+
+        Raises:
+            RosmlError: the server does not answer, or refuses.
+        """
+        query = {"labels": LABEL, "state": "open", "per_page": "100"}
+        ours = [issue for issue in _LIST.validate_python(self._ask("GET", "issues", params=query)) if issue.title == TITLE]
+        if not unpublished:
+            for issue in ours:
+                self._ask("PATCH", f"issues/{issue.number}", json={"state": "closed", "body": text[:LONGEST]})
+            return f"closed issue {ours[0].number}: all images are published" if ours else "all images are published"
+        if ours:
+            self._ask("PATCH", f"issues/{ours[0].number}", json={"body": text[:LONGEST]})
+            return f"brought issue {ours[0].number} up to date: {ours[0].html_url}"
+        body = {"title": TITLE, "body": text[:LONGEST], "labels": [LABEL]}
+        made = _Issue.model_validate(self._ask("POST", "issues", json=body))
+        return f"opened issue {made.number}: {made.html_url}"
+
+    def _ask(self, method: str, path: str, **options: object) -> object:
+        try:
+            with self._client.stream(method, path, **options) as answer:  # type: ignore[arg-type]
+                if not answer.is_success:
+                    raise RosmlError(f"GitHub refuses {method} {path}: HTTP {answer.status_code}", _REMEDY)
+                return untrusted.json_value(web.read(answer, ANSWER_BYTES))
+        except (httpx.HTTPError, web.Unfit, ValueError) as error:
+            raise RosmlError(f"GitHub does not answer {method} {path}: {error}", "run it again") from None
