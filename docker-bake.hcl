@@ -91,6 +91,11 @@ variable "OS_APT_MIRROR" {
   default     = ""
 }
 
+variable "STEP_NETWORK" {
+  description = "host: build steps have the network of the builder's machine; needs --allow network.host, and a builder that does"
+  default     = ""
+}
+
 variable "HTTP_PROXY" {
   description = "for build steps; never part of an image"
   default     = ""
@@ -695,6 +700,7 @@ function "expected" {
 # What all targets have in common. Mirrors are secrets like the certificates: an argument would be in the image's history.
 target "_common" {
   context = "."
+  network = STEP_NETWORK == "" ? null : STEP_NETWORK
   secret = concat(
     CA_BUNDLE == "" ? [] : ["id=ca-bundle,src=${CA_BUNDLE}"],
     ROS_APT_MIRROR == "" ? [] : ["id=ros-apt-mirror,env=ROS_APT_MIRROR"],

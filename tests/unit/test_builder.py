@@ -6,6 +6,7 @@ import contextlib
 import json
 import os
 import signal
+import socket
 import subprocess
 import threading
 import time
@@ -17,6 +18,7 @@ from typing import Any
 import pytest
 from stubs import answering_registry, buildx, calls, services
 
+from rosml.base import web
 from rosml.base.errors import RosmlError
 from rosml.machine import buildx as builder
 from rosml.machine.buildx import Bake
@@ -102,6 +104,36 @@ def test_mirrors_reach_the_build_and_a_shells_own_variables_do_not(
     env = builder.environment(services(tmp_path), bake)
     assert {name: env[name] for name in mirrors} == mirrors
     assert own.keys() & env.keys() == set()
+
+
+@pytest.mark.parametrize(
+    ("address", "here"),
+    [
+        ("http://127.0.0.1:3142", True),
+        ("http://user:pw@localhost:3142/debian", True),
+        ("http://[::1]:3142", True),
+        ("127.0.0.1:3128", True),
+        (f"http://{socket.gethostname()}", True),
+        ("http://192.0.2.77:3142", False),
+        ("http://mirror.invalid", False),
+        ("http://[", False),
+        ("", False),
+    ],
+)
+def test_steps_have_the_network_of_the_machine_if_a_mirror_is_on_it(
+    tmp_path: Path, bake: Bake, monkeypatch: pytest.MonkeyPatch, address: str, here: bool
+) -> None:
+    for name in (*web.PROXIES, "STEP_NETWORK"):
+        monkeypatch.setenv(name, "")
+    monkeypatch.setenv("OS_APT_MIRROR", address)
+    ours, theirs = services(tmp_path), services(tmp_path, builder_kind="docker")
+    assert builder.local_servers(ours) == ["OS_APT_MIRROR"] * here
+    assert builder.environment(ours, bake)["STEP_NETWORK"] == "host" * here
+    assert ("network.host" in builder.command(ours, bake, Path("m.json"))) is here
+    assert "network.host" not in builder.command(theirs, bake, Path("m.json"))
+    monkeypatch.setenv("OS_APT_MIRROR", "")
+    monkeypatch.setenv("https_proxy", address)
+    assert builder.local_servers(ours) == ["https_proxy"] * here
 
 
 # ---- What becomes of its answer --------------------------------------------------------------------------------------
@@ -215,6 +247,7 @@ LOGIN = "docker login"
         ("No space left on device (28)", "free some disk space"),
         ("dial tcp 127.0.0.1:1: connect: connection refused", "run 'rosml setup'"),
         ("failed to dial gRPC", "run 'rosml setup'"),
+        ("failed to solve: failed to load LLB: network.host is not allowed", "run 'rosml setup'"),
         (
             "failed to resolve source metadata for docker.io/library/a:1: failed to do request: Head"
             ' "https://registry-1.docker.io/v2/library/a/manifests/1": dial tcp: connect: connection refused',

@@ -27,7 +27,7 @@ from rosml.base.programs import pinned_version
 from rosml.cli import main
 from rosml.cli import setup as commands
 from rosml.machine.services import Services
-from rosml.machine.setup import builder, installer, network, process, registry, services, tools
+from rosml.machine.setup import builder, installer, network, process, registry, services, step_network, tools
 from rosml.machine.setup.daemon import Daemon, command_line, wait_until
 from rosml.machine.setup.installer import Installer
 from rosml.machine.setup.state import LONGEST_SOCKET_PATH, State
@@ -723,6 +723,69 @@ def test_buildkit_config(tmp_path: Path) -> None:
     in_docker = builder.config("127.0.0.1:5001", False)
     assert "docker.io" not in in_docker
     assert "root" not in in_docker
+    assert tomllib.loads(builder.config("127.0.0.1:5001", False, own))["worker"]["oci"]["networkMode"] == "host"
+    bridge = step_network.Bridge("rosml1", "172.20.3.0/24", Path("/plugins"))
+    text = builder.config("127.0.0.1:5001", False, own, bridge=bridge)
+    assert tomllib.loads(text)["worker"]["oci"]["networkMode"] == "bridge"
+    (tmp_path / "buildkitd.toml").write_text(text)
+    assert step_network.Bridge.read(tmp_path / "buildkitd.toml") == bridge
+
+
+@pytest.mark.parametrize(
+    ("texts", "found"),
+    [
+        (["nameserver 10.0.0.1\nsearch x\nnameserver 127.0.0.1\n", "nameserver 10.0.0.2"], ["10.0.0.1"]),
+        (["nameserver 127.0.0.53\noptions edns0\n", "nameserver 10.0.0.2"], ["10.0.0.2"]),
+        (["nameserver 127.0.0.53\n"], []),
+        (["nameserver 127.0.0.1\nnameserver ::1", "nameserver 10.0.0.2"], []),
+    ],
+)
+def test_name_servers_of_steps(tmp_path: Path, texts: list[str], found: list[str]) -> None:
+    """As BuildKit has them; without any, steps would ask Google's."""
+    for number, text in enumerate(texts):
+        (tmp_path / str(number)).write_text(text)
+    assert step_network.nameservers([str(tmp_path / str(number)) for number in range(2)]) == found
+
+
+def test_steps_get_a_subnet_that_the_machine_has_no_route_to(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(step_network, "missing_packages", dict)
+    monkeypatch.setattr(step_network, "plugins", lambda: Path("/plugins"))
+    monkeypatch.setattr(step_network, "nameservers", lambda: ["10.0.0.1"])
+    routes = "Iface Destination Gateway Flags RefCnt Use Metric Mask\neth0 00000000 0 0 0 0 0 00000000\n"
+    monkeypatch.setattr(Path, "read_text", lambda self: routes)
+    first = step_network.bridge(Path("/checkout"))
+    assert isinstance(first, step_network.Bridge) and first != step_network.bridge(Path("/other"))
+    assert len(first.name) < 16 and step_network.bridge(Path("/checkout")) == first
+    route = bytes(map(int, first.subnet.split("/")[0].split(".")))[::-1].hex()
+    routes += f"{first.name} {route} 0 0 0 0 0 00FFFFFF\n"
+    assert step_network.bridge(Path("/checkout")) == first, "it has its own already"
+    routes += f"tun0 {route} 0 0 0 0 0 00FFFFFF\n"
+    other = step_network.bridge(Path("/checkout"))
+    assert isinstance(other, step_network.Bridge) and other.subnet != first.subnet
+
+
+@pytest.mark.parametrize(
+    "why", ["without iptables", "as buildkitd does not start with a bridge", "as it reaches nothing"]
+)
+def test_a_builder_whose_steps_get_no_network_of_their_own_says_so(
+    state: State, buildx: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], why: str
+) -> None:
+    """What was tried is not tried again while the builder runs: a set-up ends no build."""
+    bridge = step_network.Bridge("rosml-none", "192.0.2.0/24", state.root)
+    monkeypatch.setattr(step_network, "bridge", lambda root: why if "without" in why else bridge)
+    monkeypatch.setattr(step_network, "tidy", lambda left: None)
+    monkeypatch.setattr(step_network, "enclose", lambda *_: why)
+    monkeypatch.setattr(builder, "START_SECONDS", 1)
+    ends = "'mode = \"bridge\"' in open(sys.argv[2]).read().lower()" if "start" in why else "False"
+    file = state.run / "buildkitd.toml"
+    command = (sys.executable, "-c", f"import sys, time; {ends} or time.sleep(60)", "--config", str(file))
+    made = Daemon(state, "buildkitd", command, file, os.environ)
+    monkeypatch.setattr(builder, "daemon", lambda state: made)
+    for did in ("started buildkitd", "buildkitd runs"):
+        builder.up(state, machine(state, "buildkitd", str(buildx)), "")
+        said = capsys.readouterr().out
+        assert did in said and f"network: code of a repository reaches what listens here, {why}" in said
+    assert builder.stop(state) and not (state.run / "shared-network").exists()
 
 
 @pytest.fixture

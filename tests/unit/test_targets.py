@@ -86,6 +86,8 @@ class Caller:
             "tags": [f"{self.variables['REGISTRY']}/{tag}" for tag in target.tags],
             "platforms": self._platforms(target),
             "secret": self.secrets,
+            "network": self.variables["STEP_NETWORK"],
+            "entitlements": ["network.host"] if self.variables["STEP_NETWORK"] == "host" else [],
             "output": [{"type": "cacheonly"}] if target.stage == "test" else [],
         }
         return {name: value for name, value in every.items() if value}
@@ -156,6 +158,7 @@ def callers(image_set: ImageSet) -> dict[str, dict[str, str]]:
         "CA_BUNDLE": str(ROOT / "matrix.yaml"),  # any file
         "ROS_APT_MIRROR": "http://ros.mirror.test",
         "OS_APT_MIRROR": "http://os.mirror.test",
+        "STEP_NETWORK": "host",
         "HTTP_PROXY": "http://proxy.test:1",
         "HTTPS_PROXY": "http://proxy.test:2",
         "NO_PROXY": "intern.test",

@@ -14,7 +14,7 @@ from rosml.apps.base import Base
 from rosml.apps.names import SLIM, Names
 from rosml.build.push import COMPRESSION
 from rosml.images.labels import APP, PREFIX, REVISION, TITLE
-from rosml.machine import exported
+from rosml.machine import buildx, exported
 from rosml.machine.services import Services
 
 SCRIPTS = ROOT / "components"
@@ -115,6 +115,8 @@ def render(
             "DOWNSTREAM": "downstream-results" if values["downstream-workspace"] else "nothing",
         },
     }
+    if buildx.local_servers(services):
+        common["network"] = "host"
     before, tested = "slim-" if inputs.slim else "", values["tests"] == "true"
     targets: dict[str, Any] = {
         REPORT: {**common, "target": f"{before}{REPORT}", "output": [exported.output(left[REPORT])]}

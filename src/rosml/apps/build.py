@@ -431,6 +431,11 @@ class App:
             self._say(
                 f"{' and '.join(named)}: its password reaches steps of the build, which run the repository's code"
             )
+        if local := buildx.local_servers(self._services):
+            self._say(
+                f"{' and '.join(local)}: on this machine, so steps of the build share its network: the repository's code"
+                " reaches what listens here"
+            )
         hooked = (requests / "identification.sh").stat().st_size > 0
         commit = git.commit(folder) or git.Commit("", TIME)
         return bake_file.Inputs(base, distribution, values, contexts, empty, hooked, commit.hash, commit.time, slim)

@@ -144,6 +144,8 @@ def _variables(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
     yield "ROS_APT_MIRROR", "", mirror
     archive = "mirror of the hosts that base images' apt sources name, such as http://host:3142; never part of an image"
     yield "OS_APT_MIRROR", "", archive
+    steps = "host: build steps have the network of the builder's machine; needs --allow network.host, and a builder that does"
+    yield "STEP_NETWORK", "", steps
     for proxy in targets.PROXIES:
         yield proxy, "", "for build steps; never part of an image"
 

@@ -204,6 +204,7 @@ function "expected" {
 # What all targets have in common. Mirrors are secrets like the certificates: an argument would be in the image's history.
 target "_common" {
   context = "."
+  network = STEP_NETWORK == "" ? null : STEP_NETWORK
   secret = concat(
     CA_BUNDLE == "" ? [] : ["id=ca-bundle,src=${CA_BUNDLE}"],
     ROS_APT_MIRROR == "" ? [] : ["id=ros-apt-mirror,env=ROS_APT_MIRROR"],

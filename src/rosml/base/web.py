@@ -9,10 +9,12 @@ from __future__ import annotations
 import contextlib
 import functools
 import os
+import socket
 import ssl
 import time
 from http.cookiejar import CookieJar
 from typing import Any
+from urllib.parse import urlsplit
 
 import httpx
 
@@ -65,6 +67,20 @@ def client(**options: Any) -> httpx.Client:
         raise RosmlError(
             f"SSL_CERT_FILE={name}: {error.strerror or error}", "let it name certificates in PEM", exit_code=2
         ) from None
+
+
+def is_here(address: str) -> bool:
+    """Whether an address, such as `http://host:3142`, names this machine: a socket can be bound to where its host is."""
+    try:
+        host = urlsplit(address if "//" in address else f"//{address}").hostname
+        found = socket.getaddrinfo(host, 0, type=socket.SOCK_STREAM) if host else []
+    except (OSError, ValueError):  # no address, or no such host
+        return False
+    for family, kind, *_others, place in found:
+        with contextlib.suppress(OSError), socket.socket(family, kind) as probe:
+            probe.bind(place)
+            return True
+    return False
 
 
 def trusted() -> ssl.SSLContext:

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal
 
-from rosml.base import untrusted
+from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.machine import trust
@@ -58,6 +58,7 @@ _REMEDIES = (
         "connection refused",
         "check HTTP_PROXY, HTTPS_PROXY and the mirrors; if it was the registry or the builder, run 'rosml setup'",
     ),
+    ("network.host is not allowed", "run 'rosml setup', which tells the builder of a mirror on this machine"),
     ("failed to dial", "run 'rosml setup', which starts what is down, then run it again"),
     (
         "500 Internal Server Error",
@@ -68,6 +69,8 @@ _REMEDIES = (
 registry refuses in BuildKit's words ("unexpected status from POST request to …: 403 Forbidden"), a package index in those of
 uv, curl or apt."""
 
+_MIRRORS = ("OS_APT_MIRROR", "ROS_APT_MIRROR")
+
 CANCEL_SECONDS = 15.0
 """How long a builder that was told to stop may take before it is ended."""
 
@@ -76,7 +79,10 @@ _STATUS = re.compile(r"unexpected status(?: code)?(?: from \w+ request to)?(?: \
 _CUT_OFF = re.compile(r"\bEOF\b|connection (?:reset|refused)|broken pipe|timeout|timed out|no such host", re.IGNORECASE)
 """What BuildKit says of a push that failed, of what the registry answered, and of a registry that did not answer."""
 
-_OURS = re.compile(r"PLATFORM|SOURCE_DATE_EPOCH|REVISION|DIGESTS|ROS_SYNC_DATES|OS_(?!APT_MIRROR$).*")
+STEP_NETWORK = "STEP_NETWORK"
+"""The variable of bake files that says which network steps have: `host` for this machine's, or the builder's default."""
+
+_OURS = re.compile(r"STEP_NETWORK|PLATFORM|SOURCE_DATE_EPOCH|REVISION|DIGESTS|ROS_SYNC_DATES|OS_(?!APT_MIRROR$).*")
 """Variables of the bake file that a shell may have for other reasons, and that would change what is built."""
 
 
@@ -113,12 +119,22 @@ class Bake:
     variables: Mapping[str, str] = field(default_factory=dict)
 
 
+def local_servers(services: Services) -> list[str]:
+    """The variables that name a mirror or a proxy on this machine. If there are some, steps get this machine's network: from
+    one of their own, which set-up gives them, they do not reach it."""
+    if services.builder_kind != "buildkitd":
+        return []
+    return [name for name in (*_MIRRORS, *web.PROXIES) if web.is_here(os.environ.get(name, ""))]
+
+
 def command(services: Services, bake: Bake, metadata: Path) -> list[str]:
     """The command line of a call."""
     arguments = [*services.buildx, "bake", "--file", str(bake.file), "--progress", "rawjson"]
     arguments += ["--metadata-file", str(metadata)]
     if services.ca_bundle:
         arguments += ["--allow", f"fs.read={services.ca_bundle}"]
+    if local_servers(services):
+        arguments += ["--allow", "network.host"]
     for item in bake.sets:
         arguments += ["--set", item]
     return [*arguments, bake.target]
@@ -134,6 +150,7 @@ def environment(services: Services, bake: Bake) -> dict[str, str]:
         del env[name]
     for name in ("HTTP_PROXY", "HTTPS_PROXY"):
         env.setdefault(name, os.environ.get(name.lower(), ""))
+    env[STEP_NETWORK] = "host" if local_servers(services) else ""
     env.update(bake.variables)
     return env
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 import os
 import shutil
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 
 from rosml.base.errors import RosmlError
 from rosml.base.programs import pinned_image
 from rosml.machine.services import Services
+from rosml.machine.setup import step_network
 from rosml.machine.setup.installer import Installer, dotted, version_in, which_system
 from rosml.machine.setup.process import output_of
 from rosml.machine.setup.state import State
@@ -87,6 +89,14 @@ def missing_packages(kind: str, hub: bool) -> dict[str, str]:
     return packages
 
 
+def _debian_packages(installer: Installer, packages: dict[str, str], kind: str) -> None:
+    """Installs packages, and those for the network of build steps if they can be had: the builder works without."""
+    installer.debian_packages(packages)
+    if kind == "buildkitd":
+        with suppress(RosmlError):
+            installer.debian_packages(step_network.missing_packages())
+
+
 def engine_packages(installer: Installer) -> dict[str, str]:
     """Docker, where neither a daemon answers nor one can be started."""
     there = docker_is_there(installer) or which_system("dockerd")
@@ -123,7 +133,7 @@ def install(state: State, hub: bool, tests: bool = False) -> Services:
     there = {"regctl": regctl, "buildx": buildx, "actionlint": linter, "registry": "", "buildkitd": kind != "buildkitd"}
     wanted = [name for name, found in there.items() if not found]
     with ThreadPoolExecutor(1) as pool, installer.fetching(wanted):
-        others = pool.submit(installer.debian_packages, packages)
+        others = pool.submit(_debian_packages, installer, packages, kind)
         for name in wanted:
             if others.done():
                 others.result()  # a failure ends it now
