@@ -121,7 +121,7 @@ def _up_user(state: State, services: Services) -> None:
             "start that builder, or unset BUILDX_BUILDER to have one made",
         ) from None
     state.say(f"builder: yours, '{services.builder}' (BUILDX_BUILDER); it must reach http://{services.registry}")
-    state.say("builder: its own network mode decides what code of a repository reaches from build steps")
+    state.say("builder: its configuration decides whether code of a repository reaches what listens there")
 
 
 def _up_docker(state: State, services: Services, image: str) -> None:

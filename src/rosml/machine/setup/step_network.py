@@ -30,6 +30,12 @@ POOL = 4
 """Namespaces that are kept ready: a step that takes one starts as fast as on the machine's network."""
 ADDRESSES = Path("/var/lib/cni/networks/buildkit")
 """Has a file for each address that is in use."""
+RULES = (
+    ("filter", "INPUT", "-j REJECT"),
+    ("mangle", "FORWARD", "-p tcp --tcp-flags SYN,RST SYN -j TCPMSS --clamp-mss-to-pmtu"),
+)
+"""Table, chain and rule for what comes from a bridge: no way to the machine itself; and packets no larger than its own network
+takes, whose limit may be below a bridge's 1500 bytes."""
 RESOLVED = "127.0.0.53"
 """systemd-resolved: BuildKit takes the servers that it asks."""
 RESOLV = ("/etc/resolv.conf", "/run/systemd/resolve/resolv.conf")
@@ -147,9 +153,10 @@ def enclose(found: Bridge, buildkitd: int, namespaces: Path) -> str:
     Returns:
         Why steps cannot have such a network; empty if they can.
     """
-    closing = ["INPUT", "-i", found.name, "-j", "REJECT"]
-    if not _iptables("-C", *closing) and not _iptables("-I", *closing):
-        return "as iptables refuses a rule"
+    for table, chain, rule in RULES:
+        words = [chain, "-i", found.name, *rule.split()]
+        if not _iptables("-t", table, "-C", *words) and not _iptables("-t", table, "-I", *words):
+            return "as iptables refuses a rule"
     try:  # the subnet is of IPv4; by a link's own address they would reach the machine all the same
         Path(f"/proc/sys/net/ipv6/conf/{found.name}/disable_ipv6").write_text("1")
     except FileNotFoundError:
@@ -170,7 +177,7 @@ def enclose(found: Bridge, buildkitd: int, namespaces: Path) -> str:
 def tidy(left: Bridge) -> None:
     """Removes what a buildkitd that has ended left: rules and addresses if it was killed, and the bridge itself."""
     subnet = ipaddress.IPv4Network(left.subnet)
-    for table in ("filter", "nat"):
+    for table in ("filter", "mangle", "nat"):
         for line in output_of([which_system("iptables") or "iptables", "-w", "5", "-t", table, "-S"]).splitlines():
             words = shlex.split(line)
             if words[0] == "-A" and (left.name in words or any(_within(word, subnet) for word in words)):
