@@ -18,6 +18,8 @@ if [ "$step" = publish ]; then step=$2; fi
 case "$step" in
   setup) exit ;;
   catalogue) mkdir public; echo page >public/index.html ;;
+  status) echo summary >night.md; echo "open=3" >>"$GITHUB_OUTPUT" ;;
+  issue) [ -f night.md ] ;;
   plan) echo '{}' >plan.json ;;
   repositories | images | index | promote) [ -f plan.json ] ;;
   scan) [ -f plan.json ]; echo '{}' >scan.json; mkdir reports; echo '{}' >reports/a.sarif ;;
@@ -28,10 +30,17 @@ if [ "$step" = plan ]; then echo "shards=$SHARDS_PLANNED" >>"$GITHUB_OUTPUT"; fi
 """
 
 
-def night(folder: Path, failing: str = "", shards: str = SHARDS, lost: str = "", **variables: str) -> Played:
+def night(
+    folder: Path,
+    failing: str = "",
+    shards: str = SHARDS,
+    lost: str = "",
+    event: str = "workflow_dispatch",
+    **variables: str,
+) -> Played:
     """A night in which some steps fail."""
     rosml = f"FAILING='{failing}' SHARDS_PLANNED='{shards}'\n{ROSML}"
-    return play(workflow("nightly"), folder, {"make": ":", "rosml": rosml}, variables=variables, lost=lost)
+    return play(workflow("nightly"), folder, {"make": ":", "rosml": rosml}, variables=variables, lost=lost, event=event)
 
 
 def steps(played: Played, job: str) -> list[str]:
@@ -45,7 +54,7 @@ ALL = ("plan", "images", "rosdep", "scan", "promote", "prune", "catalogue")
 
 def test_a_night_in_which_nothing_fails(tmp_path: Path) -> None:
     played = night(tmp_path)
-    assert played.results == {**dict.fromkeys(ALL, "success"), "pages": "skipped"}
+    assert played.results == {**dict.fromkeys(ALL, "success"), "pages": "skipped", "issue": "skipped"}
     assert sorted(member["shard"]["runner"] for member in played.matrix["images"]) == MACHINES
     assert sorted(steps(played, "images")) == sorted(["room", "setup", "images"] * 2)
     for shard in ("amd64-1", "arm64-1"):
@@ -66,21 +75,34 @@ def test_one_failure_blocks_only_itself(tmp_path: Path) -> None:
     where the policy stops an image, and its results are there all the same."""
     played = night(tmp_path, "repositories images scan record index")
     red = dict.fromkeys(("images", "scan", "promote"), "failure")
-    assert played.results == {**dict.fromkeys(ALL, "success"), **red, "pages": "skipped"}
+    assert played.results == {**dict.fromkeys(ALL, "success"), **red, "pages": "skipped", "issue": "skipped"}
     assert steps(played, "images").count("images") == 2
     assert steps(played, "promote")[-4:] == ["record", "index", "promote", "status"]
 
 
+@pytest.mark.parametrize(("wanted", "result"), [("", "success"), ("false", "skipped")])
+def test_a_scheduled_night_keeps_an_issue(wanted: str, result: str, tmp_path: Path) -> None:
+    """With the summary of the job that moves tags, also where that one failed; unless a variable says no."""
+    played = night(tmp_path, "images promote", event="schedule", ROSML_ISSUE=wanted)
+    assert played.results["promote"] == "failure" and played.results["issue"] == result
+    assert played.commands.get("issue", [])[1:] == ["rosml publish issue night.md --open 3"] * (result == "success")
+
+
 def test_no_plan_no_night(tmp_path: Path) -> None:
     played = night(tmp_path, "plan", ROSML_PAGES="true")
-    assert played.results == {"plan": "failure", **dict.fromkeys((*ALL[1:], "pages"), "skipped")}
+    assert played.results == {"plan": "failure", **dict.fromkeys((*ALL[1:], "pages", "issue"), "skipped")}
     assert played.commands.keys() == {"plan"}
 
 
 def test_nothing_to_build(tmp_path: Path) -> None:
     """No machine starts for images; scans, indexes and tags are looked at all the same."""
     played = night(tmp_path, shards="[]")
-    assert played.results == {**dict.fromkeys(ALL, "success"), "images": "skipped", "pages": "skipped"}
+    assert played.results == {
+        **dict.fromkeys(ALL, "success"),
+        "images": "skipped",
+        "pages": "skipped",
+        "issue": "skipped",
+    }
 
 
 def test_a_scanner_that_does_not_find_what_it_must(tmp_path: Path) -> None:
@@ -135,7 +157,12 @@ def test_what_a_repository_and_a_person_choose(tmp_path: Path) -> None:
         variables={"ROSML_SIGN": "true", "ROSML_PAGES": "true", "ROSML_SERVE": "amd64", "ROSML_SHARDS": "3"},
         inputs={"only": "ros1-bookworm-* jazzy-core", "force": "true"},
     )
-    assert played.results == {**dict.fromkeys(ALL, "success"), "images": "skipped", "pages": "success"}
+    assert played.results == {
+        **dict.fromkeys(ALL, "success"),
+        "images": "skipped",
+        "pages": "success",
+        "issue": "skipped",
+    }
     assert {"signer", "test-signer"} <= set(steps(played, "promote"))
     assert len(played.caches) == 4, "of the scan, and of the signer: asked for, and kept"
     assert all(line.endswith(" .state/bin") for line in played.caches)

@@ -43,6 +43,7 @@ PERMISSIONS = {
     ("nightly", "rosdep"): PUSH,
     ("nightly", "scan"): PULL,
     ("nightly", "promote"): {**PUSH, "id-token": "write"},
+    ("nightly", "issue"): {**READ, "issues": "write"},
     ("nightly", "prune"): PULL,
     ("nightly", "catalogue"): PULL,
     ("nightly", "pages"): {"pages": "write", "id-token": "write"},
@@ -256,11 +257,14 @@ def test_permissions_are_the_least() -> None:
 
 
 def test_no_secret_but_of_those_who_log_in() -> None:
-    """The job's own token, or what a fork keeps as secrets for a registry of its own."""
+    """The job's own token, or what a fork keeps as secrets for a registry of its own. One job writes an issue with it, and logs in
+    nowhere."""
+    token = "${{ github.token }}"
+    assert [step.job for step in steps() if token in (step.content.get("env") or {}).values()] == ["issue"]
     for name in NAMES:
         code = re.sub(r"#.*", "", text(name))
         found = re.findall(r"\$\{\{[^}]*(?:token|secrets)[^}]*\}\}", code)
-        assert set(found) <= ({LOGIN["username"], LOGIN["password"]} if name == "nightly" else set())
+        assert set(found) <= ({LOGIN["username"], LOGIN["password"], token} if name == "nightly" else set())
         assert code.count("secrets") == sum(expression.count("secrets") for expression in found)
         assert "pull_request_target" not in text(name)
 

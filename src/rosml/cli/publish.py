@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import os
 import time
 from datetime import UTC, datetime
 from pathlib import Path
@@ -12,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from rosml import ROOT
-from rosml.base import terminal
+from rosml.base import files, terminal
 from rosml.cli.call import KEPT, Call, say, sharing, wait_for_turn
 from rosml.cli.checkout import Group
 from rosml.cli.options import place_of
@@ -257,6 +258,26 @@ def record(file: Path, **options: Any) -> None:
     pipeline = call.pipeline()
     scan_results.record(pipeline, file)
     call.report(pipeline)
+
+
+@main.command(alone=True)
+@click.argument("file", type=click.Path(path_type=Path, exists=True, dir_okay=False))
+@click.option(
+    "--open", "unpublished", type=click.IntRange(min=0), required=True, help="how many images are not published"
+)
+def issue(file: Path, unpublished: int) -> None:
+    """Keeps one issue of the repository at GitHub, with the text of FILE, for as long as images are not published. In a job of GitHub
+    Actions, with its token as GITHUB_TOKEN.
+
+    \b
+    Example:
+      rosml publish issue night.md --open 3
+    """
+    from rosml.publish.issue import LONGEST, Issues
+
+    api, repository = os.environ.get("GITHUB_API_URL", ""), os.environ.get("GITHUB_REPOSITORY", "")
+    issues = Issues(api, repository, os.environ.get("GITHUB_TOKEN", ""))
+    say(issues.keep(files.limited(file, 4 * LONGEST).decode(errors="replace"), unpublished))
 
 
 @main.command(alone=True)

@@ -7,12 +7,15 @@ Endpoints: https://docs.github.com/en/rest/issues/issues (version 2022-11-28).
 from __future__ import annotations
 
 import re
+from typing import Any, TypeVar
 
 import httpx
 from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
 
 from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
+
+T = TypeVar("T")
 
 LABEL = "nightly"
 """Only who may write to a repository sets a label, so an issue with it is ours."""
@@ -36,6 +39,7 @@ class _Issue(BaseModel):
     title: str = ""
 
 
+_ONE = TypeAdapter(_Issue)
 _LIST = TypeAdapter(list[_Issue])
 
 
@@ -51,7 +55,9 @@ class Issues:
 
     def __init__(self, api: str, repository: str, token: str) -> None:
         if not re.fullmatch(r"[\w.-]+/[\w.-]+", repository) or not re.fullmatch(r"https?://[\w.:/-]+", api):
-            raise RosmlError(f"{repository!r} at {api!r} is no repository", "run it in a job of GitHub Actions", exit_code=2)
+            raise RosmlError(
+                f"{repository!r} at {api!r} is no repository", "run it in a job of GitHub Actions", exit_code=2
+            )
         headers = {
             "Authorization": f"Bearer {token}",
             "Accept": "application/vnd.github+json",
@@ -69,23 +75,24 @@ class Issues:
             RosmlError: the server does not answer, or refuses.
         """
         query = {"labels": LABEL, "state": "open", "per_page": "100"}
-        ours = [issue for issue in _LIST.validate_python(self._ask("GET", "issues", params=query)) if issue.title == TITLE]
+        ours = [issue for issue in self._ask(_LIST, "GET", "issues", params=query) if issue.title == TITLE]
         if not unpublished:
             for issue in ours:
-                self._ask("PATCH", f"issues/{issue.number}", json={"state": "closed", "body": text[:LONGEST]})
+                self._ask(_ONE, "PATCH", f"issues/{issue.number}", json={"state": "closed", "body": text[:LONGEST]})
             return f"closed issue {ours[0].number}: all images are published" if ours else "all images are published"
         if ours:
-            self._ask("PATCH", f"issues/{ours[0].number}", json={"body": text[:LONGEST]})
+            self._ask(_ONE, "PATCH", f"issues/{ours[0].number}", json={"body": text[:LONGEST]})
             return f"brought issue {ours[0].number} up to date: {ours[0].html_url}"
         body = {"title": TITLE, "body": text[:LONGEST], "labels": [LABEL]}
-        made = _Issue.model_validate(self._ask("POST", "issues", json=body))
+        made = self._ask(_ONE, "POST", "issues", json=body)
         return f"opened issue {made.number}: {made.html_url}"
 
-    def _ask(self, method: str, path: str, **options: object) -> object:
+    def _ask(self, kind: TypeAdapter[T], method: str, path: str, **options: Any) -> T:
         try:
-            with self._client.stream(method, path, **options) as answer:  # type: ignore[arg-type]
-                if not answer.is_success:
-                    raise RosmlError(f"GitHub refuses {method} {path}: HTTP {answer.status_code}", _REMEDY)
-                return untrusted.json_value(web.read(answer, ANSWER_BYTES))
-        except (httpx.HTTPError, web.Unfit, ValueError) as error:
-            raise RosmlError(f"GitHub does not answer {method} {path}: {error}", "run it again") from None
+            with self._client.stream(method, path, **options) as answer:
+                if answer.is_success:
+                    return kind.validate_python(untrusted.json_value(web.read(answer, ANSWER_BYTES)))
+        except (httpx.HTTPError, httpx.InvalidURL, ValueError) as error:
+            reason = "something else than an issue" if isinstance(error, ValidationError) else str(error)
+            raise RosmlError(f"GitHub answers {method} {path} with {reason or 'nothing'}", "run it again") from None
+        raise RosmlError(f"GitHub refuses {method} {path}: HTTP {answer.status_code}", _REMEDY)
