@@ -77,7 +77,7 @@ def test_ros_one(project: Path) -> None:
     (project / "components/archive-keys/ros-one.asc").write_text(KEY)
     [row] = section("ROS One")
     matrix = project / "matrix.yaml"
-    matrix.write_text(matrix.read_text().replace("\ndisk: #", f"\n{row.text.rstrip()}\n\ndisk: #", 1))
+    matrix.write_text(matrix.read_text().replace("\n# Forecast in", f"\n{row.text.rstrip()}\n\n# Forecast in", 1))
     assert load.load(matrix, project).image("one-base").packages == "ros-one-ros-base"
 
 

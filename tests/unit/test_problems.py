@@ -255,12 +255,12 @@ WRONG = {
         "94:54: parts[4].release: no release named 'tensorflo'; did you mean 'tensorflow'?",
     ),
     "part that repeats itself": (
-        "needs: [common], slot: 2}",
-        "needs: [common], slot: 2, repeats: [torch]}",
+        "needs: [common], slot: 2, ",
+        "needs: [common], slot: 2, repeats: [torch], ",
         "92:77: parts[2].repeats: it belongs to a part beside the one of its release's name; remove it",
     ),
     "a part without a slot": (
-        ", slot: 2}",
+        ", slot: 2, compiled: true}",
         "}",
         "92:5: parts[2]: torch has no slot, so pip would replace what it holds; add 'slot: 2'",
     ),

@@ -200,7 +200,7 @@ VALUES: Mapping[str, st.SearchStrategy[str]] = {
     "diff": st.sampled_from(["HEAD", "no-such", "--help", "{root}/matrix.yaml", "{root}/locks", ""]),
     "policy": st.sampled_from(["{root}/policy.yaml", "{root}/none.yaml", "{root}/matrix.yaml"]),
     "database": st.sampled_from(["{host}/x:1", "{host}/x@sha256:1", "x", ""]),
-    "output": st.sampled_from(["{root}/out", "{root}/matrix.yaml/x"]),
+    **dict.fromkeys(("output", "markdown"), st.sampled_from(["{root}/out", "{root}/matrix.yaml/x"])),
     "report": st.just("{root}/report.md"),
     "reports": st.just("{root}/reports"),
     "day": st.sampled_from(["2026-11-22", "today"]),
@@ -211,7 +211,10 @@ VALUES: Mapping[str, st.SearchStrategy[str]] = {
             st.sampled_from(["ros:ros1-bookworm-core", "", "a b", "{host}/published/ros:ros1-bookworm-core"]),
         ),
     ),
-    **dict.fromkeys(("at_most", "shards", "days", "newest", "history"), st.sampled_from(["1", "8", "0", "-1", "x"])),
+    **dict.fromkeys(
+        ("at_most", "shards", "days", "newest", "history", "minutes", "unpublished"),
+        st.sampled_from(["1", "8", "0", "-1", "x"]),
+    ),
 }
 """What is given for an option or argument, by its name in the command."""
 
