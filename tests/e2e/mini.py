@@ -175,7 +175,7 @@ class Mini:
         digest = client.put_manifest(path, "", content)
         known = book.read(*item.key)
         before = (*known.superseded, known.digest) if known else ()
-        own = {"inputs": plan.inputs.digest(*item.key), "tested": plan.tests(item), "digest": digest}
+        own = {"inputs": plan.inputs.digest(*item.key), "tested": plan.tests_digest(item), "digest": digest}
         book.write(replace(other, architecture=OTHER, superseded=before, **own), plan.inputs.of(*item.key))  # type: ignore[arg-type]
         return digest
 

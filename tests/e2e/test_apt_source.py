@@ -227,7 +227,8 @@ def test_all_components_of_a_row(distro: str, row: Callable[[str], Row]) -> None
     env |= {"ROS_DISTRO": distro, "ROS_VERSION": made.arguments["ROS_VERSION"], "ROS_SYNC_DATE": ""}
     made.image.put_tests()
     assert made.image.failures("contract", env, OF_A_WHOLE_IMAGE) == []
-    tested = [file for file in components[-1].tests if file.startswith("ros") and file not in OF_REAL_ROS]
+    top = components[-1]
+    tested = [file for file in (*top.tests, *top.shared) if file.startswith("ros") and file not in OF_REAL_ROS]
     assert len(tested) == len(components) + (made.arguments["ROS_VERSION"] == "2")
     for file in tested:
         assert made.image.failures(file, env, names_of_programs(file)) == []
@@ -255,7 +256,10 @@ def test_a_row_that_only_runs(distro: str, row: Callable[[str], Row]) -> None:
     assert done.code == 0, done.out + done.err
 
 
-OF_REAL_ROS = ("ros1", "ros1-components", "ros1-workspace", "ros2-components", "ros2-workspace")
+OF_REAL_ROS = (
+    *("ros1", "ros1-beside", "ros1-components", "ros1-workspace"),
+    *("ros2-beside", "ros2-components", "ros2-workspace"),
+)
 """Structure tests that are programs of ROS, all of them."""
 
 OF_A_WHOLE_IMAGE = (

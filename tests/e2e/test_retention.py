@@ -67,7 +67,7 @@ def night(mini: Mini, date: str) -> None:
         digest, size = Tiny(said, salt=date).put_manifest(client, book.path(item.repository), f"linux/{HERE}")
         facts = {"inputs": plan.inputs.digest(*item.key), "repository": item.repository, "size": size, "date": date}
         facts |= {"parts": {target: plan.known[target, HERE].digest for target in item.needs}, "changed": date}
-        facts |= {"upstream": plan.upstream.get(image.distribution, ""), "tested": plan.tests(item), "passed": 5}
+        facts |= {"upstream": plan.upstream.get(image.distribution, ""), "tested": plan.tests_digest(item), "passed": 5}
         before = plan.known.get(item.key) or store.Entry(*item.key)
         plan.known[item.key] = before.made(digest, **facts)
         book.write(plan.known[item.key], plan.inputs.of(*item.key))
