@@ -67,7 +67,7 @@ variable "ROS_SYNC_DATES" {
 }
 
 variable "ROS_CHANNEL" {
-  description = "live, snapshot or final, in the place of what matrix.yaml says (ROS_CHANNEL=final rosml image)"
+  description = "live, testing, snapshot or final, in the place of what matrix.yaml says (ROS_CHANNEL=final rosml image)"
   default     = ""
 }
 
@@ -273,7 +273,7 @@ distributions = {
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-noetic-ros-core", base = "ros-noetic-ros-base", robot = "ros-noetic-robot", perception = "ros-noetic-perception", desktop = "ros-noetic-desktop", desktop-full = "ros-noetic-desktop-full", core-run = "ros-noetic-ros-core", base-run = "ros-noetic-ros-base" }
     runtime = { core = "core-run", base = "base-run", robot = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
-    apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "focal", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/noetic/{day}/ubuntu" }
+    apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "focal", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/noetic/{day}/ubuntu", ROS_TESTING_ADDRESS = "http://packages.ros.org/ros-testing/ubuntu" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu121", "cpu38"], tensorflow = ["cpu38"] }
     lowest = "core", carrying = ["none", "cuda-cu128", "cuda-cu130", "cuda-cu132", "torch-cu121", "torch-cpu38", "tensorflow-cpu38"]
     unlocked = { torch-cpu38 = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them" }
@@ -285,7 +285,7 @@ distributions = {
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-foxy-ros-core", base = "ros-foxy-ros-base", desktop = "ros-foxy-desktop", core-run = "ros-foxy-ros-core", base-run = "ros-foxy-ros-base" }
     runtime = { core = "core-run", base = "base-run", desktop = "base-run" }
-    apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "focal", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/foxy/{day}/ubuntu" }
+    apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "focal", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/foxy/{day}/ubuntu", ROS_TESTING_ADDRESS = "http://packages.ros.org/ros2-testing/ubuntu" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu121", "cpu38"], tensorflow = ["cpu38"] }
     lowest = "core", carrying = ["none", "cuda-cu128", "cuda-cu130", "cuda-cu132", "torch-cu121", "torch-cpu38", "tensorflow-cpu38"]
     unlocked = { torch-cpu38 = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them" }
@@ -297,7 +297,7 @@ distributions = {
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-humble-ros-core", base = "ros-humble-ros-base", perception = "ros-humble-perception", desktop = "ros-humble-desktop", desktop-full = "ros-humble-desktop-full", core-run = "ros-humble-ros-core", base-run = "ros-humble-ros-base" }
     runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
-    apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "jammy", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/humble/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.jammy_all.deb@sha256:110b9a462d55252decb8b7c816f61c2ba0d9890ce5fb93ac504e97cae5860d76" }
+    apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "jammy", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/humble/{day}/ubuntu", ROS_TESTING_ADDRESS = "http://packages.ros.org/ros2-testing/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.jammy_all.deb@sha256:110b9a462d55252decb8b7c816f61c2ba0d9890ce5fb93ac504e97cae5860d76" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     lowest = "core", carrying = ["none", "cuda-cu132", "cuda-cu121", "torch-cu130", "ml-cu128", "ml-cpu"]
     unlocked = {}
@@ -309,7 +309,7 @@ distributions = {
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-iron-ros-core", base = "ros-iron-ros-base", perception = "ros-iron-perception", desktop = "ros-iron-desktop", desktop-full = "ros-iron-desktop-full", core-run = "ros-iron-ros-core", base-run = "ros-iron-ros-base" }
     runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
-    apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "jammy", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/iron/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.jammy_all.deb@sha256:110b9a462d55252decb8b7c816f61c2ba0d9890ce5fb93ac504e97cae5860d76" }
+    apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "jammy", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/iron/{day}/ubuntu", ROS_TESTING_ADDRESS = "http://packages.ros.org/ros2-testing/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.jammy_all.deb@sha256:110b9a462d55252decb8b7c816f61c2ba0d9890ce5fb93ac504e97cae5860d76" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     lowest = "core", carrying = ["none", "cuda-cu132", "cuda-cu121", "torch-cu130", "ml-cu128", "ml-cpu"]
     unlocked = {}
@@ -321,7 +321,7 @@ distributions = {
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-jazzy-ros-core", base = "ros-jazzy-ros-base", perception = "ros-jazzy-perception", desktop = "ros-jazzy-desktop", desktop-full = "ros-jazzy-desktop-full", core-run = "ros-jazzy-ros-core", base-run = "ros-jazzy-ros-base" }
     runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
-    apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "noble", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/jazzy/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.noble_all.deb@sha256:f31d84adf5054c7d60ded0e82c0f776a77ea33af53d08f40b9ad7c94cca55296" }
+    apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "noble", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/jazzy/{day}/ubuntu", ROS_TESTING_ADDRESS = "http://packages.ros.org/ros2-testing/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.noble_all.deb@sha256:f31d84adf5054c7d60ded0e82c0f776a77ea33af53d08f40b9ad7c94cca55296" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     lowest = "core", carrying = ["none", "cuda-cu121", "torch-cu130", "torch-cu132", "ml-cu128", "ml-cpu"]
     unlocked = {}
@@ -333,7 +333,7 @@ distributions = {
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-kilted-ros-core", base = "ros-kilted-ros-base", perception = "ros-kilted-perception", desktop = "ros-kilted-desktop", desktop-full = "ros-kilted-desktop-full", core-run = "ros-kilted-ros-core", base-run = "ros-kilted-ros-base" }
     runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
-    apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "noble", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/kilted/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.noble_all.deb@sha256:f31d84adf5054c7d60ded0e82c0f776a77ea33af53d08f40b9ad7c94cca55296" }
+    apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "noble", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/kilted/{day}/ubuntu", ROS_TESTING_ADDRESS = "http://packages.ros.org/ros2-testing/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.noble_all.deb@sha256:f31d84adf5054c7d60ded0e82c0f776a77ea33af53d08f40b9ad7c94cca55296" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     lowest = "core", carrying = ["none", "cuda-cu121", "torch-cu130", "torch-cu132", "ml-cu128", "ml-cpu"]
     unlocked = {}
@@ -345,7 +345,7 @@ distributions = {
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-lyrical-ros-core", base = "ros-lyrical-ros-base", perception = "ros-lyrical-perception", desktop = "ros-lyrical-desktop", desktop-full = "ros-lyrical-desktop-full", core-run = "ros-lyrical-ros-core", base-run = "ros-lyrical-ros-base" }
     runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
-    apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "resolute", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/lyrical/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.resolute_all.deb@sha256:e70bc980395f4a3b366b9c5e7f8f9b4d63a4064fb115f6ff3bc52f7faa02ef69" }
+    apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "resolute", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/lyrical/{day}/ubuntu", ROS_TESTING_ADDRESS = "http://packages.ros.org/ros2-testing/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.resolute_all.deb@sha256:e70bc980395f4a3b366b9c5e7f8f9b4d63a4064fb115f6ff3bc52f7faa02ef69" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"] }
     lowest = "core", carrying = ["none", "cuda-cu121", "torch-cu128", "torch-cu130", "torch-cu132", "torch-cpu"]
     unlocked = { torch-cpu = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them" }
@@ -357,7 +357,7 @@ distributions = {
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-rolling-ros-core", base = "ros-rolling-ros-base", perception = "ros-rolling-perception", desktop = "ros-rolling-desktop", desktop-full = "ros-rolling-desktop-full", core-run = "ros-rolling-ros-core", base-run = "ros-rolling-ros-base" }
     runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
-    apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "resolute", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/rolling/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.resolute_all.deb@sha256:e70bc980395f4a3b366b9c5e7f8f9b4d63a4064fb115f6ff3bc52f7faa02ef69" }
+    apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "resolute", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/rolling/{day}/ubuntu", ROS_TESTING_ADDRESS = "http://packages.ros.org/ros2-testing/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.resolute_all.deb@sha256:e70bc980395f4a3b366b9c5e7f8f9b4d63a4064fb115f6ff3bc52f7faa02ef69" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"] }
     lowest = "core", carrying = ["none", "cuda-cu121", "torch-cu128", "torch-cu130", "torch-cu132", "torch-cpu"]
     unlocked = { torch-cpu = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them" }

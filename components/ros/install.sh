@@ -3,7 +3,7 @@
 #   ROS_PACKAGES  Debian packages of the component, separated by spaces
 #   ROS_TOOLS     packages of the developers' tools (colcon, rosdep, vcs), installed with the first component
 #   RUNTIME       not empty: of all these only what programs need that are built already (runtime_packages.py)
-#   ROS_CHANNEL   live, snapshot or final, where packages come from ROS's own apt source; see source.sh
+#   ROS_CHANNEL   live, testing, snapshot or final, where packages come from ROS's own apt source; see source.sh
 #   ROS_ARCHIVE   address of another apt archive that they come from; see source.sh
 #   ROS_CODENAME, ROS_SYNC_DATE  suite of that source, and of when it has to be
 #   ROS_DISTRO, ROS_VERSION  the distribution, and 1 or 2

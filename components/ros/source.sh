@@ -2,9 +2,10 @@
 # Installs the apt source that ROS's packages come from, ROS's own or another, and asks it for its index once, so that what is
 # wrong with it is said here.
 #   ROS_CHANNEL     live: today's packages, set up by ROS's own package
+#                   testing: packages before they are released into live, by the same key
 #                   snapshot, final: a state of them, of a day or at the distribution's end of life
 #   ROS_SNAPSHOT    day of the snapshot, such as 2026-08-07
-#   ROS_LIVE_ADDRESS, ROS_SNAPSHOT_ADDRESS
+#   ROS_LIVE_ADDRESS, ROS_TESTING_ADDRESS, ROS_SNAPSHOT_ADDRESS
 #                   where these are, from matrix.yaml: http://host/ros2/ubuntu, http://host/jazzy/{day}/ubuntu
 #   ROS_ARCHIVE     address of another archive, in the place of all that
 #   ROS_COMPONENTS, ROS_SIGNED_BY  its components, and the file in archive-keys/ with the key that signs it, which
@@ -25,9 +26,10 @@ if [[ $ROS_VERSION == 1 ]]; then generation=ros; else generation=ros2; fi
 case ${ROS_CHANNEL:?} in
   archive) address=$ROS_ARCHIVE ;;
   live) address=${ROS_LIVE_ADDRESS:?} ;;
+  testing) address=${ROS_TESTING_ADDRESS:?} ;;
   snapshot) address=${ROS_SNAPSHOT_ADDRESS//"{day}"/${ROS_SNAPSHOT:?}} ;;
   final) address=${ROS_SNAPSHOT_ADDRESS//"{day}"/final} ;;
-  *) fail "no channel '$ROS_CHANNEL'" "matrix.yaml knows live, snapshot and final" ;;
+  *) fail "no channel '$ROS_CHANNEL'" "matrix.yaml knows live, testing, snapshot and final" ;;
 esac
 
 # The release file of ros-infrastructure/ros-apt-source, checked against the digest that matrix.yaml pins.
@@ -57,11 +59,12 @@ key_of() {
   if [[ -n $path ]]; then cat "$path"; else sed -n '/BEGIN PGP/,/END PGP/{s/^Signed-By://;s/^ *//;s/^\.$//;p}' "$1"; fi
 }
 
-# The files that name the archive, or the live repository or a snapshot of the distribution, directly or below a mirror.
+# The files that name the archive, or a repository or snapshot of ROS with the distribution, directly or below a mirror.
 sources() {
   local snapshots=${ROS_SNAPSHOT_ADDRESS:-$address} live=${ROS_LIVE_ADDRESS:-$address}
+  local testing=${ROS_TESTING_ADDRESS:-$live}
   snapshots=${snapshots%%"{day}"*}
-  grep --files-with-matches -R -F -e "${live#*//}" -e "${snapshots#*//}" /etc/apt/sources.list* || true
+  grep --files-with-matches -R -F -e "${live#*//}" -e "${testing#*//}" -e "${snapshots#*//}" /etc/apt/sources.list* || true
 }
 
 codename=$(sed -n 's/^VERSION_CODENAME="\?\([a-z]*\).*/\1/p' /etc/os-release)
@@ -86,6 +89,8 @@ else
     key=$here/../archive-keys/key.asc name=archive
     [[ -n $(fingerprint <"$key") ]] ||
       fail "components/archive-keys/${ROS_SIGNED_BY:?} is no public key" "put the armored key there: gpg --armor --export KEY"
+  elif [[ $ROS_CHANNEL == testing ]]; then
+    key=$keys/live.asc name=testing
   else
     key=$keys/snapshots.asc name=snapshots
   fi

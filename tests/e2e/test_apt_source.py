@@ -282,6 +282,22 @@ def files(folder: Path) -> list[Path]:
     return [path for path in folder.rglob("*") if path.is_file() and not path.is_symlink()]
 
 
+def test_packages_before_their_release(row: Callable[[str], Row]) -> None:
+    """The testing repository, which the key of the live one signs: of a distribution that is not in that yet."""
+    made = row("rolling")
+    live = made.repository.folder
+    testing = live.parent.parent / "ros2-testing" / live.name
+    testing.parent.mkdir(parents=True)
+    live.rename(testing)
+    done = made.build(ROS_CHANNEL="testing")
+    assert done.code == 0, done.out + done.err
+    said = made.image.read("usr/local/share/rosml/versions.d/ros")
+    assert said.endswith("ros-channel testing\nros-source http://packages.ros.org/ros2-testing/ubuntu\n")
+    assert not any("-apt-source_" in path for path in made.server.asked)
+    done = made.image.run("bash", "-c", STRUCTURE_TEST.read_text(), env={"ROS_SYNC_DATE": ""})
+    assert done.code == 0, done.err
+
+
 def test_a_snapshot_of_a_day(row: Callable[[str], Row]) -> None:
     made = row("iron")
     final = made.repository.folder.parent

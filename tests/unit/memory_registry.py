@@ -317,6 +317,8 @@ class Place:
     registry: MemoryRegistry = field(default_factory=MemoryRegistry)
     upstream: dict[str, str] = field(default_factory=lambda: {"alpha": "monday", "omega": "monday"})
     pen: Any = None
+    absent: set[tuple[str, str, str]] = field(default_factory=set)
+    """Packages that a distribution's repository does not have for an architecture."""
 
     def run(self, image_set: ImageSet, date: str = DAY, serving: tuple[str, ...] = (), **options: Any) -> Run:
         """A run for both architectures, unless told otherwise; nothing is done yet."""
@@ -396,7 +398,11 @@ def place(folder: Path, services: Services, monkeypatch: pytest.MonkeyPatch) -> 
             raise RosmlError("http://packages.example does not answer", "check the network")
         return answer
 
+    def lacking(_services: object, _matrix: object, row: str, architecture: str, wanted: list[str]) -> list[str]:
+        return [name for name in wanted if (row, architecture, name) in found.absent]
+
     monkeypatch.setattr(package_state, "state", state)
+    monkeypatch.setattr(package_state, "lacking", lacking)
     return found
 
 

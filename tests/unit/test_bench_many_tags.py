@@ -72,6 +72,7 @@ def registry() -> Iterator[StandIn]:
 @pytest.fixture
 def here(registry: StandIn, image_set: ImageSet, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Here:
     monkeypatch.setattr(package_state, "state", lambda *_: "monday")
+    monkeypatch.setattr(package_state, "lacking", lambda *_: [])
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
     found = services(tmp_path / "project", registry.address)
     return Here(found, image_set, lambda _: None, NAMESPACE, "amd64")

@@ -218,6 +218,25 @@ def test_the_owner_sees_each_cause_once(registry: Place, image_set: ImageSet) ->
     assert {step: len(steps(mended, step)) for step in ahead} == ahead
 
 
+def test_a_row_whose_packages_nobody_published_is_left_out(registry: Place, image_set: ImageSet) -> None:
+    """Before a build is tried, with the reason; the other rows are built, and what was there stays."""
+    registry.publish(image_set, only=["alpha-core"])
+    registry.absent = {("omega", name, "ros-omega-ros-core") for name in ("amd64", "arm64")}
+    registry.absent |= {("alpha", "amd64", "ros-alpha-ros-base")}
+    run = registry.publish(image_set, date=NEXT)
+    assert not run.failed
+    reason = "the archive has no ros-omega-ros-core for ubuntu-26.04, amd64"
+    assert reason in waiting(run, "omega-core") and f"{reason} (for omega-core)" in waiting(run, "omega-base")
+    assert {name for name, _ in steps(run, "build")} == {"alpha-base"} | {x.target for x in image_set.parts}
+    assert "alpha-core" in registry.tagged("ros") and "alpha-base" not in registry.tagged("ros")
+    found = {x.target: x for x in status.read(run.plan, registry.registry, PREFIX, LATER)}
+    assert found["omega-core"].state == "missing" and reason in found["omega-core"].reason
+    registry.absent.clear()
+    registry.publish(image_set, date=NEXT)
+    assert "omega-core" in registry.tagged("ros")
+    registry.check(image_set)
+
+
 def test_each_image_is_tested_as_soon_as_it_is_there(registry: Place, image_set: ImageSet) -> None:
     """Those that test what others share come first, so that a run that ends early leaves whole images."""
     run = registry.run(image_set)

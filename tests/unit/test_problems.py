@@ -500,7 +500,7 @@ WRONG = {
     "unknown channel": (
         "channel: snapshot",
         "channel: nightly",
-        "64:11: distributions.omega.apt.channel: expected live, snapshot or final, found 'nightly'",
+        "64:11: distributions.omega.apt.channel: expected live, testing, snapshot or final, found 'nightly'",
     ),
     "default without a stack": (
         "alpha-core-torch-cu1",

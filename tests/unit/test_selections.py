@@ -124,6 +124,7 @@ def around(shop: Shop, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(setup, "is_up", lambda _: True)
     monkeypatch.setattr(load, "load", lambda *_: REAL)
     monkeypatch.setattr(package_state, "state", lambda *_: "monday")
+    monkeypatch.setattr(package_state, "lacking", lambda *_: [])
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
     monkeypatch.setattr(failures, "WAIT", 0.001)
     monkeypatch.setattr("signal.signal", lambda *_: None)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import functools
+import gzip
+import hashlib
 import http.server
 import threading
 from collections.abc import Iterator
@@ -23,6 +26,7 @@ def matrix(real: ImageSet) -> Matrix:
     """Our matrix with ROS's repositories at other addresses."""
     archive = RosArchive(
         live="http://live.test/{generation}/ubuntu",
+        testing="http://testing.test/{generation}/ubuntu",
         snapshot="http://old.test/{ros_distro}/{day}",
         apt_source="https://git.test/{version}/{generation}.{codename}.deb",
     )
@@ -42,6 +46,13 @@ def test_otherwise_for_once(matrix: Matrix) -> None:
     assert found and found.address == "http://live.test/ros2/ubuntu"
     found = apt_source.source(matrix, "jazzy", {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2026-08-07"})
     assert found and found.address == "http://old.test/jazzy/2026-08-07"
+    found = apt_source.source(matrix, "rolling", {"ROS_CHANNEL": "testing"})
+    assert found and found.address == "http://testing.test/ros2/ubuntu"
+    without = (
+        RosArchive.model_validate({**matrix.ros_archive.model_dump(), "testing": None}) if matrix.ros_archive else None
+    )
+    with pytest.raises(RosmlError, match="nothing says where ROS's testing repository is"):
+        apt_source.source(matrix.model_copy(update={"ros_archive": without}), "rolling", {"ROS_CHANNEL": "testing"})
 
 
 @pytest.mark.parametrize(
@@ -121,6 +132,60 @@ def test_a_mirrors_password_is_sent_and_never_told(mirror: str) -> None:
         assert "secret" not in caught.value.message + caught.value.remedy and "127.0.0.1" in caught.value.message
     with pytest.raises(RosmlError, match="401"):
         sync.published(SOURCE, {"ROS_APT_MIRROR": f"{mirror}/protected"})
+
+
+@pytest.fixture
+def archive(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """A folder that is served as a mirror: a repository with two packages."""
+    folder = tmp_path / "mirror/live.test/ros2/ubuntu/dists/noble"
+    write_list(
+        folder, "Package: ros-jazzy-ros-core\nVersion: 1\n\nPackage: ros-jazzy-ros-base\nDepends: ros-jazzy-desktop\n"
+    )
+    quiet = type("Quiet", (http.server.SimpleHTTPRequestHandler,), {"log_message": lambda *_: None})
+    handler = functools.partial(quiet, directory=str(tmp_path / "mirror"))
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.05}, daemon=True).start()
+        monkeypatch.setenv("ROS_APT_MIRROR", f"http://127.0.0.1:{server.server_port}")
+        yield folder
+        server.shutdown()
+
+
+def write_list(folder: Path, text: str) -> Path:
+    """A list of packages, and the Release file that names it."""
+    file = folder / "main/binary-amd64/Packages.gz"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_bytes(gzip.compress(text.encode(), mtime=0))
+    digest = hashlib.sha256(file.read_bytes()).hexdigest()
+    (folder / "InRelease").write_text(
+        f"Origin: ROS\nSHA256:\n {digest} {file.stat().st_size} main/binary-amd64/Packages.gz\n"
+    )
+    return file
+
+
+def test_packages_that_a_repository_does_not_have(archive: Path, tmp_path: Path) -> None:
+    """A list that was read before is not fetched again; a new one is."""
+    wanted = ["ros-jazzy-ros-core", "ros-jazzy-desktop", "ros-jazzy-ros-base"]
+    assert sync.lacking(tmp_path, SOURCE, "amd64", wanted) == ["ros-jazzy-desktop"]
+    (archive / "main/binary-amd64/Packages.gz").unlink()
+    assert sync.lacking(tmp_path, SOURCE, "amd64", wanted) == ["ros-jazzy-desktop"]
+    write_list(archive, "Package: ros-jazzy-desktop\n")
+    assert sync.lacking(tmp_path, SOURCE, "amd64", wanted) == ["ros-jazzy-ros-core", "ros-jazzy-ros-base"]
+
+
+def test_a_list_that_cannot_be_read_says_nothing_of_packages(archive: Path, tmp_path: Path) -> None:
+    assert sync.lacking(tmp_path, SOURCE, "arm64", ["x"]) == []
+    file = archive / "main/binary-amd64/Packages.gz"
+    whole = file.read_bytes()
+    for content in (b"", whole[:-9], b"<html>"):
+        file.write_bytes(content)
+        with pytest.raises(RosmlError, match="another list than its Release file names"):
+            sync.lacking(tmp_path, SOURCE, "amd64", ["x"])
+    broken = whole[:-9]
+    digest = hashlib.sha256(broken).hexdigest()
+    file.write_bytes(broken)
+    (archive / "InRelease").write_text(f"SHA256:\n {digest} 9 main/binary-amd64/Packages.gz\n")
+    with pytest.raises(RosmlError, match="cannot be unpacked"):
+        sync.lacking(tmp_path, SOURCE, "amd64", ["x"])
 
 
 def test_remembered(tmp_path: Path) -> None:

@@ -136,7 +136,7 @@ def _variables(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
     yield (
         "ROS_CHANNEL",
         "",
-        "live, snapshot or final, in the place of what matrix.yaml says (ROS_CHANNEL=final rosml image)",
+        "live, testing, snapshot or final, in the place of what matrix.yaml says (ROS_CHANNEL=final rosml image)",
     )
     yield "ROS_SNAPSHOT", "", "day of the snapshot where ROS_CHANNEL is snapshot: YYYY-MM-DD"
     yield "CA_BUNDLE", "", "file with certificates that build steps trust; never part of a layer"

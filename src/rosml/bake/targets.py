@@ -208,8 +208,11 @@ def apt_arguments(matrix: Matrix, name: str) -> dict[str, str]:
         "ROS_LIVE_ADDRESS": rules.ros_live(matrix, name),
         "ROS_SNAPSHOT_ADDRESS": rules.ros_snapshot(matrix, name, "{day}"),
     }
-    source = rules.ros_apt_source(matrix, name)
-    return facts | ({"ROS_APT_SOURCE": source} if source else {})
+    others = {
+        "ROS_TESTING_ADDRESS": rules.ros_testing(matrix, name),
+        "ROS_APT_SOURCE": rules.ros_apt_source(matrix, name),
+    }
+    return facts | {name: fact for name, fact in others.items() if fact}
 
 
 def tools(matrix: Matrix, image: Image) -> str:

@@ -11,7 +11,7 @@ import contextlib
 import hashlib
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
@@ -61,6 +61,18 @@ def state(services: Services, matrix: Matrix, distribution: str, environ: Mappin
     source = apt_source.source(matrix, distribution, environ)
     found = [sync.published(source, environ) if source else "", _archives(services, matrix, distribution, environ)]
     return SEPARATOR.join(filter(None, found))
+
+
+def lacking(
+    services: Services, matrix: Matrix, distribution: str, architecture: str, wanted: Iterable[str]
+) -> list[str]:
+    """The packages of ROS that the repository of a distribution does not have; none where the operating system has them itself.
+
+    Raises:
+        RosmlError: the repository does not answer.
+    """
+    source = apt_source.source(matrix, distribution)
+    return sync.lacking(services.state, source, architecture, wanted) if source else []
 
 
 def ros_date(state: str) -> str:

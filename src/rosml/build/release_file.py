@@ -31,7 +31,12 @@ def address(official: str, mirror: str, variable: str) -> str:
 
 
 def read(url: str, limit: int, variable: str) -> str:
-    """The text of a Release file. A user and password in its address are sent, and never told.
+    """The text of a Release file, or its beginning; as `fetched`."""
+    return fetched(url, limit, variable).decode(errors="replace")
+
+
+def fetched(url: str, limit: int, variable: str) -> bytes:
+    """A file of a repository. A user and password in its address are sent, and never told.
 
     Args:
         url: where it is. limit: bytes of it that are read. variable: what names a mirror.
@@ -42,12 +47,12 @@ def read(url: str, limit: int, variable: str) -> str:
     try:
         with web.client(timeout=SECONDS) as client:
             answer = web.followed(client, client.build_request("GET", url), elsewhere=True)
-            text = web.excerpt(answer, limit)
+            content = web.excerpt(answer, limit)
     except (httpx.HTTPError, httpx.InvalidURL, ValueError) as error:
         reason = str(error) or type(error).__name__
     else:
         if answer.is_success:
-            return text.decode(errors="replace")
+            return content
         reason = f"HTTP Error {answer.status_code}"
     raise RosmlError(f"{shown(url)} does not answer ({reason})", f"check the network, HTTP_PROXY and {variable}")
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
+import hashlib
 import json
 import os
 import re
-from collections.abc import Mapping
+import zlib
+from collections.abc import Iterable, Mapping
 from datetime import UTC
 from email.utils import parsedate_to_datetime
 from pathlib import Path
@@ -18,6 +21,9 @@ from rosml.images.apt_source import Source
 MIRROR = "ROS_APT_MIRROR"
 RELEASE_BYTES = 1 << 20
 """More than any InRelease file has; ROS's have some ten kB."""
+
+LIST_BYTES, LIST_UNPACKED = 64 << 20, 512 << 20
+"""More than any list of packages has, packed and unpacked; ROS's have some MB."""
 
 
 def published(source: Source, environ: Mapping[str, str] = os.environ) -> str:
@@ -45,6 +51,52 @@ def date_of(text: str, url: str) -> str:
         return moment.strftime("%Y-%m-%dT%H:%M:%SZ")
     except (ArithmeticError, LookupError, TypeError, ValueError):
         raise RosmlError(f"{release_file.shown(url)} says no date", "check the mirror") from None
+
+
+def lacking(state: Path, source: Source, architecture: str, wanted: Iterable[str]) -> list[str]:
+    """The packages that a repository does not have for an architecture: a build would fail, an hour later.
+
+    The list of packages is looked up by its digest in the Release file, and kept under it. Of a repository that has no list
+    in gzip nobody knows.
+
+    Args:
+        state: folder of this machine's state. wanted: names of packages.
+
+    Raises:
+        RosmlError: the repository does not answer, or with another list than its Release file says.
+    """
+    address = release_file.address(source.address, os.environ.get(MIRROR, ""), MIRROR)
+    suite = f"{address}/dists/{source.codename}"
+    release = release_file.read(f"{suite}/InRelease", RELEASE_BYTES, MIRROR)
+    there: set[str] = set()
+    for component in source.components:
+        path = f"{component}/binary-{architecture}/Packages.gz"
+        found = re.search(rf"^ ([0-9a-f]{{64}}) +\d+ {re.escape(path)}$", release, re.MULTILINE)
+        if found is None:
+            return []
+        there |= _names(state / "apt-names" / found[1], f"{suite}/{path}", found[1])
+    return [name for name in wanted if name not in there]
+
+
+def _names(kept: Path, url: str, digest: str) -> set[str]:
+    """The names in a list of packages, by the digest of the list."""
+    with contextlib.suppress(OSError, UnicodeDecodeError):
+        return set(kept.read_text(encoding="utf-8").split("\n"))
+    packed = release_file.fetched(url, LIST_BYTES, MIRROR)
+    if hashlib.sha256(packed).hexdigest() != digest:
+        remedy = "run it again: it may be just being published"
+        raise RosmlError(f"{release_file.shown(url)} is another list than its Release file names", remedy)
+    unpacking = zlib.decompressobj(wbits=31)
+    try:
+        text = unpacking.decompress(packed, LIST_UNPACKED)
+    except zlib.error:
+        text = b""
+    if not unpacking.eof:
+        raise RosmlError(f"{release_file.shown(url)} cannot be unpacked, or is too large", "check the mirror")
+    names = sorted(set(re.findall(r"^Package: (\S+)$", text.decode(errors="replace"), re.MULTILINE)))
+    kept.parent.mkdir(parents=True, exist_ok=True)
+    files.write(kept, "\n".join(names))
+    return set(names)
 
 
 def remember(state: Path, source: Source, when: str) -> None:

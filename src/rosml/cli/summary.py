@@ -10,7 +10,7 @@ from rosml.base.units import duration, size
 from rosml.images.image_set import Image, tags_of
 from rosml.machine import base_images, buildx
 from rosml.publish.pipeline import Pipeline
-from rosml.publish.plan import WAITING
+from rosml.publish.plan import ABSENT, WAITING
 from rosml.records.store import INDEX
 from rosml.records.tag_moves import Move
 
@@ -98,7 +98,9 @@ def require_whole(run: Pipeline, image: Image, architecture: str, tagged: bool) 
     if wrong:
         waits = next((o.reason for o in run.outcomes if o.target == image.target and o.state == "waits"), wrong)
         remedy = "make it anew: --force, or ROSML_FORCE=1 for make"
-        if waits.startswith(WAITING):
+        if waits.startswith(ABSENT):
+            remedy = "try it later, or build from what is tested before its release: ROS_CHANNEL=testing rosml image"
+        elif waits.startswith(WAITING):
             remedy = f"use a machine that reaches the base image, or {base_images.name_another(image.os)}"
         raise RosmlError(f"{image.target} gets no tag: {waits}", remedy)
 

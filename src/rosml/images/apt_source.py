@@ -11,7 +11,7 @@ from rosml.base.errors import RosmlError
 from rosml.matrix import rules
 from rosml.matrix.model import Matrix
 
-CHANNELS = ("live", "snapshot", "final")
+CHANNELS = ("live", "testing", "snapshot", "final")
 ARCHIVE = "archive"
 """The channel of what comes from another archive than ROS's own."""
 
@@ -21,16 +21,17 @@ class Source:
     """An apt repository of ROS.
 
     Attributes:
-        channel: live, snapshot or final; archive where it is not ROS's own.
+        channel: live, testing, snapshot or final; archive where it is not ROS's own.
         day: of the snapshot; empty otherwise.
         address: as the image's apt source names it.
-        codename: its suite.
+        codename: its suite. components: of the suite, in which its packages are.
     """
 
     channel: str
     day: str
     address: str
     codename: str
+    components: tuple[str, ...] = ("main",)
 
 
 def source(matrix: Matrix, name: str, environ: Mapping[str, str] = os.environ) -> Source | None:
@@ -52,7 +53,7 @@ def source(matrix: Matrix, name: str, environ: Mapping[str, str] = os.environ) -
             whose = "from its archive" if archive else "wheels" if distribution.wheels else f"{distribution.os}'s own"
             text = f"the ROS packages of {name} are {whose}: there is no other channel"
             raise RosmlError(text, "leave CHANNEL and SNAPSHOT out", exit_code=2)
-        return Source(ARCHIVE, "", archive.address, archive.suite) if archive else None
+        return Source(ARCHIVE, "", archive.address, archive.suite, archive.components) if archive else None
     if channel and channel not in CHANNELS:
         raise RosmlError(f"no channel {channel!r}", f"CHANNEL takes {', '.join(CHANNELS)}", exit_code=2)
     channel = channel or distribution.apt.channel
@@ -69,7 +70,11 @@ def source(matrix: Matrix, name: str, environ: Mapping[str, str] = os.environ) -
         text = f"{name} gets updates until {distribution.eol or 'further notice'}: it has no final snapshot yet"
         raise RosmlError(text, "take CHANNEL=snapshot and a day", exit_code=2)
     codename = matrix.operating_systems[distribution.os].codename or ""
-    address = rules.ros_live(matrix, name) if channel == "live" else rules.ros_snapshot(matrix, name, day or channel)
+    addresses = {"live": rules.ros_live(matrix, name), "testing": rules.ros_testing(matrix, name)}
+    address = addresses.get(channel) or rules.ros_snapshot(matrix, name, day or channel)
+    if channel == "testing" and not addresses["testing"]:
+        text = "nothing says where ROS's testing repository is"
+        raise RosmlError(text, "add 'testing: …' to ros_archive in matrix.yaml", exit_code=2)
     return Source(channel, day, address, codename)
 
 

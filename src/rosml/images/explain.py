@@ -167,6 +167,7 @@ def _where_from(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Ite
     if found and (this_time or not image.stack):
         kinds = {
             "live": "ROS's live apt repository",
+            "testing": "ROS's testing repository, before they are released",
             "final": "ROS's apt snapshot: final, which gets no updates",
             apt_source.ARCHIVE: f"the suite {found.codename} of an apt archive",
         }

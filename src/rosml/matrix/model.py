@@ -330,8 +330,9 @@ class Stack(Facts):
 class Apt(Facts):
     """Where ROS packages come from, for distributions that are not part of the operating system."""
 
-    channel: Literal["live", "snapshot", "final"] = Field(
-        description="live repository, dated snapshot, or the last snapshot of a distribution past its end of life"
+    channel: Literal["live", "testing", "snapshot", "final"] = Field(
+        description="live repository; what is tested before it is released there; dated snapshot; or the last snapshot of a distribution"
+        " past its end of life"
     )
     date: datetime.date | None = Field(default=None, description="day of the snapshot")
 
@@ -407,6 +408,9 @@ class RosArchive(Facts):
     """ROS's apt repositories, as an image's apt source names them."""
 
     live: AptAddress = Field(description="today's packages; {generation} is filled in: ros or ros2")
+    testing: AptAddress | None = Field(
+        default=None, description="packages before they are released into the live one; {generation} is filled in"
+    )
     snapshot: AptAddress = Field(
         description="a state of them; {ros_distro} and {day} are filled in: a date, or final after the end of life"
     )

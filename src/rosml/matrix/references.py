@@ -89,6 +89,7 @@ def _operating_systems(matrix: Matrix) -> Iterator[Finding]:
 def _ros_archive(matrix: Matrix) -> Iterator[Finding]:
     if ros := matrix.ros_archive:
         yield from _placeholders(("ros_archive", "live"), ros.live, ("generation",))
+        yield from _placeholders(("ros_archive", "testing"), ros.testing or "", ("generation",))
         yield from _placeholders(("ros_archive", "snapshot"), ros.snapshot, ("ros_distro", "day"))
         yield from _placeholders(("ros_archive", "apt_source"), ros.apt_source, ("generation", "version", "codename"))
 
@@ -305,6 +306,12 @@ def _distributions(matrix: Matrix) -> Iterator[Finding]:
         if distribution.apt and matrix.ros_archive is None:
             text = "nothing says where ROS's apt repositories are; add 'ros_archive: {live: …, snapshot: …, apt_source: …}'"
             yield (*path, "apt"), text
+        if (
+            distribution.apt
+            and distribution.apt.channel == "testing"
+            and not (matrix.ros_archive and matrix.ros_archive.testing)
+        ):
+            yield (*path, "apt"), "nothing says where ROS's testing repository is; add 'testing: …' to ros_archive"
         if distribution.rmw and distribution.ros == 1:
             yield (*path, "rmw"), "ROS 1 has no RMW implementations; they are ROS 2's"
         if distribution.apt and distribution.archive:

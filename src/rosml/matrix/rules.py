@@ -75,6 +75,11 @@ def ros_live(matrix: Matrix, distribution: str) -> str:
     return _ros_archive(matrix).live.format(generation=matrix.distributions[distribution].generation)
 
 
+def ros_testing(matrix: Matrix, distribution: str) -> str:
+    """The address of ROS's repository of packages before their release; empty if matrix.yaml names none."""
+    return (_ros_archive(matrix).testing or "").format(generation=matrix.distributions[distribution].generation)
+
+
 def ros_snapshot(matrix: Matrix, distribution: str, day: str) -> str:
     """The address of a snapshot of it: of a day, such as 2026-08-07, or `final`."""
     return _ros_archive(matrix).snapshot.format(

@@ -16,7 +16,7 @@ from typing import Literal
 
 from rosml.bake.inputs import TARGET, Inputs
 from rosml.base.errors import RosmlError
-from rosml.base.problems import some
+from rosml.base.problems import listed, some
 from rosml.build import package_state as upstreams
 from rosml.images.image_set import Image, ImageSet, Part, repository_of
 from rosml.images.selection import require_architectures, select
@@ -30,6 +30,9 @@ from rosml.registry.repositories import repository_path
 
 Kind = Literal["ros", "part", "joined"]
 Step = Literal["build", "join", "test", "scan"]
+
+ABSENT = "the archive has no"
+"""How the reason begins why a row cannot be built whose packages nobody published."""
 
 WAITING = "waiting for a builder"
 ELSEWHERE = f"{WAITING} of its architecture"
@@ -106,6 +109,7 @@ class Plan:
         force: everything is made anew. scanning: whether images are scanned; a digest of the policy.
         date: of the run. forced: what was made anew in this run already.
         whole: the plan covers every architecture of each base image, so that its index can be judged.
+        lacking: packages that the archive of a distribution does not have, by architecture.
         remarks: what people should know, such as a repository that does not answer. digests: of tests, which are made once.
     """
 
@@ -123,6 +127,7 @@ class Plan:
     whole: bool = False
     remarks: list[str] = field(default_factory=list)
     forced: set[tuple[str, str]] = field(default_factory=set)
+    lacking: dict[tuple[str, str], frozenset[str]] = field(default_factory=dict)
     digests: dict[tuple[str, str, tuple[str, ...]], str] = field(default_factory=dict, repr=False)
 
     @cached_property
@@ -331,8 +336,11 @@ class Plan:
             return ""
         if item.architecture not in self.architectures:
             return ELSEWHERE
-        if item.kind == "part":  # assembled on what there is
+        if isinstance(image_or_part, Part):  # assembled on what there is
             return ""
+        absent = self.lacking.get((image_or_part.distribution, item.architecture), frozenset())
+        if gone := sorted(absent.intersection(image_or_part.packages.split())):
+            return f"{ABSENT} {listed(gone)} for {image_or_part.os}, {item.architecture}"
         systems = self.image_set.matrix.operating_systems
         missing = base_images.missing(self.services, systems, image_or_part.os)
         return f"{WAITING}: {missing}" if missing else ""
@@ -501,6 +509,23 @@ def _ask(plan: Plan) -> None:
                 plan.remarks.append(remark)
             else:
                 plan.upstream[name] = answer
+    wanted: dict[tuple[str, str], list[str]] = {}
+    for item in plan.items:
+        if not isinstance(item.thing, Image) or item.kind != "ros" or item.architecture not in plan.architectures:
+            continue
+        row = item.thing.distribution
+        if row in rows and row in plan.upstream and plan.reasons(item):
+            wanted.setdefault((row, item.architecture), []).extend(item.thing.packages.split())
+
+    def absent(key: tuple[str, str]) -> frozenset[str]:
+        try:
+            return frozenset(upstreams.lacking(plan.services, plan.image_set.matrix, *key, wanted[key]))
+        except RosmlError as error:
+            plan.remarks.append(f"{key[0]}: {error.message}; {error.remedy}")
+            return frozenset()  # the build says more
+
+    with ThreadPoolExecutor(8) as pool:
+        plan.lacking = {key: found for key, found in zip(wanted, pool.map(absent, wanted), strict=True) if found}
 
 
 def changes(plan: Plan, book: Records, item: Item) -> list[str]:
