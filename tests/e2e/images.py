@@ -31,6 +31,8 @@ def build(services: Services, folder: Path, *options: str) -> str:
     another test left in the cache says nothing."""
     if not any(option.startswith("--no-cache") for option in options):
         options = ("--no-cache", *options)
+    if HOST in (folder / "Dockerfile").read_text():
+        options = ("--allow", "network.host", *options)
     command = [
         *services.buildx,
         "build",
@@ -55,6 +57,8 @@ apt-get install --yes "$@"
 """
 
 
+HOST = "--network=host"
+
 ONLINE = """\
 #!/bin/bash
 set -e
@@ -70,12 +74,12 @@ def context(reference: str, folder: Path, steps: Sequence[str], name: str = "") 
     Args:
         reference: of the image.
         folder: an empty one.
-        steps: commands; one may be `install-packages PACKAGE…`, from the image's own apt source, or `online COMMAND…`, which
-            reaches what the builder reaches.
+        steps: commands; one may be `install-packages PACKAGE…`, from the image's own apt source, or `online COMMAND…`, with what
+            the builder has for its own network; `nearby COMMAND…` reaches this machine's registry as well.
         name: path of a folder from here, which becomes /NAME by the last part of it.
     """
     shutil.copy(ROOT / "components/build/network.sh", folder)
-    tools = {"install-packages": INSTALL, "online": ONLINE}
+    tools = {"install-packages": INSTALL, "online": ONLINE, "nearby": ONLINE}
     for tool, text in tools.items():
         (folder / tool).write_text(text)
         (folder / tool).chmod(0o755)
@@ -84,7 +88,9 @@ def context(reference: str, folder: Path, steps: Sequence[str], name: str = "") 
     mounts = "--mount=type=bind,source=network.sh,target=/run/network.sh --mount=type=secret,id=ca-bundle"
     mounts += "".join(f" --mount=type=bind,source={tool},target=/usr/local/bin/{tool}" for tool in tools)
     lines = [f"FROM {reference}", *([f"COPY {Path(name).name} /{Path(name).name}"] if name else [])]
-    lines += [f"RUN {mounts if step.split()[0] in tools else ''} {step}" for step in steps]
+    first = [step.split()[0] for step in steps]
+    options = [f"{HOST if word == 'nearby' else ''} {mounts if word in tools else ''}" for word in first]
+    lines += [f"RUN {option} {step}" for option, step in zip(options, steps, strict=True)]
     (folder / "Dockerfile").write_text("\n".join(lines) + "\n")
 
 

@@ -13,7 +13,7 @@ def test_a_part_is_added_to_an_image(services: Services, published: Publish, tmp
     image = published("ros1-bookworm-core-tensorflow-cpu")
     place, part = image.reference.partition("@")[0].rpartition("/")[0], image.image.parts[-1]
     steps = [
-        f"online env PART={place}/part:{part} /part/install.sh",
+        f"nearby env PART={place}/part:{part} /part/install.sh",
         "/entrypoint.sh python3 -c 'import rospy, tensorflow; print(\"beside ROS:\", tensorflow.constant(6) * 7)'",
     ]
     said = build_on(services, published("ros1-bookworm-core"), tmp_path, steps, "../../devcontainer/src/part")
