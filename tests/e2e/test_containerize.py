@@ -606,7 +606,8 @@ def listening() -> Iterator[list[tuple[int, Any]]]:
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asking:
             asking.connect(("192.0.2.1", 9))  # sends nothing
             address = asking.getsockname()[0]
-        bridges = re.findall(r'^  bridgeSubnet = "(.*)0/24"$', (ROOT / ".state/run/buildkitd.toml").read_text(), re.M)
+        texts = "".join(file.read_text() for file in (ROOT / ".state/run").glob("buildkitd*.toml"))
+        bridges = re.findall(r'^  bridgeSubnet = "(.*)0/24"$', texts, re.M)
         yield [
             (socket.AF_INET, loopback),
             (socket.AF_UNIX, abstract),

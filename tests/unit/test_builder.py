@@ -126,10 +126,11 @@ def test_steps_have_the_network_of_the_machine_if_a_mirror_is_on_it(
     for name in (*web.PROXIES, "STEP_NETWORK"):
         monkeypatch.setenv(name, "")
     monkeypatch.setenv("OS_APT_MIRROR", address)
-    ours, theirs = services(tmp_path), services(tmp_path, builder_kind="docker")
+    ours, theirs = services(tmp_path), services(tmp_path, builder_kind="user")
     assert builder.local_servers(ours) == ["OS_APT_MIRROR"] * here
     assert builder.environment(ours, bake)["STEP_NETWORK"] == "host" * here
     assert ("network.host" in builder.command(ours, bake, Path("m.json"))) is here
+    assert builder.local_servers(services(tmp_path, builder_kind="docker")) == builder.local_servers(ours)
     assert "network.host" not in builder.command(theirs, bake, Path("m.json"))
     monkeypatch.setenv("OS_APT_MIRROR", "")
     monkeypatch.setenv("https_proxy", address)

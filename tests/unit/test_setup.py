@@ -744,7 +744,7 @@ def test_name_servers_of_steps(tmp_path: Path, texts: list[str], found: list[str
     """As BuildKit has them; without any, steps would ask Google's."""
     for number, text in enumerate(texts):
         (tmp_path / str(number)).write_text(text)
-    assert step_network.nameservers([str(tmp_path / str(number)) for number in range(2)]) == found
+    assert step_network.nameservers(files=[str(tmp_path / str(number)) for number in range(2)]) == found
 
 
 def test_steps_get_a_subnet_that_the_machine_has_no_route_to(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -752,7 +752,7 @@ def test_steps_get_a_subnet_that_the_machine_has_no_route_to(monkeypatch: pytest
     monkeypatch.setattr(step_network, "plugins", lambda: Path("/plugins"))
     monkeypatch.setattr(step_network, "nameservers", lambda: ["10.0.0.1"])
     routes = "Iface Destination Gateway Flags RefCnt Use Metric Mask\neth0 00000000 0 0 0 0 0 00000000\n"
-    monkeypatch.setattr(Path, "read_text", lambda self: routes)
+    monkeypatch.setattr(Path, "read_text", lambda self, errors="": routes)
     first = step_network.bridge(Path("/checkout"))
     assert isinstance(first, step_network.Bridge) and first != step_network.bridge(Path("/other"))
     assert len(first.name) < 16 and step_network.bridge(Path("/checkout")) == first
@@ -797,9 +797,158 @@ def buildx(state: State) -> Path:
         f"""echo "$@" >>{state.root}/calls
 case $1 in
   inspect) if [ -e {state.root}/broken ]; then echo no connection >&2; exit 1; fi; printf 'Name: rosml\\nStatus: running\\n' ;;
-  create) mkdir -p "$BUILDX_CONFIG/instances" && touch "$BUILDX_CONFIG/instances/$3" ;;
+  create) mkdir -p "$BUILDX_CONFIG/instances" && echo '{RECORD}' >"$BUILDX_CONFIG/instances/$3"
+    if grep -q '"bridge"' "$9" && [ -e {state.root}/crashes ]; then touch {state.root}/broken; else rm -f {state.root}/broken; fi
+    [ "$5" != docker-container ] || cp "$9" {state.root}/container.toml ;;
 esac""",
     )
+
+
+RECORD = '{"Nodes": [{"Name": "rosml0", "Endpoint": "unix:///docker.sock"}]}'
+ROUTES = "Iface Destination Gateway Flags RefCnt Use Metric Mask\neth0 00000000 0 0 0 0 0 00000000\n"
+RULES = """*filter
+-A INPUT -i NAME -j REJECT --reject-with icmp-port-unreachable
+-A INPUT -i another -j REJECT
+-A CNI-FORWARD -s NET.2/32 -j ACCEPT
+*nat
+-A POSTROUTING -s NET.2/32 -m comment --comment "name: \\"buildkit\\"" -j CNI-0123
+"""
+
+
+@pytest.fixture
+def docker(state: State, buildx: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A local replacement for Docker's client that answers for the container of a builder, and notes its calls."""
+    root = state.root
+    for name, text in {"lacking": "", "resolv": "nameserver 10.0.0.1\n", "routes": ROUTES, "rules": RULES}.items():
+        (root / name).write_text(text)
+    text = f"""echo "$@" >>{root}/docker-calls
+[ "$1 $2" = "--host unix:///docker.sock" ] || exit 1
+case "$3 $4 $*" in
+  *"cat /proc/net/route") cat {root}/routes ;;
+  *"cat /etc/resolv.conf") cat {root}/resolv ;;
+  *"cat /etc/buildkit/buildkitd.toml") cat {root}/container.toml ;;
+  "run "*"src=/run/systemd/resolve/resolv.conf"*) echo nameserver 10.0.0.9 ;;
+  exec*"cat /run/systemd/resolve/resolv.conf") sed -n 's/^shown //p' {root}/shown ;;
+  *"mkdir -p"*) printf 'shown %s' "$9" >{root}/shown ;;
+  *command*) cat {root}/lacking; echo . ;;
+  *pidof*) echo 31 7 ;;
+  *" ls /proc/7/root/var/lib/buildkit/net/cni") echo abc ;;
+  *iptables-save) cat {root}/rules ;;
+  *"iptables "*" -C "*) exit 1 ;;
+  *"iptables "*" -I "*) [ ! -e {root}/refused ] ;;
+  *nsenter*) [ ! -e {root}/mute ] && [ ! -e {root}/offline ] ;;
+  *nslookup*) [ ! -e {root}/offline ] ;;
+esac"""
+    program(root / "client", "docker", text)
+    monkeypatch.setenv("PATH", f"{root}/client:{os.environ['PATH']}")
+    return root / "docker-calls"
+
+
+def docker_builder(state: State, buildx: Path, capsys: pytest.CaptureFixture[str]) -> str:
+    """What setting up a builder in Docker says."""
+    builder.up(state, machine(state, "docker", str(buildx)), "moby/buildkit:v0.29.0")
+    return capsys.readouterr().out
+
+
+def test_steps_of_a_builder_in_docker_get_a_network_of_their_own(
+    state: State, buildx: Path, docker: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert builder.SHARED not in docker_builder(state, buildx, capsys)
+    toml = tomllib.loads((state.root / "container.toml").read_text())
+    facts = toml["worker"]["oci"]
+    assert facts["networkMode"] == "bridge" and "cniBinaryPath" not in facts, "BuildKit's image has the plugins"
+    assert toml["insecure-entitlements"] == ["network.host"]
+    assert "restart-policy=no" in (state.root / "calls").read_text(), "nothing would set the rules then"
+    name, subnet = facts["bridgeName"], facts["bridgeSubnet"]
+    inside = "--host unix:///docker.sock exec buildx_buildkit_rosml0"
+    called = docker.read_text()
+    assert f"{inside} iptables -w 5 -t filter -I INPUT -i {name} -j REJECT\n" in called
+    assert f"{inside} iptables -w 5 -t mangle -I FORWARD -i {name} -p tcp" in called
+    assert f"/proc/sys/net/ipv6/conf/{name}/disable_ipv6\n" in called
+    assert (
+        f"{inside} nsenter --net=/proc/7/root/var/lib/buildkit/net/cni/abc sh -c" in called and "sh 10.0.0.1" in called
+    )
+    docker.unlink()
+    (state.root / "calls").unlink()
+    docker_builder(state, buildx, capsys)
+    assert (state.root / "calls").read_text().splitlines() == ["inspect --bootstrap rosml", "inspect rosml"]
+    assert f"-I INPUT -i {name} -j REJECT" in docker.read_text(), "rules do not outlive the machine"
+    (state.root / "offline").touch()
+    assert builder.SHARED not in docker_builder(state, buildx, capsys), "nothing says that it is the bridge"
+    net = subnet.removesuffix(".0/24")
+    (state.root / "rules").write_text(RULES.replace("NAME", name).replace("NET", net))
+    docker.unlink()
+    machine(state, "docker", str(buildx)).save()
+    assert services.down(state) == ["builder in Docker"]
+    beside = "run --rm --privileged --userns host --network host --pull never --entrypoint env moby/buildkit:v0.29.0"
+    *_save, tidied = docker.read_text().splitlines()
+    assert tidied == f"--host unix:///docker.sock {beside} sh -c " + "; ".join(
+        [
+            f"iptables -w 5 -t filter -D INPUT -i {name} -j REJECT --reject-with icmp-port-unreachable",
+            f"iptables -w 5 -t filter -D CNI-FORWARD -s {net}.2/32 -j ACCEPT",
+            f"iptables -w 5 -t nat -D POSTROUTING -s {net}.2/32 -m comment --comment 'name: \"buildkit\"' -j CNI-0123",
+            "iptables -w 5 -t nat -F CNI-0123",
+            "iptables -w 5 -t nat -X CNI-0123",
+            f"ip link delete {name}",
+        ]
+    ), "and no rule of others"
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "why"),
+    [
+        ("lacking", "iptables\nnslookup\n", "as its image is without iptables, nslookup"),
+        ("resolv", "nameserver 127.0.0.1\n", "as its name server answers on loopback alone"),
+        ("refused", "", "as iptables refuses a rule"),
+        ("mute", "", "as they reach no name server from one of their own"),
+        ("offline", "", "as they reach no name server from one of their own"),
+        ("crashes", "", "as it does not start with a bridge"),
+        ("client/docker", "#!/bin/sh\nexit 1\n", "as docker cannot enter its container"),
+    ],
+)
+def test_a_builder_in_docker_whose_steps_get_none_is_as_before(
+    state: State, buildx: Path, docker: Path, capsys: pytest.CaptureFixture[str], file: str, text: str, why: str
+) -> None:
+    """What was tried is not tried again until it is made anew, or stopped."""
+    (state.root / file).write_text(text)
+    line = f"builder: {builder.SHARED}, {why}\n"
+    assert line in docker_builder(state, buildx, capsys)
+    assert (state.root / "container.toml").read_text() == "# moby/buildkit:v0.29.0\n" + builder.config(
+        "127.0.0.1:5001", False
+    )
+    assert "restart-policy" not in (state.root / "calls").read_text().splitlines()[-2]
+    docker.unlink(missing_ok=True)
+    assert line in docker_builder(state, buildx, capsys)
+    assert not docker.exists()
+    machine(state, "docker", str(buildx)).save()
+    services.down(state)
+    for name in ("refused", "mute", "offline", "crashes", "broken"):
+        (state.root / name).unlink(missing_ok=True)
+    again = docker_builder(state, buildx, capsys)
+    assert (line in again) == (file not in ("refused", "mute", "offline", "crashes"))
+
+
+def test_steps_in_docker_ask_the_servers_of_systemd_resolved(
+    state: State, buildx: Path, docker: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Its own file is not in a container."""
+    (state.root / "resolv").write_text("nameserver 127.0.0.53\n")
+    assert builder.SHARED not in docker_builder(state, buildx, capsys)
+    assert (state.root / "shown").read_text().strip() == "shown nameserver 10.0.0.9"
+    assert "nsenter" in (called := docker.read_text()) and "sh 10.0.0.9\n" in called
+
+
+def test_a_bridge_in_docker_moves_if_another_network_takes_its_subnet(
+    state: State, buildx: Path, docker: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    docker_builder(state, buildx, capsys)
+    first = step_network.Bridge.read(state.root / "container.toml")
+    assert first
+    route = bytes(map(int, first.subnet.split("/")[0].split(".")))[::-1].hex()
+    (state.root / "routes").write_text(f"{ROUTES}br-0 {route} 0 0 0 0 0 00FFFFFF\n")
+    assert builder.SHARED not in docker_builder(state, buildx, capsys)
+    second = step_network.Bridge.read(state.root / "container.toml")
+    assert second and second.name == first.name and second.subnet != first.subnet
 
 
 def test_builder_in_docker(state: State, buildx: Path) -> None:

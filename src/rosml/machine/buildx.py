@@ -122,7 +122,7 @@ class Bake:
 def local_servers(services: Services) -> list[str]:
     """The variables that name a mirror or a proxy on this machine. If there are some, steps get this machine's network: from
     one of their own, which set-up gives them, they do not reach it."""
-    if services.builder_kind != "buildkitd":
+    if services.builder_kind == "user":
         return []
     return [name for name in (*_MIRRORS, *web.PROXIES) if web.is_here(os.environ.get(name, ""))]
 

@@ -22,7 +22,7 @@ from rosml.machine.setup.daemon import START_SECONDS, Daemon, fingerprint, proce
 from rosml.machine.setup.installer import which_system
 from rosml.machine.setup.process import output_of, run, tail
 from rosml.machine.setup.state import State
-from rosml.machine.setup.step_network import Bridge
+from rosml.machine.setup.step_network import Bridge, Container, Place
 from rosml.registry import certificates
 
 UNUSABLE = (":", ",", "\\", '"')
@@ -33,6 +33,8 @@ FREE_BYTES = "12GB"
 """Disk the builder leaves free: it prunes its cache below that."""
 SHARED = "build steps share this machine's network: code of a repository reaches what listens here"
 """What is said of a builder whose steps have no network of their own."""
+NO_START = "as it does not start with a bridge"
+"""Why, if one in Docker would not run."""
 
 
 def config(
@@ -49,19 +51,25 @@ def config(
         mirror: the local registry stands in for Docker Hub.
         own: ``root``, ``socket``, ``otel`` and ``runc`` of a buildkitd of our own; nothing for one in a container.
         trusted: files with the authorities that are trusted for registries, by host.
-        bridge: gives the steps of a buildkitd of our own a network of their own; nothing for the machine's.
+        bridge: gives steps a network of their own; nothing for the machine's.
     """
     q = json.dumps  # a JSON string is a TOML basic string
     lines: list[str] = []
     if own:
-        lines += [f"root = {q(own['root'])}", 'insecure-entitlements = ["network.host"]']
+        lines += [f"root = {q(own['root'])}"]
+    if own or bridge:
+        lines += ['insecure-entitlements = ["network.host"]']
+    if own:
         lines += ["[grpc]", f"  address = [{q('unix://' + own['socket'])}]"]
         lines += ["[otel]", f"  socketPath = {q(own['otel'])}"]
         lines += ["[cdi]", "  disabled = true"]
         lines += ["[worker.containerd]", "  enabled = false"]
     lines += ["[worker.oci]", "  enabled = true", "  gc = true"]
+    if bridge:
+        lines += bridge.lines()
+    elif own:
+        lines += ['  networkMode = "host"']
     if own:
-        lines += bridge.lines() if bridge else ['  networkMode = "host"']
         lines += [f"  binary = {q(own['runc'])}"]
     lines += ["[[worker.oci.gcpolicy]]", "  all = true"]
     lines += [f"  maxUsedSpace = {q(CACHE_BYTES)}", f"  minFreeSpace = {q(FREE_BYTES)}"]
@@ -125,22 +133,103 @@ def _up_user(state: State, services: Services) -> None:
 
 
 def _up_docker(state: State, services: Services, image: str) -> None:
-    """A builder in a container of the user's Docker, on the host's network, to reach the registry on loopback. buildx copies
-    the configuration when it makes the container."""
-    file = state.run / "buildkitd-docker.toml"
-    text = f"# {image}\n{config(services.registry, bool(services.bases), trusted=certificates.by_host())}"
+    """A builder in a container of the user's Docker, on the host's network, to reach the registry on loopback. Its steps get a
+    network of their own, if that can be had; why not is kept until it is made anew."""
     started = time.monotonic()
-    if not (file.exists() and file.read_text() == text and _known(state, services)):
-        state.say("builder: making one in your Docker")
+    file, kept = _docker_config(state), _reason(state)
+    before = Bridge.read(file)
+    why = kept.read_text() if kept.exists() else ""
+    try:
+        if _start_docker(state, services, image, before) or before:
+            kept.unlink(missing_ok=True)
+            why = ""
+    except RosmlError:
+        if not before:
+            raise
+        kept.unlink(missing_ok=True)
+        why = NO_START
+    container = Container.of(_record(state, services), image)
+    if not why:
+        why = _bridge_docker(state, services, container) if container else "as buildx does not say where it is"
+    if why and not kept.exists():
+        if not _made(state, services, _docker_text(services, image, None)):
+            _start_docker(state, services, image, None)
+        files.write(kept, why)
+    state.say(f"builder: '{services.builder}' in your Docker, up in {duration(time.monotonic() - started)}")
+    if why:
+        state.say(f"builder: {SHARED}, {why}")
+
+
+def _bridge_docker(state: State, services: Services, container: Container) -> str:
+    """Gives steps of a builder in Docker, which runs, a network of their own. Gives why they cannot have it, if so."""
+    found = container.bridge(state.root)
+    if isinstance(found, str):
+        return found
+    known = found == container.running()
+    try:
+        if known:  # it may be one of another checkout: they share their builder
+            files.write(_docker_config(state), _docker_text(services, container.image, found))
+        else:
+            _start_docker(state, services, container.image, found)
+        services.require_builder()
+    except RosmlError:
+        return NO_START
+    return step_network.enclose(found, container.place(), known)
+
+
+def _start_docker(state: State, services: Services, image: str, bridge: Bridge | None) -> bool:
+    """Starts it. buildx copies the configuration when it makes the container: another one makes it anew. Gives whether it did."""
+    file, text = _docker_config(state), _docker_text(services, image, bridge)
+    made = not _made(state, services, text)
+    if made:
+        own = ", whose steps have a network of their own" if bridge else ""
+        state.say(f"builder: making one in your Docker{own}")
+        if Bridge.read(file):
+            with contextlib.suppress(RosmlError):
+                stop_docker(state, services)
         file.unlink(missing_ok=True)
         waiting = file.with_suffix(".new.toml")
         files.write(waiting, text)
-        options = ["--driver", "docker-container", "--driver-opt", f"network=host,image={image}"]
+        # Rules do not outlive the machine. If Docker started it again on its own, steps would run without them.
+        restart = ",restart-policy=no" if bridge else ""
+        options = ["--driver", "docker-container", "--driver-opt", f"network=host,image={image}{restart}"]
         _create(services, [*options, "--buildkitd-config", str(waiting)])
         os.replace(waiting, file)
     _boot(state, services)
-    state.say(f"builder: '{services.builder}' in your Docker, up in {duration(time.monotonic() - started)}")
-    state.say(f"builder: {SHARED}")
+    return made
+
+
+def _made(state: State, services: Services, text: str) -> bool:
+    """Whether a builder in Docker was made with a configuration."""
+    file = _docker_config(state)
+    return file.exists() and file.read_text() == text and _known(state, services)
+
+
+def _docker_config(state: State) -> Path:
+    """The configuration of a builder in Docker."""
+    return state.run / "buildkitd-docker.toml"
+
+
+def _docker_text(services: Services, image: str, bridge: Bridge | None) -> str:
+    """What it says. ``image``: BuildKit's."""
+    text = config(services.registry, bool(services.bases), trusted=certificates.by_host(), bridge=bridge)
+    return f"# {image}\n{text}"
+
+
+def stop_docker(state: State, services: Services, remove: bool = False) -> None:
+    """Stops a builder in Docker, and removes the bridge and its rules. ``remove``: also the container and its volume.
+
+    Raises:
+        RosmlError: it cannot be stopped.
+    """
+    file = _docker_config(state)
+    bridge = Bridge.read(file)
+    image = file.read_text().splitlines()[0].removeprefix("# ") if bridge else ""
+    container = Container.of(_record(state, services), image)
+    argv = [*services.buildx, *(["rm", "--force"] if remove else ["stop"]), services.builder]
+    run(state.say, "builder in Docker", argv, state.log / "builder.log", env=services.environment())
+    if bridge and container:
+        step_network.tidy(bridge, container.beside())
 
 
 def _boot(state: State, services: Services) -> None:
@@ -159,9 +248,14 @@ def _create(services: Services, options: Sequence[str]) -> None:
         raise RosmlError(f"buildx cannot create the builder '{services.builder}': {done.stderr.strip()}")
 
 
+def _record(state: State, services: Services) -> Path:
+    """What buildx knows of the builder."""
+    return state.folder / "buildx/instances" / services.builder
+
+
 def _known(state: State, services: Services) -> bool:
     """Whether buildx has a record of the builder."""
-    return (state.folder / "buildx/instances" / services.builder).exists()
+    return _record(state, services).exists()
 
 
 def _up_own(state: State, services: Services) -> None:
@@ -247,7 +341,7 @@ def _start_own(state: State, services: Services, bridge: Bridge | None) -> str:
 def _enclosed(bridge: Bridge | None, buildkitd: Daemon, root: Path) -> str:
     """Why steps cannot have the network of the bridge, if there is one; empty if they can."""
     pid = buildkitd.pid()
-    return step_network.enclose(bridge, pid, root / "net/cni") if bridge and pid else ""
+    return step_network.enclose(bridge, Place.here(pid, root / "net/cni")) if bridge and pid else ""
 
 
 def stop(state: State) -> bool:

@@ -12,7 +12,6 @@ from rosml.base.errors import RosmlError
 from rosml.machine.services import Services
 from rosml.machine.setup import builder, registry, tools
 from rosml.machine.setup.installer import GO_PROGRAMS
-from rosml.machine.setup.process import run
 from rosml.machine.setup.state import State
 from rosml.registry import certificates
 
@@ -42,9 +41,8 @@ def down(state: State, remove: bool = False) -> list[str]:
     stopped: list[str] = []
     services = written(state)
     if services and services.builder_kind == "docker":
-        argv = [*services.buildx, *(["rm", "--force"] if remove else ["stop"]), services.builder]
         with suppress(RosmlError):
-            run(state.say, "builder in Docker", argv, state.log / "builder.log", env=services.environment())
+            builder.stop_docker(state, services, remove)
             stopped.append("builder in Docker")
     if builder.stop(state):
         stopped.append("buildkitd")

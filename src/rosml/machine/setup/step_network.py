@@ -1,7 +1,7 @@
 """The network of build steps: namespaces of their own behind a bridge, from which their code reaches no service of the machine.
 
-buildkitd makes the namespaces, with plugins and iptables of the system. What it leaves open is closed here: the machine's
-own addresses, such as the bridge's.
+buildkitd makes the namespaces, with plugins and iptables of the system, or of its own image in Docker. What it leaves open is
+closed here: the machine's own addresses, such as the bridge's.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from rosml.base import untrusted
 from rosml.machine.setup.daemon import wait_until
 from rosml.machine.setup.installer import which_system
 from rosml.machine.setup.process import output_of
@@ -57,22 +58,58 @@ sys.exit(1)
 """
 """Asks servers for the root's name servers; ends with 0 if one answers, whatever it says."""
 
+ASK_BY_SHELL = """
+for server in "$@"; do
+    said=$(nslookup -retry=2 -timeout=1 -type=ns . "$server" 2>/dev/null) && exit 0
+    case $said in *"server can't find"*) exit 0 ;; esac
+done
+exit 1
+"""
+"""The same by busybox, as BuildKit's image has no Python. "can't find" is an answer."""
+
+IMAGE_PROGRAMS = (
+    *(f"buildkit-cni-{name}" for name in PLUGINS),
+    "ip",
+    "iptables",
+    "iptables-save",
+    "nsenter",
+    "nslookup",
+)
+"""What BuildKit's image must have."""
+LACKING = """
+for program; do command -v "$program" >/dev/null || echo "$program"; done
+echo .
+"""
+"""Prints which programs are missing, and a full stop."""
+IMAGE_CONFIG = "/etc/buildkit/buildkitd.toml"
+"""Where buildx puts the configuration."""
+IMAGE_NAMESPACES = "/var/lib/buildkit/net/cni"
+
 
 @dataclass(frozen=True)
 class Bridge:
-    """A bridge of one checkout. ``plugins``: the folder that has them."""
+    """A bridge of one checkout. ``plugins``: the folder that has them; nothing for those of BuildKit's image."""
 
     name: str
     subnet: str
-    plugins: Path
+    plugins: Path | None = None
 
     @classmethod
     def read(cls, config: Path) -> Bridge | None:
         """The one that a buildkitd.toml names."""
         try:
-            facts = tomllib.loads(config.read_text())["worker"]["oci"]
-            return cls(facts["bridgeName"], facts["bridgeSubnet"], Path(facts["cniBinaryPath"]))
-        except (OSError, KeyError, ValueError):
+            return cls.parse(config.read_text())
+        except OSError:
+            return None
+
+    @classmethod
+    def parse(cls, text: str) -> Bridge | None:
+        """The same, of its text."""
+        try:
+            facts = tomllib.loads(text)["worker"]["oci"]
+            folder = facts.get("cniBinaryPath")
+            return cls(facts["bridgeName"], facts["bridgeSubnet"], Path(folder) if folder else None)
+        except (KeyError, ValueError):
             return None
 
     def lines(self) -> list[str]:
@@ -81,9 +118,108 @@ class Bridge:
             '  networkMode = "bridge"',
             f'  bridgeName = "{self.name}"',
             f'  bridgeSubnet = "{self.subnet}"',
-            f'  cniBinaryPath = "{self.plugins}"',
+            *([f'  cniBinaryPath = "{self.plugins}"'] if self.plugins else []),
             f"  cniPoolSize = {POOL}",
         ]
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where a buildkitd runs.
+
+    Attributes:
+        at: what comes before a command that runs there, in the machine's network; nothing on this machine.
+        namespaces: the folder of its namespaces, as such a command sees it.
+        asking: a command that ends with 0 if one of the name servers that it gets answers.
+    """
+
+    at: tuple[str, ...]
+    namespaces: str
+    asking: tuple[str, ...]
+
+    @classmethod
+    def here(cls, buildkitd: int, namespaces: Path) -> Place:
+        """On this machine. ``buildkitd``: its process, in whose mounts the namespaces are."""
+        return cls((), f"/proc/{buildkitd}/root{namespaces}", (sys.executable, "-I", "-c", ASK))
+
+
+@dataclass(frozen=True)
+class Container:
+    """The container of a builder in Docker, on the network of Docker's machine.
+
+    Attributes:
+        docker: the client's command, with the address of the daemon.
+        name: the container's. image: BuildKit's.
+    """
+
+    docker: tuple[str, ...]
+    name: str
+    image: str
+
+    @classmethod
+    def of(cls, record: Path, image: str) -> Container | None:
+        """The one of which buildx has a record."""
+        try:
+            node = (untrusted.json_object(record.read_bytes()) or {})["Nodes"][0]
+            endpoint, name = str(node["Endpoint"]), str(node["Name"])
+        except (OSError, ValueError, LookupError, TypeError):
+            return None
+        where = "--host" if "://" in endpoint else "--context"
+        return cls(("docker", where, endpoint), f"buildx_buildkit_{name}", image)
+
+    def inside(self) -> tuple[str, ...]:
+        """What comes before a command that runs in it."""
+        return (*self.docker, "exec", self.name)
+
+    def beside(self, *options: str) -> tuple[str, ...]:
+        """The same for another container, with the same rights, that lives as long as the command."""
+        fixed = (
+            "--rm",
+            "--privileged",
+            "--userns",
+            "host",
+            "--network",
+            "host",
+            "--pull",
+            "never",
+            "--entrypoint",
+            "env",
+        )
+        return (*self.docker, "run", *fixed, *options, self.image)
+
+    def place(self) -> Place:
+        """Where its buildkitd runs, which may have mounts that the container itself does not see."""
+        pids = [int(word) for word in output_of([*self.inside(), "pidof", "buildkitd"]).split()]
+        namespaces = f"/proc/{min(pids, default=1)}/root{IMAGE_NAMESPACES}"
+        return Place(self.inside(), namespaces, ("sh", "-c", ASK_BY_SHELL, "sh"))
+
+    def running(self) -> Bridge | None:
+        """The bridge that its buildkitd has."""
+        return Bridge.parse(output_of([*self.inside(), "cat", IMAGE_CONFIG]))
+
+    def bridge(self, root: Path) -> Bridge | str:
+        """The bridge that it has or may get, or why there can be none. ``root``: the checkout."""
+        *lacking, end = output_of([*self.inside(), "sh", "-c", LACKING, "sh", *IMAGE_PROGRAMS]).split() or [""]
+        if not end:
+            return "as docker cannot enter its container"
+        if lacking:
+            return f"as its image is without {', '.join(lacking)}"
+        self._show_name_servers()
+        if not nameservers(self.inside()):
+            return "as its name server answers on loopback alone"
+        found = self.running() or Bridge(bridge_name(root), "")
+        taken = _routes(found.name, self.inside())
+        if found.subnet and not any(ipaddress.IPv4Network(found.subnet).overlaps(x) for x in taken):
+            return found
+        return Bridge(found.name, _subnet(found.name, taken))
+
+    def _show_name_servers(self) -> None:
+        """Puts the servers that systemd-resolved asks where BuildKit looks for them: a container has no such file."""
+        if nameservers(self.inside(), RESOLV[:1], loopback=True) == [RESOLVED]:
+            file = RESOLV[1]
+            shown = output_of([*self.beside("--mount", f"type=bind,src={file},dst={file},readonly"), "cat", file])
+            if shown:
+                _succeeds(*self.inside(), "sh", "-c", 'mkdir -p "${0%/*}" && printf %s "$1" >"$0"', file, shown)
 
 
 def plugins() -> Path | None:
@@ -109,8 +245,13 @@ def bridge(root: Path) -> Bridge | str:
         return "as its name server answers on loopback alone"
     folder = plugins()
     assert folder
-    name = f"rosml{hashlib.sha256(os.fsencode(root)).hexdigest()[:8]}"  # Linux takes 15 bytes
+    name = bridge_name(root)
     return Bridge(name, _subnet(name, _routes(name)), folder)
+
+
+def bridge_name(root: Path) -> str:
+    """What the bridge of a checkout is called; Linux takes 15 bytes."""
+    return f"rosml{hashlib.sha256(os.fsencode(root)).hexdigest()[:8]}"
 
 
 def _subnet(name: str, taken: Sequence[ipaddress.IPv4Network]) -> str:
@@ -121,10 +262,10 @@ def _subnet(name: str, taken: Sequence[ipaddress.IPv4Network]) -> str:
     return str(next(free, candidates[first]))
 
 
-def _routes(but: str) -> list[ipaddress.IPv4Network]:
-    """Networks that the machine has routes to, but by one device; without the default route."""
+def _routes(but: str, at: Sequence[str] = ()) -> list[ipaddress.IPv4Network]:
+    """Networks that a machine has routes to, but by one device; without the default route."""
     found = []
-    for line in Path("/proc/net/route").read_text().splitlines()[1:]:
+    for line in _text(at, "/proc/net/route").splitlines()[1:]:
         device, destination, *_others = fields = line.split()
         if device != but and int(destination, 16):
             address, mask = (ipaddress.IPv4Address(bytes.fromhex(fields[n])[::-1]) for n in (1, 7))
@@ -132,64 +273,82 @@ def _routes(but: str) -> list[ipaddress.IPv4Network]:
     return found
 
 
-def nameservers(files: Sequence[str] = RESOLV) -> list[str]:
+def nameservers(at: Sequence[str] = (), files: Sequence[str] = RESOLV, loopback: bool = False) -> list[str]:
     """The servers that steps with a network of their own ask: those of the machine, without loopback."""
     found: list[str] = []
     for file in files:
         with suppress(OSError):
-            words = [line.split() for line in Path(file).read_text(errors="replace").splitlines()]
+            words = [line.split() for line in _text(at, file).splitlines()]
             found = [word[1] for word in words if len(word) > 1 and word[0] == "nameserver"]
         if found != [RESOLVED]:
             break
-    return [name for name in found if not name.startswith("127.") and name != "::1"]
+    return [name for name in found if loopback or not (name.startswith("127.") or name == "::1")]
 
 
-def enclose(found: Bridge, buildkitd: int, namespaces: Path) -> str:
+def _text(at: Sequence[str], file: str) -> str:
+    """What a file says, here or where a command runs."""
+    return output_of([*at, "cat", file]) if at else Path(file).read_text(errors="replace")
+
+
+def enclose(found: Bridge, place: Place, known: bool = True) -> str:
     """Closes the machine's own addresses to steps, and tries whether they reach the others. Safe to call again.
 
     Args:
-        buildkitd: its process, in whose mounts the namespaces are. namespaces: their folder.
+        known: steps had that network before. Otherwise a name server has to answer them; if the machine reaches none, nobody
+            knows whether they would.
 
     Returns:
         Why steps cannot have such a network; empty if they can.
     """
     for table, chain, rule in RULES:
         words = [chain, "-i", found.name, *rule.split()]
-        if not _iptables("-t", table, "-C", *words) and not _iptables("-t", table, "-I", *words):
+        if not _iptables(place.at, "-t", table, "-C", *words) and not _iptables(place.at, "-t", table, "-I", *words):
             return "as iptables refuses a rule"
-    try:  # the subnet is of IPv4; by a link's own address they would reach the machine all the same
-        Path(f"/proc/sys/net/ipv6/conf/{found.name}/disable_ipv6").write_text("1")
-    except FileNotFoundError:
-        pass  # a machine without IPv6
-    except OSError:
+    # The subnet is of IPv4; by a link's own address they would reach the machine all the same. Not each has IPv6.
+    switch = f"/proc/sys/net/ipv6/conf/{found.name}/disable_ipv6"
+    if not _succeeds(*place.at, "sh", "-c", '[ ! -e "$0" ] || echo 1 >"$0"', switch):
         return "as IPv6 cannot be turned off for it"
-    inside = Path(f"/proc/{buildkitd}/root{namespaces}")
-    wait_until(lambda: any(True for _ in inside.glob("*")), 5.0)
-    asking = [sys.executable, "-I", "-c", ASK, *nameservers()]
-    try:
-        if _succeeds(*asking) and not any(_succeeds("nsenter", f"--net={file}", *asking) for file in inside.iterdir()):
-            return "as they reach no name server from one of their own"
-    except OSError:
+    names: list[str] = []
+
+    def listed() -> bool:
+        names[:] = output_of([*place.at, "ls", place.namespaces]).split()
+        return bool(names)
+
+    if not wait_until(listed, 5.0):
         return "as buildkitd has no namespace for them"
+    asking = [*place.asking, *nameservers(place.at)]
+    there = _succeeds(*place.at, *asking)
+    if (there or not known) and not any(
+        _succeeds(*place.at, "nsenter", f"--net={place.namespaces}/{name}", *asking) for name in names
+    ):
+        return "as they reach no name server from one of their own"
     return ""
 
 
-def tidy(left: Bridge) -> None:
-    """Removes what a buildkitd that has ended left: rules and addresses if it was killed, and the bridge itself."""
+def tidy(left: Bridge, at: Sequence[str] = ()) -> None:
+    """Removes what a buildkitd that has ended left: rules and addresses if it was killed, and the bridge itself.
+
+    Args:
+        at: what comes before a command that runs on Docker's machine; nothing for this one.
+    """
     subnet = ipaddress.IPv4Network(left.subnet)
-    for table in ("filter", "mangle", "nat"):
-        for line in output_of([which_system("iptables") or "iptables", "-w", "5", "-t", table, "-S"]).splitlines():
-            words = shlex.split(line)
-            if words[0] == "-A" and (left.name in words or any(_within(word, subnet) for word in words)):
-                _iptables("-t", table, "-D", *words[1:])
-                if words[1] == "POSTROUTING":  # it leads to a chain of the namespace
-                    _iptables("-t", table, "-F", words[-1])
-                    _iptables("-t", table, "-X", words[-1])
-    for file in ADDRESSES.glob("*"):
+    commands, table = [], ""
+    for line in output_of([*at, _program(at, "iptables-save")]).splitlines():
+        if line.startswith("*"):
+            table = line[1:]
+        words = shlex.split(line) if line.startswith("-A ") else []
+        if words and (left.name in words or any(_within(word, subnet) for word in words)):
+            iptables = [_program(at, "iptables"), "-w", "5", "-t", table]
+            commands.append([*iptables, "-D", *words[1:]])
+            if words[1] == "POSTROUTING":  # it leads to a chain of the namespace
+                commands += [[*iptables, "-F", words[-1]], [*iptables, "-X", words[-1]]]
+    if at or Path(f"/sys/class/net/{left.name}").exists():
+        commands.append([_program(at, "ip"), "link", "delete", left.name])
+    if commands:
+        output_of([*at, "sh", "-c", "; ".join(shlex.join(command) for command in commands)], 60.0)
+    for file in ADDRESSES.glob("*") if not at else ():
         if _within(file.name, subnet):
             file.unlink(missing_ok=True)
-    if Path(f"/sys/class/net/{left.name}").exists():
-        output_of([which_system("ip") or "ip", "link", "delete", left.name])
 
 
 def _within(text: str, subnet: ipaddress.IPv4Network) -> bool:
@@ -200,8 +359,13 @@ def _within(text: str, subnet: ipaddress.IPv4Network) -> bool:
         return False
 
 
-def _iptables(*arguments: str) -> bool:
-    return _succeeds(which_system("iptables") or "iptables", "-w", "5", *arguments)
+def _program(at: Sequence[str], name: str) -> str:
+    """What a program of the system is called, which may not be on PATH here."""
+    return name if at else which_system(name) or name
+
+
+def _iptables(at: Sequence[str], *arguments: str) -> bool:
+    return _succeeds(*at, _program(at, "iptables"), "-w", "5", *arguments)
 
 
 def _succeeds(*argv: str) -> bool:
