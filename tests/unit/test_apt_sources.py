@@ -506,6 +506,7 @@ def test_a_base_image_that_cannot_be_read_fails_no_plan(
     project: Path, services: Services, hub: StandIn, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It is told, and packages are taken for unchanged."""
+    monkeypatch.setattr(sync, "lacking", lambda *_: [])
     monkeypatch.setattr(sync, "published", lambda *_: "2026-11-20T21:14:09Z")
     monkeypatch.setenv("OS_UBUNTU_24_04", f"{hub.address}/system:1@sha256:{'1' * 64}")
     monkeypatch.setenv("OS_UBUNTU_26_04", f"{hub.address}/system:1@{image(hub, packed((LIST, '# none')))}")

@@ -74,8 +74,14 @@ def read(file: FilePath, option: str = "--matrix") -> Document:
     return parse(content, name)
 
 
+LARGEST = 1 << 20
+"""Bytes of a file that people write. matrix.yaml has 25 kB."""
+
+
 def parse(content: bytes, name: str = "matrix.yaml") -> Document:
     """Parses YAML text; raises as `read` does."""
+    if len(content) > LARGEST:
+        raise InputError(name, [Problem(1, 1, "", f"the file has more than {LARGEST >> 10} kB; check what it is")])
     text = _decode(content, name)
     document = Document(name)
     try:
