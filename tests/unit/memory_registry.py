@@ -237,7 +237,8 @@ class Bytes(Maker):
         self.tests[image.target] = names
         self.made.append(("test", image.target, architecture))
         failures = (f"{self.failing}: it is poisoned",) if image.target in self.poisoned else ()
-        return Checked(5, failures, versions={"torch": "2.10.0"})
+        said = "".join(f"    {failure}\n      Expected 0, got 1" for failure in failures)
+        return Checked(5, failures, versions={"torch": "2.10.0"}, said=said)
 
     def _require_whole(self, target: str) -> None:
         if target in self.broken:

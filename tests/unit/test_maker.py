@@ -153,6 +153,7 @@ def test_a_test_fails(stage: Stage) -> None:
     stage.write("report/ros2.json", results(good=True, bad=False))
     found = stage.test()
     assert (found.passed, found.failures) == (2 * len(FILES) - 1, ("ros2: bad",))
+    assert found.said == "    ros2: bad\n      it broke"
     (said,) = [text for text in stage.said if "structure tests" in text]
     assert said.startswith(f"1 of {2 * len(FILES)} structure tests of {TARGET} failed; it gets no tag\n")
     assert "    ros2: bad\n      it broke\n" in said

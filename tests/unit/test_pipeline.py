@@ -201,7 +201,9 @@ def test_the_owner_sees_each_cause_once(registry: Place, image_set: ImageSet) ->
     assert [cause.state for cause in causes[:2]] == ["failed", "failed"]
     by_reason = {cause.reason: cause for cause in causes}
     assert by_reason["it broke"].targets == (part,)
-    assert by_reason["tests failed: contract: it is poisoned"].targets == ("alpha-core",), "of both architectures"
+    poisoned = by_reason["tests failed: contract: it is poisoned"]
+    assert poisoned.targets == ("alpha-core",), "of both architectures"
+    assert poisoned.log.splitlines()[1:] == ["    contract: it is poisoned", "      Expected 0, got 1"]
     (waits,) = [cause for cause in causes if cause.reason == f"its build failed in this run (for {part})"]
     assert {"alpha-core-torch-cu1", "alpha-base-torch-cu1", "alpha-core-ml-cu1", "alpha-base-ml-cu1"} == {
         *waits.targets

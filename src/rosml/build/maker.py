@@ -28,6 +28,9 @@ from rosml.machine.services import Services
 from rosml.registry import repositories
 from rosml.registry.oci import Manifest, Reference
 
+SAID = 8
+"""So many lines of each test that failed are kept: its last ones, which say why."""
+
 
 @dataclass(frozen=True)
 class Made:
@@ -53,12 +56,14 @@ class Checked:
         passed: how many passed. failures: those that did not.
         unpacked: bytes of the image's root file system; 0 where nobody counted.
         versions: what was found inside the image.
+        said: the last lines of each test that failed, below its name.
     """
 
     passed: int = 0
     failures: tuple[str, ...] = ()
     unpacked: int = 0
     versions: Mapping[str, str] = field(default_factory=dict)
+    said: str = ""
 
 
 def require_buildable(image: Image, architecture: str) -> None:
@@ -206,7 +211,7 @@ class BuildKitMaker:
                 f"{len(failures)} of {len(report.outcomes)} structure tests of {image.target} failed; it gets no tag\n"
                 f"{report.failures()}\n  all reports: {folder}\n  the image that failed: {place}"
             )
-        return Checked(report.passed, failures, report.unpacked, report.versions)
+        return Checked(report.passed, failures, report.unpacked, report.versions, report.failures(SAID))
 
     def variables(self, image: Image, architecture: str, moment: str = "") -> dict[str, str]:
         """Variables of the bake file for an image; `build/variables.py` says which."""

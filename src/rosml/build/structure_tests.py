@@ -52,13 +52,13 @@ class Report:
     unpacked: int
     versions: Mapping[str, str] = field(default_factory=dict)
 
-    def failures(self) -> str:
-        """Those that failed, with what they said."""
-        return "\n".join(
-            f"    {outcome.file}: {outcome.name}\n"
-            + "\n".join(f"      {line}" for line in outcome.detail.strip().splitlines())
-            for outcome in self.failed
-        )
+    def failures(self, most: int = 0) -> str:
+        """Those that failed, with what they said; of each the last `most` lines, or all."""
+        lines = list[str]()
+        for outcome in self.failed:
+            said = outcome.detail.strip().splitlines()[-most:]
+            lines += [f"    {outcome.file}: {outcome.name}", *(f"      {line}" for line in said)]
+        return "\n".join(lines)
 
     @property
     def passed(self) -> int:

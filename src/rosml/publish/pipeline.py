@@ -232,7 +232,7 @@ class Pipeline:
             entry = work(item, entry)
             state: State = "failed" if entry.failed else "done"
         except RosmlError as error:
-            entry = replace(entry, failed={"step": step, "reason": _short(error), "remedy": error.remedy})
+            entry = replace(entry, failed={"step": step, "reason": _short(error.message), "remedy": error.remedy})
             state = "failed"
             self.say(f"failed: {error.message}" + (f"; {error.remedy}" if error.remedy else ""))
         except _Synced as news:
@@ -390,7 +390,7 @@ class Pipeline:
         assert isinstance(item.thing, Image)
         names = self.plan.tests(item)
         found = self._maker.test(item.thing, item.architecture, entry.digest, self._parts(item), names)
-        reason = f"tests failed: {some(list(found.failures))}"
+        reason = f"tests failed: {some(list(found.failures))}\n{found.said}".strip()
         return replace(
             entry,
             tested=self.plan.tests_digest(item),
@@ -398,7 +398,7 @@ class Pipeline:
             failures=found.failures,
             unpacked=found.unpacked,
             versions=found.versions,
-            failed={"step": "test", "reason": reason} if found.failures else {},
+            failed={"step": "test", "reason": _short(reason)} if found.failures else {},
         )
 
     # ---- Scans -------------------------------------------------------------------------------------------------------
@@ -538,7 +538,7 @@ class Pipeline:
             state: State = "done"
             reason = f"{len(entries)} architecture{'s'[: len(entries) != 1]}"
         except RosmlError as error:
-            entry = replace(entry, failed={"step": "index", "reason": _short(error), "remedy": error.remedy})
+            entry = replace(entry, failed={"step": "index", "reason": _short(error.message), "remedy": error.remedy})
             state, reason = "failed", error.message
         entry = self._remembered(replace(entry, changed=self.plan.date))
         self.records.write(entry, {})
@@ -717,6 +717,6 @@ def _moment(date: str) -> datetime:
     return datetime.fromisoformat(date.replace("Z", "+00:00"))
 
 
-def _short(error: RosmlError, lines: int = 12) -> str:
+def _short(message: str, lines: int = 12) -> str:
     """A message's beginning: the records are no place for logs."""
-    return "\n".join(error.message.splitlines()[:lines])[:2000]
+    return "\n".join(message.splitlines()[:lines])[:2000]
