@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from conftest import smaller
-from memory_registry import DAY, INDEX, PREFIX, Place, place
+from conftest import SMALLER, changed, parse, smaller, write_locks
+from memory_registry import DAY, INDEX, LATER, PREFIX, Place, Run, place
 from projects import BASE
 from stubs import OFFLINE, services
 
@@ -197,16 +197,18 @@ def test_what_cannot_be_had_is_told_apart(
     (project / lock).unlink()
     run = here.run(lacking, only=["alpha-core", "alpha-base", BASE, "alpha-core-ml-cu1"])
     found = list(status.read(run.plan, here.registry, PREFIX, DAY))
-    states = {item.target: (item.state, item.reason) for item in found if not item.target.startswith("part")}
+    part = "part-torch-cu1-py312"
+    states = {it.target: (it.state, it.reason) for it in found if not it.target.startswith("part") or it.target == part}
     why = "docker.io/library/ubuntu:24.04 is on Docker Hub, which does not answer"
     assert states == {
         "alpha-core": ("published", ""),
         "alpha-base": ("waiting for a builder", why),
         BASE: ("lock missing", "1 of its locks are missing"),
         "alpha-core-ml-cu1": ("lock missing", "1 of its locks are missing"),
+        part: ("lock missing", "1 of its locks are missing"),
     }
     counts = json.loads(status.as_json(found))["counts"]
-    assert (counts["published"], counts["waiting for a builder"], counts["lock missing"]) == (1, 1, 2)
+    assert (counts["published"], counts["waiting for a builder"], counts["lock missing"]) == (1, 1, 3)
     tables.print_status(found, [], {"join": 2})
     lines = {line.split()[0]: " ".join(line.split()[1:]) for line in capsys.readouterr().out.splitlines() if line}
     assert lines["image"] == "state age platforms why"
@@ -215,8 +217,33 @@ def test_what_cannot_be_had_is_told_apart(
     assert lines[BASE] == "lock missing 1 of its locks are missing"
     total = lines[str(len(found))]
     assert total.startswith("images: 1 published") and total.endswith(
-        "2 lock missing, 1 waiting for a builder; a further run would join 2"
+        "3 lock missing, 1 waiting for a builder; a further run would join 2"
     )
+
+
+def test_a_missing_lock_hides_no_failure(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A lock for one architecture is missing, and the tests on the other one failed. A lock for an architecture that is not served
+    is not missed. What was published before has one cause, whichever locks it lacks now."""
+    target, image_set = "alpha-core-torch-cpu", parse(changed("cpu: [arm64]}", "cpu: [amd64, arm64]}", SMALLER))
+    write_locks(project, image_set)
+    here = place(project, services(project), monkeypatch)
+    (lock,) = (name for name in image_set.by_target[target].locks if name.endswith("arm64/3.12/torch.txt"))
+    lacking = locked.with_locks(image_set, image_set.locks - {lock})
+
+    def causes(run: Run, *serving: str) -> dict[str, tuple[str, str]]:
+        found = list(status.read(run.plan, here.registry, PREFIX, LATER, serving))
+        made = status.causes(found, image_set.matrix.architectures)
+        return {name: (cause.state, cause.reason) for cause in made for name in cause.targets}
+
+    assert causes(here.run(lacking, only=[target]))[target] == ("lock missing", "")
+    run = here.publish(lacking, only=[target], poisoned={target})
+    assert causes(run)[target] == ("failed", "tests failed: contract: it is poisoned")
+    assert status.ahead(run.plan) == {"test": 1}, "on the architecture that has its lock"
+    assert target not in causes(here.publish(lacking, only=[target], date=LATER, serving=("amd64",)), "amd64")
+    other = lock.replace("arm64", "amd64")
+    (project / other).unlink()
+    run = here.run(locked.with_locks(image_set, image_set.locks - {lock, other}), only=[target], date=LATER)
+    assert causes(run, "amd64")[target] == ("outdated", "lock missing")
 
 
 def test_what_is_needed_stays_where_only_digests_can_be_deleted(nights: Place, image_set: ImageSet) -> None:

@@ -74,9 +74,7 @@ def require_buildable(image: Image, architecture: str) -> None:
     """
     # Tags are for all platforms, and need all locks; one platform alone needs its own.
     native = base_images.native_architecture()
-    if any(lock.split("/")[2] == architecture for lock in image.unlocked) or (
-        image.unlocked and architecture == native
-    ):
+    if missing.on(image, architecture) or (image.unlocked and architecture == native):
         text = f"{image.target} cannot be built yet: {missing.reason(image)}"
         raise RosmlError(text, missing.remedy(image), exit_code=2)
     if architecture not in image.architectures:

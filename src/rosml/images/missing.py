@@ -47,6 +47,15 @@ def _asks(matrix: Matrix, stack: str, architecture: str, python: str, family: st
     return digests is not None and python not in digests
 
 
+UNLOCKED = "lock missing"
+"""How reasons begin why an image or part cannot be made that lacks a lock."""
+
+
+def on(thing: Image | Part, architecture: str) -> list[str]:
+    """The locks that an image or part lacks for an architecture."""
+    return [lock for lock in thing.unlocked if lock.split("/")[2] == architecture]
+
+
 def reason(image: Image) -> str:
     """What an image lacks: `locks/cpu/amd64/3.11/torch.txt is missing`."""
     return _told(image.unlocked, image.damaged, listed)

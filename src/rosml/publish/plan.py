@@ -18,6 +18,7 @@ from rosml.bake.inputs import TARGET, Inputs
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, some
 from rosml.build import package_state as upstreams
+from rosml.images import missing
 from rosml.images.image_set import Image, ImageSet, Part, repository_of
 from rosml.images.selection import require_architectures, select
 from rosml.machine import base_images
@@ -330,8 +331,8 @@ class Plan:
     def hindrance(self, item: Item) -> str:
         """Why an item cannot be made on this machine; empty where it can."""
         image_or_part = item.thing
-        if lacking := [lock for lock in image_or_part.unlocked if lock.split("/")[2] == item.architecture]:
-            return f"lock missing: {some(lacking)}"
+        if lacking := missing.on(image_or_part, item.architecture):
+            return f"{missing.UNLOCKED}: {some(lacking)}"
         if item.kind == "joined":  # put together in the registry, from anywhere
             return ""
         if item.architecture not in self.architectures:
@@ -342,8 +343,8 @@ class Plan:
         if gone := sorted(absent.intersection(image_or_part.packages.split())):
             return f"{ABSENT} {listed(gone)} for {image_or_part.os}, {item.architecture}"
         systems = self.image_set.matrix.operating_systems
-        missing = base_images.missing(self.services, systems, image_or_part.os)
-        return f"{WAITING}: {missing}" if missing else ""
+        absent = base_images.missing(self.services, systems, image_or_part.os)
+        return f"{WAITING}: {absent}" if absent else ""
 
     def _reason(self, key: tuple[str, str]) -> str:
         """Why a part cannot be made here; of what it needs itself, if that is the reason."""

@@ -13,6 +13,7 @@ from typing import Any
 from rosml.base.clock import TIME, is_ahead, is_date
 from rosml.images import missing
 from rosml.images.image_set import Image, Part, repository_of, tags_of
+from rosml.images.missing import UNLOCKED
 from rosml.publish.plan import ELSEWHERE, WAITING, Item, Plan
 from rosml.records.store import INDEX, Entry, date_of
 from rosml.registry.oci import Registry
@@ -23,7 +24,7 @@ STATES = {
     "outdated": "yellow",
     "failed": "red",
     "missing": "default",
-    "lock missing": "dim",
+    UNLOCKED: "dim",
     WAITING: "dim",
 }
 """Every state, with its colour: the tag points at what the matrix says now; at something older; what was made last did not
@@ -95,14 +96,15 @@ def _state(plan: Plan, thing: Image | Part, tagged: str, serving: Sequence[str])
     members = [key for key in plan.members(thing) if not serving or key[1] in serving]
     index = plan.known.get((thing.target, INDEX))
     still = f"its tags were moved back on {index.held[:10]}" if index and index.held else "its tags have not moved yet"
-    if isinstance(thing, Image) and thing.unlocked and not tagged:
-        if thing.damaged:
-            return "lock missing", missing.reason(thing)
-        return "lock missing", f"{len(thing.unlocked)} of its locks are missing"
     entries = [entry for key in members if (entry := plan.known.get(key))]
     failures = [f"{e.architecture}: {_reason(e)}" for e in entries if e.failed and not _over(plan, e)]
     if failures:
         return "failed", "; ".join(failures)
+    lacking = sum(len(missing.on(thing, architecture)) for _, architecture in members)
+    if lacking and not tagged:
+        if isinstance(thing, Image) and thing.damaged:
+            return UNLOCKED, missing.reason(thing)
+        return UNLOCKED, f"{lacking} of its locks are missing"
     why = [f"{key[1]}: {_first(plan, key)}" for key in members if _first(plan, key)]
     if index and index.failed and all(item.endswith(ELSEWHERE) for item in why):
         return "failed", _reason(index)
@@ -159,8 +161,8 @@ def causes(found: Sequence[ImageStatus], architectures: Iterable[str]) -> list[C
     groups: dict[tuple[str, str], list[ImageStatus]] = {}
     for item in found:
         if item.state != "published":
-            reason = "" if item.state == "lock missing" else names.sub("", item.reason)
-            parts = dict.fromkeys(reason.split("; "))
+            reason = "" if item.state == UNLOCKED else names.sub("", item.reason)
+            parts = dict.fromkeys(UNLOCKED if part.startswith(UNLOCKED) else part for part in reason.split("; "))
             if len(parts) > 1:
                 parts.pop(ELSEWHERE, None)  # who looks has one machine, and a publishing run has all
             groups.setdefault((item.state, "; ".join(parts)), []).append(item)
@@ -176,7 +178,7 @@ def ahead(plan: Plan) -> dict[str, int]:
     """How often a further run would do each step, wherever its machines are."""
     counts: Counter[str] = Counter()
     for item in plan.items:
-        if item.thing.unlocked:
+        if missing.on(item.thing, item.architecture):
             continue
         if plan.reasons(item):
             counts[item.making] += 1
