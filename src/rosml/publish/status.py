@@ -208,6 +208,8 @@ def _reason(entry: Entry) -> str:
 def _first(plan: Plan, key: tuple[str, str]) -> str:
     """Why an item is not as it should be; the first reason."""
     task = plan.task(plan.by_key[key])
+    if found := _broken(plan, plan.by_key[key]):
+        return found
     if task.hindered and key not in plan.known:
         return task.hindered
     if task.hindered == ELSEWHERE:
@@ -215,6 +217,20 @@ def _first(plan: Plan, key: tuple[str, str]) -> str:
     if task.hindered and plan.made(key):  # what cannot be made here is there as it should be
         return ""
     return task.why[0] if task.why else task.hindered
+
+
+def _broken(plan: Plan, item: Item) -> str:
+    """What failed below an item when it was last made, in whichever run that was, so that the item waits; empty if nothing did."""
+    for target in item.needs:
+        need = plan.by_key[target, item.architecture]
+        if plan.made(need.key):
+            continue
+        failed = plan.known[need.key].failed if need.key in plan.known else {}
+        if failed.get("step") == need.making:
+            return f"{need.making} of {target} failed"
+        if found := _broken(plan, need):
+            return found
+    return ""
 
 
 def _late(plan: Plan, item: Item) -> str:
