@@ -249,7 +249,7 @@ def test_list_is_one_line_for_each_image(small: ImageSet, small_file: Path) -> N
     assert [line.split()[0] for line in lines[1:-2]] == [image.target for image in small.images]
     assert [line.split()[0] for line in lines[:-2] if " missing " in line] == unlocked
     assert lines[-2] == f"{len(small.images)} images, {len(small.parts)} parts"
-    assert lines[-1].startswith(f"{len(unlocked)} without a lock, which cannot be built yet: run 'rosml locks'")
+    assert lines[-1].startswith(f"{len(unlocked)} images without a lock, which cannot be built yet: run 'rosml locks'")
 
 
 EXITS: dict[str, tuple[list[str], int, str]] = {

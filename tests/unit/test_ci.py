@@ -18,10 +18,11 @@ from rosml.bake import pull_request
 from rosml.bake.inputs import Inputs
 from rosml.base import ci, units
 from rosml.base.errors import RosmlError
+from rosml.base.problems import counted
 from rosml.cli import locks as lock
 from rosml.cli import plan, publish, report
 from rosml.cli.call import Call
-from rosml.images import locked
+from rosml.images import locked, missing
 from rosml.images.image_set import ImageSet
 from rosml.locks.resolve import Move
 from rosml.machine import disk, revision
@@ -144,6 +145,31 @@ def test_where_nothing_is_to_be_done_no_job_builds(registry: Place, image_set: I
     report.tell(content(registry, image_set, date=NEXT)[1])
     assert (told / ci.OUTPUT).read_text() == "shards=[]\n"
     assert "- nothing to do" in (told / ci.SUMMARY).read_text()
+
+
+def test_what_lacks_a_lock_has_a_line_of_its_own(
+    registry: Place, image_set: ImageSet, project: Path, told: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """In plans and after runs: whichever lock it is, and whatever else waits or failed."""
+    gone = {name for name in image_set.locks if name.endswith("amd64/3.12/torch.txt")}
+    for name in gone:
+        (project / name).unlink()
+    lacking = locked.with_locks(image_set, image_set.locks - gone)
+    images = counted(sum(not image.locked for image in lacking.images), "image")
+    run = registry.run(lacking)
+    report.print_plan(run, why=False)
+    *_, counts, line = capsys.readouterr().out.splitlines()
+    assert counts.endswith(" as they should be")
+    assert line == f"{images} without a lock, which cannot be built yet: {missing.RESTORE}"
+    report.tell(report.planned(run, 4, why=False))
+    assert f"\n- without a lock: {images}, which cannot be built yet\n" in (told / ci.SUMMARY).read_text()
+    (told / ci.SUMMARY).unlink()
+    report.show(registry.publish(lacking, broken={"omega-core"}), as_json=False)
+    for said, mark in ((capsys.readouterr().out, ""), ((told / ci.SUMMARY).read_text(), "- ")):
+        assert "building omega-core failed" in said and "locks/" not in said
+        waits = [line for line in said.splitlines() if line.startswith(f"{mark}waits: ") and "lock" in line]
+        parts = sum(bool(part.unlocked) for part in lacking.parts)
+        assert waits == [f"{mark}waits: {int(images.split()[0]) + parts} without a lock"]
 
 
 def test_what_is_only_to_be_tested_has_a_machine(registry: Place, image_set: ImageSet, project: Path) -> None:

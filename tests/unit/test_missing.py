@@ -143,6 +143,6 @@ def test_listing_tells_both_apart(elsewhere: ImageSet, capsys: pytest.CaptureFix
 
     tables.print_images(without(elsewhere, TORCH, WAITING).images)
     assert [line.strip() for line in capsys.readouterr().out.splitlines()[-2:]] == [
-        f"6 without a lock, which cannot be built yet: {missing.RESTORE}",
-        f"6 without a lock, which cannot be built yet: {missing.ASK_PYTORCH}",
+        f"6 images without a lock, which cannot be built yet: {missing.RESTORE}",
+        f"6 images without a lock, which cannot be built yet: {missing.ASK_PYTORCH}",
     ]

@@ -10,6 +10,8 @@ from rosml.base import ci, terminal
 from rosml.base.problems import counted, some
 from rosml.base.units import duration, size
 from rosml.cli import tables
+from rosml.images.image_set import Image
+from rosml.images.missing import UNLOCKED
 from rosml.publish import shards as dealing
 from rosml.publish.pipeline import Outcome, Pipeline
 from rosml.publish.plan import Task, changes
@@ -67,7 +69,10 @@ def tell(plan: Planned) -> None:
     ci.output("shards", json.dumps([{"name": shard.name, "runner": shard.runner} for shard in plan.shards]))
     counts = Counter(step for task in plan.tasks for step in task.steps)
     lines = [f"- {step}: {number}" for step, number in counts.items()] or ["- nothing to do"]
-    lines += [f"- as they should be: {plan.unchanged}", *(f"- {remark}" for remark in plan.remarks), ""]
+    lines += [f"- as they should be: {plan.unchanged}"]
+    unlocked = {task.target for task in plan.tasks if task.kind != "part" and task.hindered.startswith(UNLOCKED)}
+    lines += [f"- without a lock: {counted(len(unlocked), 'image')}, which cannot be built yet"] if unlocked else []
+    lines += [*(f"- {remark}" for remark in plan.remarks), ""]
     rows = tables.shard_rows(plan.shards)
     found = "\n".join(lines) + "\n" + (ci.table(tables.SHARDS, rows) if rows else "")
     ci.summary(f"\n## Plan of {plan.date} for {plan.registry}\n\n{found}")
@@ -91,9 +96,11 @@ def print_plan(pipeline: Pipeline, why: bool) -> None:
         rows.append((task.item.target, task.item.architecture, ", ".join(task.steps), reason))
     tables.show(("image", "architecture", "to do", "why"), rows, wrapped=["why"])
     hindered = Counter(task.hindered.partition(":")[0] for task in found if task.hindered)
-    rest = "".join(f", {number} {reason}" for reason, number in hindered.items())
     unchanged = len(found) - len(todo) - sum(hindered.values())
+    unlocked = {task.item.target: task.item.thing for task in found if task.hindered.startswith(UNLOCKED)}
+    rest = "".join(f", {number} {reason}" for reason, number in hindered.items() if reason != UNLOCKED)
     terminal.console().print(f"{len(todo)} to do, {unchanged} as they should be{rest}", style="dim")
+    tables.print_unlocked([thing for thing in unlocked.values() if isinstance(thing, Image)])
 
 
 def show(pipeline: Pipeline, as_json: bool) -> None:
@@ -128,6 +135,8 @@ def tell_outcomes(outcomes: list[Outcome], date: str, uploaded: int, started: fl
     out = terminal.console()
     for reason, number in _waiting(outcomes).items():
         out.print(f"waits: {number} times: {reason}", style="yellow")
+    if unlocked := _unlocked(outcomes):
+        out.print(f"waits: {unlocked} without a lock", style="yellow")
     text = ", ".join(_counts(outcomes)) or "nothing to do: everything is as it should be"
     out.print(text, _effort(uploaded, started), sep="\n", style="dim")
 
@@ -158,7 +167,13 @@ def _effort(uploaded: int, started: float) -> str:
 
 
 def _waiting(outcomes: list[Outcome]) -> Counter[str]:
-    return Counter(outcome.reason for outcome in outcomes if outcome.state == "waits")
+    """How often something waits for what; without what waits for a lock."""
+    return Counter(x.reason for x in outcomes if x.state == "waits" and UNLOCKED not in x.reason)
+
+
+def _unlocked(outcomes: list[Outcome]) -> int:
+    """How many images and parts wait for a lock, whichever."""
+    return len({x.target for x in outcomes if x.state == "waits" and UNLOCKED in x.reason})
 
 
 def markdown(pipeline: Pipeline) -> str:
@@ -183,4 +198,5 @@ def markdown(pipeline: Pipeline) -> str:
         columns = ("step", "image", "architecture", "state", "time", "size", "digest", "what")
         lines += [ci.table(columns, rows)]
     lines += [f"- waits, {counted(number, 'time')}: {reason}" for reason, number in _waiting(outcomes).items()]
+    lines += [f"- waits: {unlocked} without a lock"] if (unlocked := _unlocked(outcomes)) else []
     return "\n".join(lines) + "\n"

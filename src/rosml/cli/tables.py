@@ -76,11 +76,17 @@ def print_images(images: Sequence[Image]) -> None:
     out = terminal.console()
     parts = {name for image in images for name in image.parts}
     out.print(f"{counted(len(images), 'image')}, {counted(len(parts), 'part')}", style="dim")
+    print_unlocked(images)
+
+
+def print_unlocked(images: Collection[Image]) -> None:
+    """A line for those of some images that lack a lock, or one for each of the two things that help; nothing if none does."""
     lost = sum(bool(image.lost) for image in images)
     waiting = sum(not image.locked for image in images) - lost
     for count, remedy in ((lost, missing.RESTORE), (waiting, missing.ASK_PYTORCH)):
         if count:
-            out.print(f"{count} without a lock, which cannot be built yet: {remedy}", style="yellow")
+            text = f"{counted(count, 'image')} without a lock, which cannot be built yet: {remedy}"
+            terminal.console().print(text, style="yellow")
 
 
 SHARDS = ("shard", "runner", "distributions", "images", "parts", "minutes (estimate)", "GB download", "GB disk")
