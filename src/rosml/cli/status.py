@@ -41,7 +41,7 @@ def main(markdown: Path | None, **options: Any) -> None:
     found = list(states.read(pipeline.plan, pipeline.registry, pipeline.prefix, now(), pipeline.serving))
     plan = pipeline.plan
     causes = states.causes(found, plan.image_set.matrix.architectures)
-    ahead = states.ahead(plan)
+    ahead = states.ahead(plan, pipeline.serving)
     text = tables.status_markdown(f"{pipeline.host}/{pipeline.prefix}", found, causes, ahead)
     if markdown:
         files.write(markdown, text)

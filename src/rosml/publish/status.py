@@ -174,11 +174,15 @@ def causes(found: Sequence[ImageStatus], architectures: Iterable[str]) -> list[C
     return sorted(made, key=lambda cause: (cause.state != "failed", order.index(cause.state), -len(cause.targets)))
 
 
-def ahead(plan: Plan) -> dict[str, int]:
-    """How often a further run would do each step, wherever its machines are."""
+def ahead(plan: Plan, serving: Sequence[str] = ()) -> dict[str, int]:
+    """How often a further run would do each step, wherever its machines are.
+
+    Args:
+        plan: what there is to do. serving: the architectures that the registry serves; all of the matrix if empty.
+    """
     counts: Counter[str] = Counter()
     for item in plan.items:
-        if missing.on(item.thing, item.architecture):
+        if missing.on(item.thing, item.architecture) or (serving and item.architecture not in serving):
             continue
         if plan.reasons(item):
             counts[item.making] += 1
