@@ -253,6 +253,13 @@ def test_each_image_is_tested_as_soon_as_it_is_there(registry: Place, image_set:
     assert sorted(run.made) == sorted(place_of(registry).publish(image_set).made)
 
 
+def test_a_test_that_fails_is_not_run_again_in_the_same_run(registry: Place, image_set: ImageSet) -> None:
+    run = registry.run(image_set, poisoned={"alpha-core"})
+    run.images()
+    assert len(steps(run, "test")) == len({*steps(run, "test")})
+    assert [o.state for o in run.outcomes if (o.step, o.target) == ("test", "alpha-core")] == ["failed"] * 2
+
+
 def place_of(registry: Place) -> Place:
     """Another registry for the same runs."""
     return Place(registry.services, upstream=registry.upstream)

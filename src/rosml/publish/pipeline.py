@@ -175,13 +175,14 @@ class Pipeline:
         self._each("join", sorted(items, key=_carries_nothing), self._join)
 
     def test(self, targets: Sequence[str] = ()) -> None:
-        """Runs the structure tests of images that have not passed them.
+        """Runs the structure tests of images that have not passed them. What failed in this run is left to the next one.
 
         Args:
             targets: of these alone; all if empty.
         """
+        failed = {(it.target, it.architecture) for it in self.outcomes if (it.step, it.state) == ("test", "failed")}
         wanted = [i for i in self.plan.items if i.kind != "part" and (not targets or i.target in targets)]
-        self._each("test", wanted, self._test)
+        self._each("test", [item for item in wanted if item.key not in failed], self._test)
 
     def images(self, minutes: float = math.inf) -> None:
         """Builds, joins and tests: each image is tested as soon as it is there, so that a run that ends early leaves images that
