@@ -236,9 +236,9 @@ SOURCE = "https://example.org/images"
 """Where the small project says that it lives."""
 
 OCI = {
-    "title": r"ros1-bookworm-(core|base)(-tensorflow-cpu)?",
-    "description": r"ROS 1 (core|base) \(ros1-bookworm\)(, TensorFlow 2\.21\.0)?",
-    "version": r"ros1-bookworm-(core|base)(-cpu-tf2\.21\.0)?",
+    "title": r"(ros1-bookworm|broken|late)-(core|base)(-tensorflow-cpu)?",
+    "description": r"ROS 1 (core|base) \((ros1-bookworm|broken|late)\)(, TensorFlow 2\.21\.0)?",
+    "version": r"(ros1-bookworm|broken|late)-(core|base)(-cpu-tf2\.21\.0)?",
     "created": r"2026-01-01T00:00:00Z",
     "licenses": r"Apache-2\.0",
     "base.name": r"\S*debian:bookworm",
