@@ -339,8 +339,8 @@ class Plan:
             return ELSEWHERE
         if isinstance(image_or_part, Part):  # assembled on what there is
             return ""
-        absent = self.lacking.get((image_or_part.distribution, item.architecture), frozenset())
-        if gone := sorted(absent.intersection(image_or_part.packages.split())):
+        unpublished = self.lacking.get((image_or_part.distribution, item.architecture), frozenset())
+        if gone := sorted(unpublished.intersection(image_or_part.packages.split())):
             return f"{ABSENT} {listed(gone)} for {image_or_part.os}, {item.architecture}"
         systems = self.image_set.matrix.operating_systems
         absent = base_images.missing(self.services, systems, image_or_part.os)
