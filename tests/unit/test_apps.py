@@ -650,15 +650,19 @@ def test_a_cache_that_knows_the_dependencies_is_asked_for_no_lists_of_rosdep(
         (dict.fromkeys(("OS_APT_MIRROR", "ROS_APT_MIRROR"), "https://token@x"), ["OS_APT_MIRROR", "ROS_APT_MIRROR"]),
     ],
 )
-def test_who_gives_a_build_a_password_is_told(
+def test_a_mirrors_password_reaches_code_of_the_repository_only_if_the_person_says_so(
     mirrors: dict[str, str], named: list[str], repository: Path, services: Services, calls: list[dict[str, Any]]
 ) -> None:
     put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
-    said: list[str] = []
-    values = inputs.values({"base-image": "ros:jazzy", "command": "true"}, repository, {})
-    build.App(repository, values, mirrors, services, said.append).build()
-    text = f"{' and '.join(named)}: its password reaches steps of the build, which run the repository's code"
-    assert [line for line in said if "password" in line] == ([text] if named else [])
+    given = {"base-image": "ros:jazzy", "command": "true"}
+    if named:
+        with pytest.raises(RosmlError, match=f"^{' and '.join(named)} has a password") as caught:
+            build.App(repository, inputs.values(given, repository, {}), mirrors, services, lambda _: None).build()
+        assert caught.value.exit_code == 2 and "--allow-mirror-password" in caught.value.remedy and not calls
+        assert "secret" not in caught.value.message + caught.value.remedy
+    values = inputs.values({**given, "allow-mirror-password": "true"} if named else given, repository, {})
+    build.App(repository, values, mirrors, services, lambda _: None).build()
+    assert calls
 
 
 def test_names_and_tags_are_those_of_docker_ros(

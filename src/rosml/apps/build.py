@@ -403,6 +403,11 @@ class App:
         workspace.stage(folder, state / "staged" / "target", without=self._lock_file)
         empty.mkdir(parents=True, exist_ok=True)
         roots = {"target": folder, "upstream": upstream, "downstream": downstream}
+        named = bake_file.mirrors_with_a_password(self._environment)
+        if named and values["allow-mirror-password"] != "true":
+            text = f"{' and '.join(named)} has a password, and steps that ask the mirror run code of the repository"
+            remedy = "name a mirror without a password; if you trust all of that code, add --allow-mirror-password"
+            raise RosmlError(text, remedy, exit_code=2)
         counts = workspace.write_manifests(roots, manifests)
         if values["downstream-workspace"] and not counts["downstream"]:
             text = f"downstream-workspace: the repositories of {values['downstream-workspace']} have no package"
@@ -427,10 +432,6 @@ class App:
             "additional": state / "additional" if additional else empty,
             "rosdep": empty,
         }
-        if named := bake_file.mirrors_with_a_password(self._environment):
-            self._say(
-                f"{' and '.join(named)}: its password reaches steps of the build, which run the repository's code"
-            )
         if local := buildx.local_servers(self._services):
             self._say(
                 f"{' and '.join(local)}: on this machine, so steps of the build share its network: the repository's code"

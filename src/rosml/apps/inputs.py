@@ -153,6 +153,13 @@ TABLE = (
         in_repository=NO,
     ),
     Input(
+        "allow-mirror-password",
+        "let steps that run code of the repository have the password in the address of your apt mirror",
+        "false",
+        flag=True,
+        in_repository=NO,
+    ),
+    Input(
         "git-https-server", "server of private repositories, without https://", "github.com", in_repository=WITH_SECRET
     ),
     Input("git-https-user", "user on it"),
