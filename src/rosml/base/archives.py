@@ -1,12 +1,16 @@
-"""Entries of tar archives that somebody else made."""
+"""Tar archives and gzip files that somebody else made."""
 
 from __future__ import annotations
 
 import tarfile
+import zlib
 from typing import Self
 
 HEADER_BYTES = 1 << 20
 """Bytes of what stands before an entry: long names, and extended headers. tarfile reads it whole."""
+
+MEMBERS = 100
+"""Members of a gzip file. Most have one."""
 
 _HEADERS = (
     tarfile.GNUTYPE_LONGNAME,
@@ -15,6 +19,30 @@ _HEADERS = (
     tarfile.XGLTYPE,
     tarfile.SOLARIS_XHDTYPE,
 )
+
+
+def gunzipped(data: bytes, limit: int) -> bytes:
+    """The content of all members of a gzip file.
+
+    Args:
+        limit: its largest size, in bytes.
+
+    Raises:
+        ValueError: it is damaged, or larger.
+    """
+    content = bytearray()
+    for _ in range(MEMBERS):
+        state = zlib.decompressobj(wbits=31)
+        try:
+            content += state.decompress(data, limit - len(content) + 1)
+        except zlib.error as error:
+            raise ValueError(str(error)) from None
+        if not state.eof or len(content) > limit:
+            break
+        data = state.unused_data
+        if not data:
+            return bytes(content)
+    raise ValueError("it is damaged, or too large")
 
 
 class Entry(tarfile.TarInfo):

@@ -7,13 +7,12 @@ import hashlib
 import json
 import os
 import re
-import zlib
 from collections.abc import Iterable, Mapping
 from datetime import UTC
 from email.utils import parsedate_to_datetime
 from pathlib import Path
 
-from rosml.base import files, untrusted
+from rosml.base import archives, files, untrusted
 from rosml.base.errors import RosmlError
 from rosml.build import release_file
 from rosml.images.apt_source import Source
@@ -86,13 +85,11 @@ def _names(kept: Path, url: str, digest: str) -> set[str]:
     if hashlib.sha256(packed).hexdigest() != digest:
         remedy = "run it again: it may be just being published"
         raise RosmlError(f"{release_file.shown(url)} is another list than its Release file names", remedy)
-    unpacking = zlib.decompressobj(wbits=31)
     try:
-        text = unpacking.decompress(packed, LIST_UNPACKED)
-    except zlib.error:
-        text = b""
-    if not unpacking.eof:
-        raise RosmlError(f"{release_file.shown(url)} cannot be unpacked, or is too large", "check the mirror")
+        text = archives.gunzipped(packed, LIST_UNPACKED)
+    except ValueError:
+        what = f"{release_file.shown(url)} cannot be unpacked, or is too large"
+        raise RosmlError(what, "check the mirror") from None
     names = sorted(set(re.findall(r"^Package: (\S+)$", text.decode(errors="replace"), re.MULTILINE)))
     kept.parent.mkdir(parents=True, exist_ok=True)
     files.write(kept, "\n".join(names))

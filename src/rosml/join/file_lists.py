@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import os
 import threading
-import zlib
 from dataclasses import dataclass
 
+from rosml.base import archives
 from rosml.base.errors import RosmlError
 from rosml.registry.oci import Registry
 
@@ -28,9 +28,6 @@ LINES = 2_000_000
 
 LONGEST = 4096
 """Characters of a path, as Linux has them."""
-
-MEMBERS = 100
-"""Members of a gzip file. What rosml attaches has one."""
 
 ATTACHED = 4
 """Most lists of one image. It has one, or one of each publisher."""
@@ -96,19 +93,10 @@ def unpacked(data: bytes) -> bytes:
     Raises:
         RosmlError: it is damaged, or larger than any list.
     """
-    text = bytearray()
-    for _ in range(MEMBERS):
-        state = zlib.decompressobj(wbits=31)
-        try:
-            text += state.decompress(data, LARGEST - len(text) + 1)
-        except zlib.error:
-            break
-        if not state.eof or len(text) > LARGEST:
-            break
-        data = state.unused_data
-        if not data:
-            return bytes(text)
-    raise RosmlError("a list of files is damaged, or too large", _REMEDY)
+    try:
+        return archives.gunzipped(data, LARGEST)
+    except ValueError:
+        raise RosmlError("a list of files is damaged, or too large", _REMEDY) from None
 
 
 class Lists:
