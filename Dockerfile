@@ -13,7 +13,7 @@
 #
 # The join has a line for each part that an image has, so docker-bake.hcl writes it: the target `_joined`. No stage here
 # knows what parts there are.
-# Contexts: os, parent, upstream, listed, image, metadata.
+# Contexts: os, parent, upstream, described, image, metadata.
 
 # ---- ROS ------------------------------------------------------------------------------------------------------------
 # Of when the packages are, where the caller knows it: the builder's cache does not know when they move.
@@ -121,17 +121,17 @@ RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/
 FROM scratch AS part
 COPY --link --from=part-files /out/ /
 
-# ---- Lists of files: what an image or part carries, for whoever joins it to others in a registry -----------------
-# What is listed: a published image, which the caller names.
-FROM scratch AS listed
+# ---- Contents: the packages and files of an image or part, for scans, and for whoever joins it to others in a registry ----
+# What is described: a published image, which the caller names. Nothing of it runs.
+FROM scratch AS described
 
-FROM assembler AS list-files
-RUN --mount=type=bind,from=listed,target=/listed \
-    --mount=type=bind,source=components/part/list-files.sh,target=/run/list-files.sh \
-    /run/list-files.sh
+FROM assembler AS describe
+RUN --mount=type=bind,from=described,target=/described \
+    --mount=type=bind,source=components/containerize/contents.py,target=/run/contents.py \
+    mkdir /out && python3 /run/contents.py /described /out
 
-FROM scratch AS file-list
-COPY --from=list-files /files.gz /
+FROM scratch AS contents
+COPY --from=describe /out/ /
 
 # ---- Structure tests, inside the build: no daemon, no export, no unpacking ------------------------------------------
 FROM --platform=${BUILDPLATFORM} assembler AS structure-test

@@ -155,6 +155,7 @@ class Place:
             digest=oci.digest_of(self._manifest(item)),
             parts={target: oci.digest_of(self._manifest(part)) for target, part in needs.items()},
             size=len(LAYER),
+            sbom="" if item.kind == "joined" else oci.digest_of(LAYER),
             date=self.plan.date,
             changed=self.plan.date,
             tested=tested,

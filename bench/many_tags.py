@@ -13,9 +13,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from bench import idle_run
+from bench import idle_run, scan
 from bench.here import Here
 from bench.idle_run import IdleRun
+from bench.scan import Scan
 from bench.second_image import NAMESPACE, Comparison
 from bench.temporary import Temporary
 from rosml.base.clock import now
@@ -52,14 +53,16 @@ class Growth:
 
 @dataclass(frozen=True)
 class Grown:
-    """All sizes, and a second run over the whole matrix."""
+    """All sizes, a second run over the whole matrix, and a scan of it; None if there is no scanner."""
 
     rows: tuple[Growth, ...]
     again: IdleRun
+    scan: Scan | None
 
     def to_json(self) -> dict[str, Any]:
         """For `--json`."""
-        return {"rows": [row.to_json() for row in self.rows], "again": self.again.to_json()}
+        found = {"rows": [row.to_json() for row in self.rows], "again": self.again.to_json()}
+        return found | ({"scan": self.scan.to_json()} if self.scan else {})
 
 
 def measure(
@@ -91,10 +94,10 @@ def measure(
     if run.failed:
         raise RosmlError(f"a part of {target} cannot be built", "see the log that the message above names")
     image, architecture = image_set.image(target), here.architecture
-    ros, *parts = (
-        oci.Reference(services.registry, run.repository(item.repository), found.known[item.key].digest)
-        for item in (found.by_key[need, architecture] for need in found.by_key[image.target, architecture].needs)
-    )
+    needs = found.by_key[image.target, architecture].needs
+    scanned = [run.scanned_part(target, architecture) for target in needs]
+    night = scan.measure(here, run.shelf, scanned)
+    ros, *parts = (oci.Reference(services.registry, part.repository, part.digest) for part in scanned)
     rows = []
     for number in sizes:
         here.say(f"{number} tags, joined in the registry")
@@ -113,7 +116,7 @@ def measure(
         rows.append(
             Growth(number, seconds, uploaded, number * side.build_and_push_seconds, number * side.registry_new_bytes)
         )
-    return Grown(tuple(rows), again)
+    return Grown(tuple(rows), again, night)
 
 
 @dataclass
@@ -165,3 +168,5 @@ def print_table(found: Grown, target: str) -> None:
     out = console()
     out.print("every tag built: one build was measured, above, and multiplied", style="dim")
     out.print(f"{idle_run.HEADING}: {idle_run.text(found.again)}", style="dim")
+    if found.scan:
+        out.print(f"{scan.HEADING}: {scan.text(found.scan)}", style="dim")

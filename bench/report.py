@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from bench import idle_run, many_tags, second_image
+from bench import idle_run, many_tags, scan, second_image
 from bench.idle_run import IdleRun
 from rosml.base import files
 from rosml.base.errors import RosmlError
@@ -103,12 +103,14 @@ def _growth(data: Mapping[str, Any]) -> list[str]:
         return []
     rows = [many_tags.cells(many_tags.Growth(**row)) for row in found["rows"]]
     again = idle_run.text(IdleRun(**found["again"]))
+    night = [f"A{scan.HEADING[1:]}: {scan.text(scan.Scan(**found['scan']))}.\n"] if "scan" in found else []
     return [
         "## So many tags, after a change of ROS\n",
         _table(("tags", "joined", "new in the registry", "every tag built", "new in the registry"), rows),
         "![Time and bytes by the number of tags](growth.svg)\n",
         "Every tag built: one build was measured, above, and multiplied.",
         f"{idle_run.HEADING[0].upper()}{idle_run.HEADING[1:]}: {again}.\n",
+        *night,
     ]
 
 

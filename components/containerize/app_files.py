@@ -28,7 +28,7 @@ from pathlib import Path
 from typing import Any, Iterable, Sequence
 
 import contents
-from contents import entries
+from contents import STATUS, entries, status
 
 LEFT_OUT = re.compile(
     r"etc/ld\.so\.cache|etc/(passwd|group|shadow|gshadow|subuid|subgid)-|(etc|var/lib/dbus)/machine-id"
@@ -45,15 +45,6 @@ FOUND_ALONE = re.compile(r"/(usr/)?lib(32|64|x32)?/[^/]+|/(usr/)?lib/[^/]+-linux
 
 WORKING = re.compile(r"docker-ros/ws(/.*)?|root/\.(ros|colcon|cache|ccache)(/.*)?|.*/__pycache__(/.*)?|.*\.pyc")
 """What building a workspace leaves, and no package installs."""
-
-STATUS = "var/lib/dpkg/status"
-"""dpkg's database."""
-
-KEY = re.compile("[a-z0-9][a-z0-9.+-]*:[a-z0-9][a-z0-9-]*")
-"""A package and its architecture: the name is also that of a file."""
-
-INSTALLED = re.compile(r"(install|hold) ok (installed|triggers-awaited|triggers-pending)")
-"""What dpkg says of a package that is there; some are held back from upgrades."""
 
 CAPABILITY = "security.capability"
 """What lets a program do without root, such as ping."""
@@ -89,18 +80,6 @@ def libraries(root: Path) -> set[str]:
     said = os.fsdecode(subprocess.run(command, capture_output=True, check=False).stdout)
     paths = {line.rpartition(" => ")[2].strip() for line in said.split("\n") if " => " in line}
     return {path for path in paths if not FOUND_ALONE.fullmatch(path)}
-
-
-def status(root: Path) -> dict[str, str]:
-    """dpkg's entries, by package and architecture. One that lacks either counts for none, as for dpkg."""
-    entries = {}
-    path = root / STATUS
-    for text in path.read_text("utf-8", "replace").split("\n\n") if path.exists() else []:
-        fields = dict(re.findall(r"^(Package|Architecture|Status): (.*)$", text, re.MULTILINE))
-        key = f"{fields.get('Package', '')}:{fields.get('Architecture', '')}"
-        if INSTALLED.fullmatch(fields.get("Status", "")) and KEY.fullmatch(key):
-            entries[key] = text.strip() + "\n"
-    return entries
 
 
 def versions(base: Path, roots: Sequence[Path]) -> dict[str, Any]:

@@ -1,4 +1,10 @@
-"""What is in an image: its packages and its files, for those who do not want to pull it to know."""
+#!/usr/bin/env python3
+"""What is in an image: its packages and its files, for those who do not want to pull it to know.
+
+    contents.py ROOT OUT
+
+ROOT is the image's root. OUT/packages.json gets its packages, and OUT/files.gz its files.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +13,7 @@ import json
 import os
 import re
 import stat
+import sys
 import xml.etree.ElementTree as ElementTree
 from email.parser import HeaderParser
 from pathlib import Path
@@ -23,6 +30,15 @@ APT = re.compile(r"var/lib/dpkg/status\.d/[^/]+")
 
 EMPTY_SLOT = re.compile(r".*/rosml/constraints\.d/[^/]+")
 """Files that count where they are not empty: before, they are nobody's, and a part may fill one."""
+
+STATUS = "var/lib/dpkg/status"
+"""dpkg's database."""
+
+KEY = re.compile("[a-z0-9][a-z0-9.+-]*:[a-z0-9][a-z0-9-]*")
+"""A package and its architecture: the name is also that of a file."""
+
+INSTALLED = re.compile(r"(install|hold) ok (installed|triggers-awaited|triggers-pending)")
+"""What dpkg says of a package that is there; some are held back from upgrades."""
 
 
 def entries(root: Path) -> dict[str, os.stat_result]:
@@ -50,6 +66,18 @@ def owned(root: Path) -> set[str]:
     """The files of packages of the operating system, as dpkg lists them."""
     lists = root.glob("var/lib/dpkg/info/*.list")
     return {line[1:] for file in lists for line in os.fsdecode(file.read_bytes()).split("\n") if line}
+
+
+def status(root: Path) -> dict[str, str]:
+    """dpkg's entries, by package and architecture. One that lacks either counts for none, as for dpkg."""
+    found = {}
+    path = root / STATUS
+    for text in path.read_text("utf-8", "replace").split("\n\n") if path.exists() else []:
+        fields = dict(re.findall(r"^(Package|Architecture|Status): (.*)$", text, re.MULTILINE))
+        key = f"{fields.get('Package', '')}:{fields.get('Architecture', '')}"
+        if INSTALLED.fullmatch(fields.get("Status", "")) and KEY.fullmatch(key):
+            found[key] = text.strip() + "\n"
+    return found
 
 
 def packages(known: dict[str, Path], entries: Iterable[str], others: Container[str]) -> dict[str, Any]:
@@ -129,3 +157,11 @@ def _sorted(found: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
     """Each once, without those that say nothing."""
     by_name = {(item["name"], item["version"], item.get("architecture", "")): item for item in found if item}
     return [by_name[name] for name in sorted(by_name)]
+
+
+def main(root: Path, out: Path) -> None:
+    write(files([root]), status(root).values(), owned(root), out)
+
+
+if __name__ == "__main__":
+    main(*map(Path, sys.argv[1:]))

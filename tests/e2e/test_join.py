@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from rosml import ROOT
-from rosml.build import file_list
+from rosml.build import contents
 from rosml.images.image_set import ImageSet
 from rosml.join import file_lists
 from rosml.join import joiner as joining
@@ -188,7 +188,7 @@ def test_a_real_one_runs(
         images[f"part:{name}"] = client.head(f"{NAMESPACE}/part", name)
     for name, digest in images.items():
         repository = f"{NAMESPACE}/{name.partition(':')[0]}"
-        file_list.attach_files(services, image_set, client, repository, digest, LOG.info)
+        contents.attach(services, image_set, client, repository, digest, LOG.info)
         listed = regctl.regctl(services, "artifact", "list", f"{services.registry}/{repository}@{digest}")
         assert file_lists.ARTIFACT in listed, "other tools find the list as well"
     tag = f"{place}/joined:latest"

@@ -1,23 +1,22 @@
-"""The real trivy finds what it must in a small image, in a registry with TLS and a password, or one that issues tokens; where
+"""The real trivy finds what it must in the SBOM of a small image, with a database in a registry with TLS and a password, or one that issues tokens; where
 it may not read, it fails. Needs no builder: the nightly's scan job runs it before it relies on trivy."""
 
 from __future__ import annotations
 
-import gzip
-import hashlib
-import io
-import tarfile
+import subprocess
+import sys
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
 
+from rosml import ROOT
 from rosml.machine import trust
 from rosml.machine.services import Services
 from rosml.registry import oci
-from rosml.scan import judge, sbom
+from rosml.scan import judge, packages, policy, sbom
 from rosml.scan.judge import Outcome, Part
 from rosml.scan.trivy import ScannerFailed, Trivy
 from tests.e2e import secure
@@ -27,6 +26,8 @@ from tests.e2e.secure import NAME, PASSWORD, Secure, encoded
 from tests.e2e.vulnerabilities import installed, put, put_database, rules_with
 
 pytestmark = pytest.mark.full(proof="scanner")
+
+SCRIPT = ROOT / "components/containerize/contents.py"
 
 PACKAGE = """\
 Package: {name}
@@ -40,7 +41,7 @@ Description: made up
 """
 FILES = {
     "etc/debian_version": "12.12\n",
-    "etc/os-release": 'ID=debian\nVERSION_ID="12"\nPRETTY_NAME="Debian GNU/Linux 12 (bookworm)"\n',
+    "usr/lib/os-release": 'ID=debian\nVERSION_ID="12"\nPRETTY_NAME="Debian GNU/Linux 12 (bookworm)"\n',
     "var/lib/dpkg/status": PACKAGE.format(name="gpg", source="gnupg2", version="2.2.40-1.1")
     + PACKAGE.format(name="libc6", source="glibc", version="2.36-9")
     + PACKAGE.format(name="bash", source="bash", version="5.2.15-2"),
@@ -67,30 +68,34 @@ class Place:
     def trivy(self, folder: Path) -> Trivy:
         return installed(folder, trust.trusting(self.services))
 
-    def put_image(self) -> Part:
-        """Uploads the small image."""
-        packed = io.BytesIO()
-        with tarfile.open(fileobj=packed, mode="w") as archive:
-            for name, text in FILES.items():
-                member = tarfile.TarInfo(name)
-                member.size = len(text.encode())
-                archive.addfile(member, io.BytesIO(text.encode()))
-        layer = gzip.compress(packed.getvalue(), mtime=0)
-        diff = f"sha256:{hashlib.sha256(packed.getvalue()).hexdigest()}"
-        config = oci.encoded(
-            {"architecture": NATIVE, "os": "linux", "config": {}, "rootfs": {"type": "layers", "diff_ids": [diff]}}
-        )
+    def put_database(self, folder: Path) -> policy.Rules:
+        """Uploads the database; gives a policy that takes it from there."""
+        put_database(self.client(), "security/trivy-db", folder)
+        return rules_with(f"{self.secure.host}/security/trivy-db:2")
+
+    def described(self, folder: Path) -> tuple[Part, sbom.Shelf]:
+        """Uploads an image with what a build says of it."""
+        for name, text in FILES.items():
+            (folder / "root" / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / "root" / name).write_text(text)
+        (folder / "out").mkdir()
+        subprocess.run([sys.executable, SCRIPT, folder / "root", folder / "out"], check=True)
         client = self.client()
-        for data in (layer, config):
-            client.put_blob("images/small", data)
+        config = oci.encoded({"architecture": NATIVE, "os": "linux", "rootfs": {"type": "layers", "diff_ids": []}})
+        client.put_blob("images/small", config)
         content = {
             "schemaVersion": 2,
-            "mediaType": "application/vnd.oci.image.manifest.v1+json",
+            "mediaType": oci.IMAGE,
             "config": oci.descriptor(oci.CONFIG, config),
-            "layers": [oci.descriptor("application/vnd.oci.image.layer.v1.tar+gzip", layer)],
+            "layers": [],
         }
         digest = put(client, "images/small", "latest", content)
-        return Part("small", self.secure.host, "images/small", digest, True)
+        part = Part("small", self.secure.host, "images/small", digest, True)
+        found = packages.read((folder / "out/packages.json").read_bytes())
+        document = packages.cyclonedx(found, part.reference)
+        subject = oci.descriptor(oci.IMAGE, oci.encoded(content))
+        artifact = client.attach(part.repository, subject, sbom.MEDIA_TYPE, document, sbom.MEDIA_TYPE, sbom.FORMAT)
+        return part, sbom.Shelf(client, {digest: artifact})
 
 
 @pytest.fixture(params=["password", "tokens"])
@@ -101,37 +106,36 @@ def place(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.Mo
 
 def test_it_finds_what_it_must(place: Place, tmp_path: Path) -> None:
     """A package with a newer version and a wheel fail the policy, one without a newer version is listed, one that is mended is
-    not found; and trivy itself reads the image and the database with the user's password and certificates."""
-    put_database(place.client(), "security/trivy-db", tmp_path / "db")
-    rules = rules_with(f"{place.secure.host}/security/trivy-db:2")
-    trivy, part = place.trivy(tmp_path / "trivy"), place.put_image()
+    not found; and trivy itself reads the database with the user's password and certificates."""
+    rules = place.put_database(tmp_path / "db")
+    trivy = place.trivy(tmp_path / "trivy")
+    part, shelf = place.described(tmp_path)
     trivy.fetch(rules.policy.database, say=LOG.info)
-    shelf = sbom.Shelf(place.client(), f"trivy {trivy.version}")
     image = judge.Image("small", NATIVE, (part,))
     run = judge.scan_images([image], rules, trivy, shelf, now=datetime.now(UTC), whole=True, say=LOG.info)
     (scanned,) = run.images
     assert scanned.outcome is Outcome.POLICY_FAILED, scanned.reason
     assert {it.id for it in scanned.failing} == {"CVE-2026-90001", "CVE-2026-90004"}
     assert {it.id for it in scanned.findings} == {"CVE-2026-90001", "CVE-2026-90002", "CVE-2026-90004"}
-    assert scanned.packages == len(FILES)
+    assert scanned.packages == 4
 
 
 @pytest.mark.parametrize("config", [{}, {"auth": encoded(NAME, "wrong")}])
 def test_where_it_may_not_read_it_fails(place: Place, tmp_path: Path, config: dict[str, str]) -> None:
-    part = place.put_image()
+    rules = place.put_database(tmp_path / "db")
     trivy = place.trivy(tmp_path / "trivy")
     place.secure.docker_config(tmp_path / "other", {"auths": {place.secure.host: config}} if config else {})
-    stranger = Trivy(
-        trivy.program, trivy.version, trivy.folder, {**trivy.environment, "DOCKER_CONFIG": str(tmp_path / "other")}
-    )
+    environment = {**trivy.environment, "DOCKER_CONFIG": str(tmp_path / "other")}
+    stranger = replace(trivy, environment=environment, pause=0.0)
     with pytest.raises(ScannerFailed, match=r"(?i)unauthorized|denied|authentication required") as caught:
-        stranger.sbom(part.reference)
+        stranger.fetch(rules.policy.database)
     assert encoded(NAME, PASSWORD) not in str(caught.value) and PASSWORD not in str(caught.value)
 
 
 def test_a_certificate_that_nobody_trusts(place: Place, tmp_path: Path) -> None:
-    part, trivy = place.put_image(), place.trivy(tmp_path / "trivy")
+    rules = place.put_database(tmp_path / "db")
+    trivy = place.trivy(tmp_path / "trivy")
     environment = {name: value for name, value in trivy.environment.items() if name != "SSL_CERT_FILE"}
-    stranger = Trivy(trivy.program, trivy.version, trivy.folder, environment)
+    stranger = replace(trivy, environment=environment, pause=0.0)
     with pytest.raises(ScannerFailed, match=r"x509|certificate"):
-        stranger.sbom(part.reference)
+        stranger.fetch(rules.policy.database)

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from scanning import sbom_of
 
 from rosml.base.errors import RosmlError
 from rosml.build import package_state
@@ -27,6 +28,7 @@ from rosml.publish.steps import STEPS
 from rosml.records import store, tag_moves
 from rosml.registry import oci
 from rosml.registry.oci import Manifest, Registry
+from rosml.scan import sbom
 
 HOST = "registry.example"
 PREFIX = "rosml"
@@ -220,13 +222,14 @@ class Bytes(Maker):
     def build_part(self, part: Part, architecture: str) -> Made:
         self._require_whole(part.target)
         inputs = self.plan.inputs.digest(part.target, architecture)
-        return Made(self._put("build", part, architecture, [f"{part.target} {inputs}".encode()]), base=BASE)
+        digest = self._put("build", part, architecture, [f"{part.target} {inputs}".encode()])
+        return Made(digest, base=BASE, sbom=self._sbom(part, digest))
 
     def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], moment: str) -> Made:
         self._require_whole(image.target)
         own = f"{image.target} {self.packages} {architecture}".encode()
         digest = self._put("build", image, architecture, [*self._layers(parts, architecture), own])
-        return Made(digest, parts, moment, "" if parts else BASE)
+        return Made(digest, parts, moment, "" if parts else BASE, self._sbom(image, digest))
 
     def join(self, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
         return self._put("join", image, architecture, self._layers(parts, architecture))
@@ -252,6 +255,16 @@ class Bytes(Maker):
         if step == "build":  # buildx sends it, and not the run's client
             self.registry.uploaded = sent
         return name
+
+    def _sbom(self, thing: Image | Part, digest: str) -> str:
+        """A package of Debian is in each ROS image, and a wheel of its name in each part."""
+        sent, path = self.registry.uploaded, f"{PREFIX}/{repository_of(thing)}"
+        names, system = ([thing.kind], "") if isinstance(thing, Part) else (["bash"], "12.15")
+        document = sbom_of(f"{HOST}/{path}@{digest}", names, system)
+        descriptor = self.registry.manifest(path, digest).descriptor
+        made: str = self.registry.attach(path, descriptor, sbom.MEDIA_TYPE, document, sbom.MEDIA_TYPE, sbom.FORMAT)
+        self.registry.uploaded = sent
+        return made
 
     def _layers(self, parts: Mapping[str, str], architecture: str) -> list[bytes]:
         found = []

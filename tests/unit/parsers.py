@@ -303,9 +303,6 @@ class Receiver:
     def repository(self, name: str) -> str:
         return f"{self.prefix}/{name}"
 
-    def record_sbom(self, digest: str, artifact: str) -> None:
-        pass
-
 
 def results_of(file: Path) -> object:
     """What a scan handed over."""
@@ -529,9 +526,6 @@ RESULTS = {
             "scanned": "clean",
             "scan": {"findings": {"high": 1}, "packages": 2},
         }
-    ],
-    "sboms": [
-        {"repository": f"{PREFIX}/ros", "digest": DIGEST, "scanner": "trivy 1", "content": json.dumps(SBOM)},
     ],
 }
 TESTS = {"Results": [{"Name": "Command Test: a", "Pass": True, "Duration": 5e9, "Errors": ["x"], "Stdout": "y"}]}

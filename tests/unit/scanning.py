@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
@@ -15,9 +15,10 @@ from rosml.matrix.source import parse
 from rosml.registry import oci
 from rosml.registry.documents import Descriptor
 from rosml.registry.oci import Manifest
+from rosml.scan import packages
 from rosml.scan.judge import Image, Part
 from rosml.scan.policy import Rules, parsed
-from rosml.scan.sbom import Shelf
+from rosml.scan.sbom import FORMAT, MEDIA_TYPE, Shelf
 from rosml.scan.trivy import Trivy
 
 NOW = datetime(2026, 11, 22, 3, 0, tzinfo=UTC)
@@ -65,36 +66,14 @@ elif "--download-db-only" in argv:
     (cache / "db/trivy.db").write_text(json.dumps(world["repositories"][source]["advisories"]))
     (cache / "db/trivy.db").open("a").write(" " + world["buckets"])
     (cache / "db/metadata.json").write_text(json.dumps(world["repositories"][source]["metadata"]))
-elif "cyclonedx" in argv:
-    reference = argv[-1]
-    digest = reference.partition("@")[2]
-    behave(world["fail"].get(digest) or world["fail"].get("image"))
-    content = world["images"][digest]
-    components = [
-        {{"bom-ref": "pkg:deb/debian/" + n + "@" + v, "type": "library", "name": n, "version": v,
-          "purl": "pkg:" + kind + "/" + n + "@" + v, "properties": []}}
-        for kind, n, v in content["packages"]
-    ]
-    import uuid
-    system = str(uuid.uuid4())
-    if content["system"]:
-        components.append({{"bom-ref": system, "type": "operating-system", "name": "debian",
-                           "version": content["system"], "properties": []}})
-    top = {{"bom-ref": str(uuid.uuid4()), "type": "container", "name": reference, "properties":
-           [{{"name": "aquasecurity:trivy:RepoDigest", "value": reference}}]}}
-    pathlib.Path(after("--output")).write_text(json.dumps({{
-        "bomFormat": "CycloneDX", "specVersion": "1.6", "serialNumber": "urn:uuid:" + str(uuid.uuid4()), "version": 1,
-        "metadata": {{"timestamp": str(time.time()), "component": top,
-                     "tools": {{"components": [{{"type": "application", "name": "trivy", "version": "v1"}}]}}}},
-        "components": components,
-        "dependencies": [{{"ref": top["bom-ref"], "dependsOn": [c["bom-ref"] for c in components]}}],
-    }}))
 elif "sbom" in argv:
-    behave(world["fail"].get("sbom"))
+    document = json.loads(pathlib.Path(argv[-1]).read_text())
+    digest = document["metadata"]["component"]["name"].partition("@")[2]
+    behave(world["fail"].get(digest) or world["fail"].get("sbom"))
     if not (cache / "db/trivy.db").exists():
         fail("init error: DB error: database error: --skip-db-update cannot be specified on the first run")
     known = json.JSONDecoder().raw_decode((cache / "db/trivy.db").read_text())[0]
-    components = json.loads(pathlib.Path(argv[-1]).read_text())["components"]
+    components = document["components"]
     packages = [c for c in components if c["type"] == "library"]
     system = [c["version"] for c in components if c["type"] == "operating-system"]
     found = [
@@ -118,6 +97,18 @@ def digest(name: str) -> str:
     return f"sha256:{hashlib.sha256(name.encode()).hexdigest()}"
 
 
+def sbom_of(reference: str, names: Iterable[str], system: str = "") -> bytes:
+    """The SBOM of an image of Debian, or of a part without a system."""
+    apt = [
+        packages.Apt(name=name, version="1.0", architecture="amd64", source=name, source_version="1.0")
+        for name in names
+    ]
+    wheels = [packages.Python(name=name, version="1.0") for name in names]
+    of = packages.System(name="debian" if system else "", version=system)
+    found = packages.Packages(system=of, apt=apt if system else [], python=[] if system else wheels, ros=[])
+    return packages.cyclonedx(found, reference)
+
+
 def advisory(name: str, severity: str = "HIGH", fixed: str = "2.0") -> dict[str, str]:
     """An advisory as trivy reports it."""
     return {"VulnerabilityID": name, "Severity": severity, **({"FixedVersion": fixed} if fixed else {})}
@@ -131,7 +122,8 @@ class World:
         folder: for the program, its calls and its cache.
         advisories: by package, what the database knows.
         updated: when the database was made; buckets: names of the advisories' sources that it has.
-        fail: what goes wrong, by call: `fetch`, `image`, a digest, `sbom`; `missed`: packages that are not looked at.
+        fail: what goes wrong, by call: `fetch`, `sbom`, that of a digest; `missed`: packages that are not looked at.
+        memory: the registry. records: which SBOMs the publisher's records name.
     """
 
     folder: Path
@@ -143,7 +135,8 @@ class World:
     eosl: bool = False
     buckets: str = "debian 12, pip::GitHub"
     fail: dict[str, Any] = field(default_factory=dict)
-    images: dict[str, dict[str, Any]] = field(default_factory=dict)
+    memory: Memory = field(default_factory=lambda: Memory())
+    records: dict[str, str] = field(default_factory=dict)
 
     def write(self) -> None:
         """Lets the program see what changed."""
@@ -153,20 +146,26 @@ class World:
             "version": self.version,
             "repositories": dict.fromkeys(self.sources, state),
             "fail": self.fail,
-            "images": self.images,
             "eosl": self.eosl,
             "buckets": self.buckets,
         }
         (self.folder / "world.json").write_text(json.dumps(content))
 
-    def part(self, name: str, *packages: str, ros: bool = False, system: str = "12.15") -> Part:
-        """A part with packages."""
-        kind = "deb/debian" if ros else "pypi"
-        self.images[digest(name)] = {
-            "packages": [(kind, package, "1.0") for package in packages],
-            "system": system if ros else "",
-        }
-        return Part(name, HOST, f"rosml/{name}", digest(name), ros)
+    def part(self, name: str, *names: str, ros: bool = False, system: str = "12.15") -> Part:
+        """A part with packages, and with its SBOM."""
+        found = Part(name, HOST, f"rosml/{name}", digest(name), ros)
+        self.records[found.digest] = self.attach(found, sbom_of(found.reference, names, system if ros else ""))
+        return found
+
+    def attach(self, to: Part, content: bytes, annotations: Mapping[str, str] = FORMAT) -> str:
+        """Attaches what is or is not an SBOM; the records know nothing of it."""
+        subject = {"mediaType": oci.IMAGE, "digest": to.digest, "size": 7}
+        return self.memory.attach(to.repository, subject, MEDIA_TYPE, content, MEDIA_TYPE, annotations)
+
+    def shelf(self) -> Shelf:
+        """The SBOMs that the records name."""
+        client: Any = self.memory
+        return Shelf(client, self.records)
 
     def trivy(self, **changes: Any) -> Trivy:
         """The program, as the publisher finds it; its database is there."""
@@ -191,7 +190,7 @@ class World:
 
 
 class Memory:
-    """A registry in memory that has every image one asks for, and keeps what is attached."""
+    """A registry in memory, of what is attached alone."""
 
     def __init__(self) -> None:
         self.attached: dict[tuple[str, str], list[Manifest]] = {}
@@ -202,13 +201,10 @@ class Memory:
 
     def manifest(self, repository: str, reference: str) -> Manifest | None:
         known = [item for items in self.attached.values() for item in items if item.digest == reference]
-        return known[0] if known else Manifest({}, reference, oci.IMAGE, 7)
+        return known[0] if known else None
 
     def part(self, repository: str, descriptor: Descriptor) -> bytes:
         return self.blobs[descriptor.digest]
-
-    def referrers(self, repository: str, digest: str, artifact_type: str = "") -> list[dict[str, Any]]:
-        return [{"digest": item.digest} for item in self.attached.get((repository, digest), [])]
 
     def attach(
         self,
@@ -231,15 +227,6 @@ class Memory:
         name = digest(json.dumps(content))
         self.attached.setdefault((repository, subject["digest"]), []).append(Manifest(content, name, "m", 1))
         return name
-
-
-def shelf(
-    memory: Memory | None = None, scanner: str = f"trivy {VERSION}", records: dict[str, str] | None = None
-) -> Shelf:
-    """Where SBOMs are kept, with records of them."""
-    found: Any = memory or Memory()
-    known = {} if records is None else records
-    return Shelf(found, scanner, known, known.__setitem__)
 
 
 POLICY = """\

@@ -5,6 +5,8 @@ from __future__ import annotations
 import gzip
 import json
 import os
+import subprocess
+import sys
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -23,6 +25,7 @@ from rosml.registry import oci
 from rosml.scan.sbom import MEDIA_TYPE, Sbom
 
 ROBOT = "me/robot"
+CONTENTS = ROOT / "components/containerize/contents.py"
 SITE = "usr/local/lib/python3.11/dist-packages"
 LIBC = "Package: libc6\nSource: glibc (2.36-9)\nArchitecture: amd64\nVersion: 2.36-9+b1\n"
 TREE = "Package: tree\nArchitecture: all\nVersion: 1:2.1\n"
@@ -111,6 +114,31 @@ def test_the_packages_and_files_of_an_image(script: ModuleType, tmp_path: Path) 
         and path.name != "01.txt"
         and (root == upper or (path.name != "tree" and path.parent.name != "robot"))
     )
+
+
+def test_an_image_that_is_looked_into(tmp_path: Path) -> None:
+    """As the builder does it: only what dpkg has installed counts, and its wheels once, as its packages."""
+    installed = "Status: install ok installed\n"
+    write(
+        tmp_path / "root",
+        {
+            "usr/lib/os-release": 'ID=debian\nVERSION_ID="12"\n',
+            "var/lib/dpkg/status": f"{installed}{LIBC}\n{TREE}Status: deinstall ok config-files\n",
+            "var/lib/dpkg/info/python3-yaml.list": "/usr/lib/python3/dist-packages/yaml.egg-info\n",
+            "usr/lib/python3/dist-packages/yaml.egg-info": "Name: yaml\nVersion: 6\n",
+            f"{SITE}/some_thing-1.0.dist-info/METADATA": "Name: Some_Thing\nVersion: 1.0+cpu\n",
+            "usr/local/share/rosml/constraints.d/01.txt": "torch==2.10.0\n",
+            "usr/local/share/rosml/constraints.d/02.txt": "",
+            "usr/empty": "",
+        },
+    )
+    (tmp_path / "out").mkdir()
+    subprocess.run([sys.executable, CONTENTS, tmp_path / "root", tmp_path / "out"], check=True)
+    found = json.loads((tmp_path / "out/packages.json").read_text())
+    assert ([it["name"] for it in found["apt"]], found["python"]) == (["libc6"], WHEELS)
+    listed = gzip.decompress((tmp_path / "out/files.gz").read_bytes()).decode().splitlines()
+    assert "usr/empty" in listed and len(listed) == 7
+    assert [name[-6:] for name in listed if "constraints.d" in name] == ["01.txt"], "an empty slot is nobody's"
 
 
 def made(packages: object = PACKAGES) -> dict[str, Any]:
@@ -213,7 +241,7 @@ def test_a_damaged_list_of_packages(data: bytes) -> None:
         contents.sbom(data, "example.org/robot@x", {})
 
 
-DATA = {contents.PACKAGES: json.dumps(PACKAGES).encode(), contents.FILES: gzip.compress(b"etc/motd\n")}
+DATA = dict(zip(contents.KINDS, (json.dumps(PACKAGES).encode(), gzip.compress(b"etc/motd\n")), strict=True))
 
 
 def image(client: oci.Registry, architecture: str) -> dict[str, Any]:

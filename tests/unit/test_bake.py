@@ -388,7 +388,7 @@ def test_an_excerpt_prints_as_the_whole(real: ImageSet, tmp_path: Path, target: 
     part = real.part_by_name[image.parts[0]].target
     file = tmp_path / "excerpt.hcl"
     file.write_text(bake_file.excerpt(real, (image.target, image.test_target, part)))
-    roots = (image.target, image.test_target, part, targets.FILE_LIST)
+    roots = (image.target, image.test_target, part, targets.CONTENTS)
     assert printed(*roots, file=file) == printed(*roots)
 
 

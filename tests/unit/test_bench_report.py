@@ -13,6 +13,7 @@ import pytest
 from bench import report
 from bench.idle_run import IdleRun
 from bench.many_tags import Grown, Growth
+from bench.scan import Scan
 from bench.second_image import Comparison, Side
 from rosml.base.errors import RosmlError
 
@@ -34,6 +35,7 @@ COMPARED = Comparison(
 GROWN = Grown(
     (Growth(10, 2.5, 70_000, 900.0, 15_000_000_000), Growth(20, 5.0, 140_000, 1_800.0, 30_000_000_000)),
     IdleRun(843, 2967, 6.5, 0, 0),
+    Scan(1300, 250, 160, 0.5, 0.25, 400_000, 20_000),
 )
 WHOLE = {**GENERATOR, "comparison": COMPARED.to_json(), "growth_of_tags": GROWN.to_json()}
 
@@ -52,6 +54,7 @@ def test_the_whole_report(tmp_path: Path) -> None:
     assert "Our entrypoint takes 12 ms" in text
     assert "| 20 | 5.0 s | 140.0 kB | 30 min 0 s | 30.00 GB |" in text
     assert "A second run over the whole matrix, nothing changed: 843 images" in text
+    assert "A scan of the whole matrix: 1300 images on their architectures, 2 min 45 s, 103.2 MB read" in text
     assert "2967 tags, 6.5 s, 0 B uploaded, 0 steps done" in text
     assert "| 10000 images | 1.20 | 3.00 | 120 |" in text
     assert json.loads((page.parent / "report.json").read_text()) == WHOLE

@@ -327,7 +327,7 @@ def test_the_command(stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pyte
 
     def grown(_publisher: object, target: str, usual: Comparison) -> Grown:
         assert target == TARGET and usual.usual.registry_new_bytes
-        return Grown((Growth(10, 2.5, 70_000, 600.0, 10_000_000_000),), IdleRun(843, 2967, 6.5, 0, 0))
+        return Grown((Growth(10, 2.5, 70_000, 600.0, 10_000_000_000),), IdleRun(843, 2967, 6.5, 0, 0), None)
 
     monkeypatch.setattr(many_tags, "measure", grown)
     assert command.run(cli.main, arguments=["--target="]) == 0

@@ -10,9 +10,8 @@ from typing import Any
 
 import pytest
 from conftest import SMALLER, parse, write_locks
-from memory_registry import NEXT, PREFIX, Place, Run, place
+from memory_registry import NEXT, Place, Run, place
 from projects import copy
-from scanning import Memory
 from stubs import NO_FORMAT_1, services
 
 from rosml.base.errors import RosmlError
@@ -20,29 +19,9 @@ from rosml.images import locked
 from rosml.images.image_set import ImageSet
 from rosml.publish import scan_results
 from rosml.records import store
-from rosml.registry.documents import Descriptor
-from rosml.scan.results import Kept, Results
-from rosml.scan.sbom import Sbom, Shelf
+from rosml.scan.results import Results
 
 CORE = ("alpha-core", "amd64")
-
-
-class Shelved(Memory):
-    """Keeps SBOMs beside the images of a registry in memory."""
-
-    def __init__(self, registry: Any) -> None:
-        super().__init__()
-        self.registry = registry
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self.registry, name)
-
-    def manifest(self, repository: str, reference: str) -> Any:
-        known = [item for items in self.attached.values() for item in items if item.digest == reference]
-        return known[0] if known else self.registry.manifest(repository, reference)
-
-    def part(self, repository: str, descriptor: Descriptor) -> bytes:
-        return self.blobs.get(descriptor.digest) or bytes(self.registry.part(repository, descriptor))
 
 
 @pytest.fixture
@@ -65,19 +44,10 @@ def run(registry: Place, image_set: ImageSet) -> Callable[[], Run]:
     return lambda: registry.run(image_set, date=NEXT, only=["alpha-core"])
 
 
-def sbom(digest: str) -> Sbom:
-    component = {"name": f"registry.test/ros@{digest}"}
-    document = {"bomFormat": "CycloneDX", "components": [], "metadata": {"component": component}}
-    return Sbom(json.dumps(document).encode())
-
-
 def scan(found: Run, file: Path, outcome: str = "clean") -> str:
-    """What a scan hands over: an SBOM, and an entry."""
+    """What a scan hands over: an entry."""
     results = Results(file, found.plan.date)
     entry = found.plan.known[CORE]
-    shelf = Kept(found.registry, "trivy 1", results)
-    assert shelf.load(f"{PREFIX}/ros", entry.digest) is None
-    shelf.store(f"{PREFIX}/ros", entry.digest, sbom(entry.digest))
     changed = store.parse(entry.to_json() | {"scanned": outcome, "scan": {"policy": "sha256:1"}, "passed": 99})
     assert changed
     results.add(changed)
@@ -93,23 +63,15 @@ def test_a_scan_writes_nothing_and_a_record_what_it_found(
     assert registry.registry.writes == before
     found = run()
     assert found.plan.known[CORE].scanned == ""
-    shelved: Any = Shelved(found.registry)
-    found.registry = shelved
     scan_results.record(found, tmp_path / "scan.json")
     entry = run().plan.known[CORE]
     assert (entry.scanned, entry.scan, entry.digest) == ("clean", {"policy": "sha256:1"}, digest)
     assert entry.passed == 5, "tests are no business of a scan"
-    kept = Shelf(shelved, "trivy 1", {digest: entry.sbom}).load(f"{PREFIX}/ros", digest)
-    assert kept and kept.content == sbom(digest).content
-    scan_results.record(found, tmp_path / "scan.json")
-    assert len(shelved.attached) == 1 == len(next(iter(shelved.attached.values())))
 
 
 def test_what_was_made_anew_since_is_not_vouched_for(run: Callable[[], Run], tmp_path: Path) -> None:
     scan(run(), tmp_path / "scan.json")
     found = run()
-    shelved: Any = Shelved(found.registry)
-    found.registry = shelved
     entry = found.plan.known[CORE]
     found.plan.known[CORE] = entry.made(f"sha256:{'7' * 64}")
     scan_results.record(found, tmp_path / "scan.json")
@@ -124,13 +86,6 @@ def test_what_was_made_anew_since_is_not_vouched_for(run: Callable[[], Run], tmp
         {"entries": [{"target": "alpha-core", "architecture": "amd64", "digest": "x", "scanned": "clean"}]},
         {"entries": [{"target": "a", "architecture": "b", "digest": f"sha256:{'1' * 64}", "scanned": "fine"}]},
         {"entries": [{"target": "a", "architecture": "b", "digest": f"sha256:{'1' * 64}", "scanned": "clean", "x": 1}]},
-        {"sboms": [{"repository": "elsewhere/ros"}]},
-        {"sboms": [{"repository": f"{PREFIX}/../../elsewhere/ros"}]},
-        {"sboms": [{"repository": f"{PREFIX}/%2e%2e/ros"}]},
-        {"sboms": [{"repository": f"{PREFIX}//ros"}]},
-        {"sboms": [{"digest": f"sha256:{'1' * 64}"}]},
-        {"sboms": [{"content": "{}"}]},
-        {"sboms": [{"digest": "latest"}]},
     ],
 )
 def test_a_file_that_is_not_what_it_should_be(run: Callable[[], Run], tmp_path: Path, change: dict[str, Any]) -> None:
@@ -138,8 +93,6 @@ def test_a_file_that_is_not_what_it_should_be(run: Callable[[], Run], tmp_path: 
     file = tmp_path / "scan.json"
     scan(run(), file)
     content = json.loads(file.read_text())
-    if "sboms" in change:
-        change = {"sboms": [content["sboms"][0] | change["sboms"][0]]}
     file.write_text(json.dumps(content | change))
     found = run()
     with pytest.raises(RosmlError, match="holds no results of a scan") as caught:
@@ -152,9 +105,8 @@ def test_a_file_that_is_not_what_it_should_be(run: Callable[[], Run], tmp_path: 
     ("text", "says"),
     [
         *NO_FORMAT_1,
-        (b'{"version": 1, "entries": {}, "sboms": []}', "entries: input should be a valid array"),
-        (b'{"version": 1, "entries": [], "sboms": ["x"]}', "sboms[0]: input should be an object"),
-        (b'{"version": 1, "entries": ["x"], "sboms": []}', "an outcome in it is none"),
+        (b'{"version": 1, "entries": {}}', "entries: input should be a valid array"),
+        (b'{"version": 1, "entries": ["x"]}', "an outcome in it is none"),
     ],
 )
 def test_what_is_wrong_with_a_file_is_said_in_words(

@@ -25,7 +25,7 @@ from stubs import executable, services
 from rosml.apps import base
 from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
-from rosml.build import file_list, release_file
+from rosml.build import contents, release_file
 from rosml.join import file_lists
 from rosml.machine.services import Services
 from rosml.machine.setup import network
@@ -502,10 +502,10 @@ def test_an_index_without_platforms_is_a_base_image_of_any(plain: StandIn, tmp_p
 def test_the_files_of_what_is_no_image(plain: StandIn) -> None:
     with Registry(plain.address) as client:
         image(client, {}, config=None)
-        assert "it has no config" in ends(lambda: file_list.manifests(client, "a", "x")).message
+        assert "it has no config" in ends(lambda: contents.manifests(client, "a", "x")).message
         index(client, [member(client, "x", platform=LINUX)])  # an index may list indexes, and those may list more
         index(client, [member(client, "x", platform=LINUX, mediaType=oci.IMAGE)])
-        assert "it has no config" in ends(lambda: file_list.manifests(client, "a", "x")).message
+        assert "it has no config" in ends(lambda: contents.manifests(client, "a", "x")).message
 
 
 # ---- Anything ---------------------------------------------------------------------------------------------------------
@@ -599,7 +599,7 @@ def test_anything(server: Hostile, tmp_path: Path) -> None:
     asks: list[Ask] = [
         head, tags, push, attached, config, by_digest, move,
         lambda client: client.attach("a", oci.descriptor(oci.IMAGE, b"x"), "a/b", b"x", "a/b"),
-        lambda client: file_list.manifests(client, "a", "x"),
+        lambda client: contents.manifests(client, "a", "x"),
         lambda client: file_lists.Lists().of(client, "a", DIGEST),
         lambda client: base.find(f"{server.address}/a:x", here, ("linux/amd64",)),
     ]  # fmt: skip

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gzip
 import os
 import subprocess
 from pathlib import Path
@@ -57,23 +56,6 @@ def test_packages_of_another_part_are_shown(tmp_path: Path) -> None:
 def test_ros_images_have_a_slot_for_every_part_that_there_may_be() -> None:
     script = (ROOT / "components/base/install.sh").read_text()
     assert f"seq --equal-width {SLOTS})" in script
-
-
-def test_an_empty_slot_is_nobodys(tmp_path: Path) -> None:
-    """So that a part may fill it; two that fill the same one still hide each other's."""
-    slots = tmp_path / "usr/local/share/rosml/constraints.d"
-    slots.mkdir(parents=True)
-    (slots / "01.txt").write_text("torch==2.10.0\n")
-    (slots / "02.txt").write_text("")
-    (tmp_path / "usr/empty").write_text("")
-    script = (ROOT / "components/part/list-files.sh").read_text()
-    script = script.replace("/listed", str(tmp_path)).replace("/files.gz", str(tmp_path / "files.gz"))
-    subprocess.run(["bash", "-c", script], check=True)
-    listed = gzip.decompress((tmp_path / "files.gz").read_bytes()).decode().splitlines()
-    assert [name for name in listed if name != "files.gz"] == [
-        "usr/empty",
-        "usr/local/share/rosml/constraints.d/01.txt",
-    ]
 
 
 def test_unpinned() -> None:

@@ -12,7 +12,7 @@ from conftest import changed, parse, write_locks
 from stubs import buildx, calls, executable, services
 
 from rosml.base.errors import RosmlError
-from rosml.build import file_list, part
+from rosml.build import contents, part
 from rosml.cli import command
 from rosml.cli import part as script
 from rosml.images import image_set as sets
@@ -69,7 +69,7 @@ class Stage:
 @pytest.fixture
 def stage(tmp_path: Path, registry: str, monkeypatch: pytest.MonkeyPatch) -> Stage:
     found = Stage(tmp_path, registry, parse(changed("cpu: [arm64]}", "cpu: [amd64, arm64]}")))
-    monkeypatch.setattr(file_list, "attach_files", lambda *facts: found.listed.append(facts[3:5]))
+    monkeypatch.setattr(contents, "attach", lambda *facts: found.listed.append(facts[3:5]))
     monkeypatch.setattr(Registry, "tag", lambda client, *move: found.tagged.append(move))
     return found
 

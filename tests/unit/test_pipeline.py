@@ -37,7 +37,7 @@ from stubs import services
 from rosml.bake.inputs import Inputs
 from rosml.base import clock as moments
 from rosml.base.errors import RosmlError
-from rosml.build import file_list, maker, part, sync
+from rosml.build import contents, maker, part, sync
 from rosml.build.maker import BuildKitMaker
 from rosml.cli import report, tables
 from rosml.images import image_set as sets
@@ -1036,7 +1036,7 @@ def told(
         return {}, put_image(run.registry, f"{PREFIX}/ros", architecture, {}, [])
 
     monkeypatch.setattr(maker, "push_by_digest", push)
-    monkeypatch.setattr(file_list, "attach_files", lambda *_: None)
+    monkeypatch.setattr(contents, "attach", lambda *facts: {facts[4]: "sha256:sbom"})
     monkeypatch.setattr(
         base_images, "reference", lambda _services, systems, name, *_: f"base-of-{systems[name].python}"
     )
@@ -1092,7 +1092,7 @@ def test_a_part_is_assembled_anew_when_that_is_asked_for(
         return SimpleNamespace(reference=PINNED), put_image(registry.registry, f"{PREFIX}/part", "amd64", {}, [])
 
     monkeypatch.setattr(part, "push", push)
-    monkeypatch.setattr(file_list, "attach_files", lambda *_: None)
+    monkeypatch.setattr(contents, "attach", lambda *facts: {facts[4]: "sha256:sbom"})
     for force in (False, True):
         here: tuple[Any, ...] = (
             registry.services,

@@ -12,7 +12,7 @@ import pytest
 from click.testing import CliRunner
 from conftest import ROOT
 from registry_stand_in import standing_in
-from scanning import HOST, NOW, VERSION, Memory, World, advisory, digest, image, rules, shelf
+from scanning import NOW, VERSION, Memory, World, advisory, digest, image, rules, sbom_of
 from stubs import services
 
 from rosml.base.errors import RosmlError
@@ -37,8 +37,6 @@ def world(tmp_path: Path) -> World:
 def scanned(
     world: World,
     *images: judge.Image,
-    memory: Memory | None = None,
-    records: dict[str, str] | None = None,
     **options: Any,
 ) -> judge.Run:
     """Scans images with a database that was just fetched."""
@@ -46,7 +44,7 @@ def scanned(
     found = options.pop("rules", None) or rules()
     program.fetch(found.policy.database)
     facts = {"now": NOW, "whole": True, **options}
-    return judge.scan_images(images, found, program, shelf(memory, records=records), **facts)
+    return judge.scan_images(images, found, program, world.shelf(), **facts)
 
 
 def base(world: World) -> judge.Part:
@@ -130,7 +128,6 @@ def test_an_image_without_parts_is_not_clean(world: World) -> None:
 
 
 # ---- the scanner fails ----------------------------------------------------------------------------------------------
-@pytest.mark.parametrize("call", ["image", "sbom"])
 @pytest.mark.parametrize(
     ("how", "says"),
     [
@@ -143,19 +140,16 @@ def test_an_image_without_parts_is_not_clean(world: World) -> None:
         ("{}", "trivy did not write a"),
     ],
 )
-def test_the_scanner_fails(world: World, call: str, how: str, says: str) -> None:
-    world.fail = {call: how}
+def test_the_scanner_fails(world: World, how: str, says: str) -> None:
+    world.fail = {"sbom": how}
     run = scanned(world, image("alpha-base", base(world)))
     assert run.outcome is Outcome.SCANNER_FAILED
     assert says in run.images[0].reason
 
 
-@pytest.mark.parametrize(
-    ("call", "limit"), [("image", {"sbom_seconds": 0.3}), ("sbom", {"scan_seconds": 0.3})], ids=["image", "sbom"]
-)
-def test_the_scanner_hangs(world: World, call: str, limit: dict[str, float]) -> None:
-    world.fail = {call: "hang"}
-    run = scanned(world, image("alpha-base", base(world)), trivy=limit)
+def test_the_scanner_hangs(world: World) -> None:
+    world.fail = {"sbom": "hang"}
+    run = scanned(world, image("alpha-base", base(world)), trivy={"scan_seconds": 0.3})
     assert run.outcome is Outcome.SCANNER_FAILED
     assert run.images[0].reason == "trivy did not end within 0 s"
 
@@ -205,27 +199,6 @@ def test_a_system_without_advisories_is_noted(world: World) -> None:
     world.eosl = True
     found = scanned(world, image("a", world.part("a", "bash", ros=True))).images[0]
     assert found.notes[0].startswith("a: debian 12.15 gets no advisories any more")
-
-
-def test_an_sbom_of_another_image_is_not_taken(world: World) -> None:
-    part = base(world)
-    other = json.dumps(
-        {
-            "bomFormat": "CycloneDX",
-            "metadata": {
-                "component": {"name": f"r@{digest('other')}", "bom-ref": "x", "type": "container"},
-                "tools": {"components": []},
-            },
-            "components": [
-                {"bom-ref": "a", "type": "operating-system", "name": "debian", "version": "12"},
-                {"bom-ref": "b", "type": "library", "name": "bash", "purl": "pkg:deb/debian/bash@1"},
-            ],
-        }
-    )
-    world.fail = {part.digest: other}
-    found = scanned(world, image("alpha-base", part)).images[0]
-    assert found.outcome is Outcome.SCANNER_FAILED
-    assert found.reason == f"trivy's SBOM of {part.digest} is of something else"
 
 
 def test_the_system_of_a_library_in_a_wheel_is_none_of_the_images() -> None:
@@ -288,19 +261,10 @@ def test_nothing_of_the_user_changes_what_is_found(world: World, monkeypatch: py
     assert "secret" not in repr(program)
 
 
-def test_an_sbom_is_read_from_the_registry_by_digest(world: World) -> None:
-    program = world.trivy()
-    part = base(world)
-    world.write()
-    program.sbom(part.reference)
-    assert world.calls("cyclonedx")[0].split()[-1] == f"{HOST}/rosml/alpha-base@{part.digest}"
-    assert "--image-src remote" in world.calls("cyclonedx")[0]
-
-
 # ---- the database ---------------------------------------------------------------------------------------------------
 def test_no_database(world: World) -> None:
     run = judge.scan_images(
-        [image("a", base(world)), image("b", base(world))], rules(), world.trivy(), shelf(), now=NOW, whole=True
+        [image("a", base(world)), image("b", base(world))], rules(), world.trivy(), world.shelf(), now=NOW, whole=True
     )
     assert [it.outcome for it in run.images] == [Outcome.SCANNER_FAILED] * 2
     assert "there is no database of vulnerabilities" in run.images[0].reason
@@ -315,7 +279,7 @@ def test_a_damaged_database(world: World, text: str) -> None:
     program = world.trivy()
     program.fetch(rules().policy.database)
     (program.folder / "db/metadata.json").write_text(text)
-    run = judge.scan_images([image("a", base(world))], rules(), program, shelf(), now=NOW, whole=True)
+    run = judge.scan_images([image("a", base(world))], rules(), program, world.shelf(), now=NOW, whole=True)
     assert run.outcome is Outcome.SCANNER_FAILED
     assert "is damaged" in run.images[0].reason
 
@@ -430,7 +394,7 @@ def test_a_database_that_changes_during_the_run(world: World) -> None:
             world.write()
             program.fetch(rules().policy.database)
 
-    found = judge.scan_images([image("a", part)], rules(), program, shelf(), now=NOW, whole=True, say=exchange)
+    found = judge.scan_images([image("a", part)], rules(), program, world.shelf(), now=NOW, whole=True, say=exchange)
     assert found.images[0].outcome is Outcome.SCANNER_FAILED
     assert "changed during the run" in found.images[0].reason
 
@@ -457,7 +421,6 @@ def test_a_shared_part_is_scanned_once(world: World) -> None:
     parts = [world.part(name, "bash", ros=True) for name in ("a", "b", "c")]
     run = scanned(world, *(image(f"{part.name}-torch", part, torch) for part in parts))
     assert [len(it.findings) for it in run.images] == [1, 1, 1]
-    assert len(world.calls("cyclonedx")) == 4
     assert len(world.calls("sbom")) == 4
 
 
@@ -466,52 +429,36 @@ def test_a_shared_part_fails_once(world: World) -> None:
     world.fail = {torch.digest: "crash"}
     run = scanned(world, *(image(name, world.part(name, "bash", ros=True), torch) for name in ("a", "b")))
     assert {it.outcome for it in run.images} == {Outcome.SCANNER_FAILED}
-    assert len(world.calls("cyclonedx")) == 3
-
-
-def test_the_next_night_reads_no_layer(world: World) -> None:
-    memory, records = Memory(), dict[str, str]()
-    parts = (base(world), world.part("torch", "torch"))
-    first = scanned(world, image("a", *parts), memory=memory, records=records)
-    assert list(records) == [part.digest for part in parts]
-    (world.folder / "calls").unlink()
-    second = scanned(world, image("a", *parts), memory=memory, records=records)
-    assert not world.calls("cyclonedx")
-    assert len(world.calls("sbom")) == 2
-    assert first.images[0].findings == second.images[0].findings
-
-
-def test_an_sbom_of_another_scanner_is_made_anew(world: World) -> None:
-    memory, part, records = Memory(), base(world), dict[str, str]()
-    world.trivy().fetch(rules().policy.database)
-    made = sbom.Sbom.of(world.trivy().sbom(part.reference), part.digest)
-    shelf(memory, "trivy 0.64.0", records).store(part.repository, part.digest, made)
-    run = scanned(world, image("a", part), memory=memory, records=records)
-    assert run.images[0].packages == 2
-    assert len(memory.attached[part.repository, part.digest]) == 2
+    assert len(world.calls("sbom")) == 3
 
 
 @pytest.mark.parametrize("content", [b"", b"[]", b"{}", b'{"bomFormat": "CycloneDX", "components": [1]}'])
 def test_something_else_in_the_place_of_an_sbom(world: World, content: bytes) -> None:
-    memory, part, records = Memory(), base(world), dict[str, str]()
-    shelf(memory, records=records).store(part.repository, part.digest, sbom.Sbom(content))
-    run = scanned(world, image("a", part), memory=memory, records=records)
-    assert run.outcome is Outcome.POLICY_FAILED, "it does not count: the image itself is read"
-    assert len(memory.attached[part.repository, part.digest]) == 2
+    part = base(world)
+    world.records[part.digest] = world.attach(part, content)
+    assert scanned(world, image("a", part)).outcome is Outcome.SCANNER_FAILED
 
 
-@pytest.mark.parametrize("place", ["subject", "content"])
+@pytest.mark.parametrize("place", ["subject", "content", "format"])
 def test_the_records_vouch_for_no_sbom_of_another_image(world: World, place: str) -> None:
-    """Whoever attached it: what it is attached to and what it says of itself have to be that image."""
-    memory, part = Memory(), base(world)
-    harmless, records = world.part("harmless", "bash", ros=True), dict[str, str]()
-    document = world.trivy().sbom(harmless.reference)
-    if place == "subject":
-        document["metadata"]["component"]["name"] = part.reference
-    target = part if place == "content" else harmless
-    shelf(memory, records=records).store(target.repository, target.digest, sbom.Sbom(json.dumps(document).encode()))
-    run = scanned(world, image("a", part), memory=memory, records={part.digest: records.popitem()[1]})
-    assert run.outcome is Outcome.POLICY_FAILED
+    """Whoever attached it: what it is attached to and what it says of itself have to be that image, and it has to be ours."""
+    part, harmless = base(world), world.part("harmless", "bash", ros=True)
+    of = harmless if place == "content" else part
+    content = sbom_of(of.reference, ["bash"], "12.15")
+    to = harmless if place == "subject" else part
+    world.records[part.digest] = world.attach(to, content, {} if place == "format" else sbom.FORMAT)
+    found = scanned(world, image("a", part)).images[0]
+    assert found.outcome is Outcome.SCANNER_FAILED
+    assert found.reason == "alpha-base: what the records name as its SBOM is another thing"
+
+
+def test_an_image_without_an_sbom(world: World) -> None:
+    part = base(world)
+    artifact = world.records.pop(part.digest)
+    assert scanned(world, image("a", part)).images[0].reason == "alpha-base: the records name no SBOM of it"
+    world.records[part.digest] = artifact
+    world.memory.attached.clear()
+    assert scanned(world, image("a", part)).images[0].reason == "alpha-base: its SBOM is not there"
 
 
 def test_a_registry_that_fails(world: World) -> None:
@@ -519,8 +466,8 @@ def test_a_registry_that_fails(world: World) -> None:
         def manifest(self, repository: str, reference: str) -> Any:
             raise RosmlError("the registry answers 503", "try again")
 
-    part = base(world)
-    found = scanned(world, image("a", part), memory=Broken(), records={part.digest: digest("sbom")}).images[0]
+    part, world.memory = base(world), Broken()
+    found = scanned(world, image("a", part)).images[0]
     assert found.outcome is Outcome.SCANNER_FAILED
     assert found.reason.endswith("the registry answers 503")
 
@@ -591,7 +538,7 @@ def test_entries_expire_by_the_runs_date(world: World) -> None:
     """Whatever the machine's clock says by the time an image is scanned."""
     program = world.trivy()
     program.fetch(rules().policy.database)
-    scanner = judge.Scanner(program, shelf(), program.database())
+    scanner = judge.Scanner(program, world.shelf(), program.database())
     part = base(world)
     world.write()
     for day, outcome in ((date(2027, 1, 31), Outcome.CLEAN), (date(2027, 2, 1), Outcome.POLICY_FAILED)):

@@ -229,11 +229,11 @@ target "_image" {
   }
 }
 
-# A list of an image's files.
-target "file-list" {
-  description = "the files of the image that its context `listed` is"
+# What is in an image.
+target "contents" {
+  description = "the packages and files of the image that its context `described` is"
   inherits    = ["_common"]
-  target      = "file-list"
+  target      = "contents"
   contexts    = { os = systems[assembler].image }
 }
 

@@ -22,8 +22,8 @@ EPOCH = "1767225600"
 PROXIES = ("HTTP_PROXY", "HTTPS_PROXY", "NO_PROXY")
 """What build steps get of the caller's network."""
 
-FILE_LIST = "file-list"
-"""The target that lists the files of its context `listed`."""
+CONTENTS = "contents"
+"""The target that says what is in its context `described`."""
 
 
 @dataclass(frozen=True)
@@ -122,8 +122,8 @@ def of(image_set: ImageSet) -> dict[str, Target]:
 def _targets(image_set: ImageSet) -> Iterator[tuple[str, Target]]:
     matrix = image_set.matrix
     assembler = matrix.default.assembler
-    description = "the files of the image that its context `listed` is"
-    yield FILE_LIST, Target(FILE_LIST, {"os": _system(matrix, assembler)}, _common(), description=description)
+    description = "the packages and files of the image that its context `described` is"
+    yield CONTENTS, Target(CONTENTS, {"os": _system(matrix, assembler)}, _common(), description=description)
     for os in dict.fromkeys(image.os for image in image_set.images):
         facts = matrix.operating_systems[os]
         platforms = tuple(matrix.architectures[name].platform for name in facts.architectures)

@@ -16,7 +16,7 @@ from typing import Any, Protocol
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
-from rosml.build import file_list, package_state, structure_tests
+from rosml.build import contents, package_state, structure_tests
 from rosml.build import part as parts
 from rosml.build.push import push_by_digest, write_excerpt
 from rosml.build.variables import base, variables
@@ -40,12 +40,14 @@ class Made:
         digest: of its manifest. parts: digests of what it stands on, by target.
         upstream: of when its packages are; empty where no repository decides.
         base: reference of the operating system's image that it starts from; empty where that is one of its parts.
+        sbom: digest of the artifact with its SBOM; empty of one that was joined.
     """
 
     digest: str
     parts: Mapping[str, str] = field(default_factory=dict)
     upstream: str = ""
     base: str = ""
+    sbom: str = ""
 
 
 @dataclass(frozen=True)
@@ -149,8 +151,7 @@ class BuildKitMaker:
         self._make_room(disk.part_mb(part), part.name)
         platform = self._platform(architecture)
         start, digest = parts.push(self.services, self.image_set, part, self.say, self._place, [platform], self.force)
-        self._list_files(part, digest)
-        return Made(digest, base=start.reference)
+        return Made(digest, base=start.reference, sbom=self._describe(part, digest))
 
     def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], moment: str) -> Made:
         """Builds a ROS image on the one below it, as it is in the registry."""
@@ -168,8 +169,7 @@ class BuildKitMaker:
         bake_file = write_excerpt(self.services, self.image_set, image.target)
         call = buildx.Bake(image.target, f"build-{image.target}-{architecture}", bake_file, tuple(sets), given)
         _, digest = push_by_digest(self.services, call, self._reference(image.repository))
-        self._list_files(image, digest)
-        return Made(digest, parts, moment, "" if parts else base(image, given))
+        return Made(digest, parts, moment, "" if parts else base(image, given), self._describe(image, digest))
 
     def join(self, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
         """Joins an image by a manifest: no layer is read or sent that the registry has."""
@@ -255,10 +255,10 @@ class BuildKitMaker:
         native = architecture == base_images.native_architecture()
         self.services.require_builder("" if native else self._platform(architecture))
 
-    def _list_files(self, thing: Image | Part, digest: str) -> None:
-        """Attaches the list of its files to what was pushed, for whoever joins it to others."""
+    def _describe(self, thing: Image | Part, digest: str) -> str:
+        """Attaches to what was pushed the list of its files, for whoever joins it to others, and its SBOM; gives that."""
         where = self._repository(repository_of(thing))
-        file_list.attach_files(self.services, self.image_set, self.registry, where, digest, self.say)
+        return contents.attach(self.services, self.image_set, self.registry, where, digest, self.say)[digest]
 
     def _moment(self, image: Image, moment: str) -> Path:
         """A folder that says of when a distribution's packages are, for the builder's cache to know."""

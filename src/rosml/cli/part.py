@@ -33,7 +33,7 @@ def main(
     Examples:
       rosml part cuda-cu128 common-cu128-py311 torch-cu128-py311
     """
-    from rosml.build import file_list
+    from rosml.build import contents
     from rosml.build import part as found
     from rosml.images import load as loading
     from rosml.machine.services import Services
@@ -56,7 +56,7 @@ def main(
     for item in wanted:
         results.append(found.publish(services, image_set, item, say, namespace, again, platform))
         with oci.Registry(services.registry) as client:  # what 'join' compares
-            file_list.attach_files(services, image_set, client, f"{namespace}/part", results[-1].digest, say)
+            contents.attach(services, image_set, client, f"{namespace}/part", results[-1].digest, say)
         if not (as_json or markdown):
             done = results[-1]
             terminal.echo(f"{done.reference}  bytecode: {done.bytecode or 'none'}  {done.seconds:.0f} s")

@@ -38,7 +38,7 @@ from rosml.registry.oci import Config, Manifest, Registry
 from rosml.scan import judge as scanning
 from rosml.scan import sarif, sbom
 from rosml.scan.policy import Rules
-from rosml.scan.results import Kept, Results
+from rosml.scan.results import Results
 from rosml.scan.sbom import Shelf
 from rosml.scan.trivy import ScannerFailed, Trivy
 
@@ -274,7 +274,7 @@ class Pipeline:
         said = self._attest(item, entry, made, started)
         self.plan.forced.add(item.key)
         facts = self._facts(item, made.digest, made.parts)
-        return entry.made(made.digest, **facts, provenance=said, upstream=made.upstream)
+        return entry.made(made.digest, **facts, provenance=said, upstream=made.upstream, sbom=made.sbom)
 
     def _ask_again(self, distribution: str, moment: str) -> None:
         """Asks, after a build failed, whether ROS published new packages since the plan was made.
@@ -431,7 +431,9 @@ class Pipeline:
                 continue
             same = state and entry.scan.get("policy") == policy and entry.scan.get("database") == state
             if not same or entry.scanned != scanning.Outcome.CLEAN.value:
-                images[item.key] = scanning.Image(item.target, item.architecture, tuple(self._scanned_parts(item)))
+                needs = item.needs if item.kind == "joined" else (item.target,)
+                parts = tuple(self.scanned_part(target, item.architecture) for target in needs)
+                images[item.key] = scanning.Image(*item.key, parts)
         moment = _moment(self.plan.date)
         # Of those that are not there nothing can be known: they may lack a lock.
         there = {item.key for item in self.plan.items if item.kind != "part"} & self.plan.present
@@ -454,7 +456,7 @@ class Pipeline:
             else:
                 results.add(entry)
 
-        run = self._scan(list(images.values()), rules, trivy, moment, whole, results, keep)
+        run = self._scan(list(images.values()), rules, trivy, moment, whole, keep)
         seconds = (time.monotonic() - started) / max(1, len(run.images))
         for found in run.images:
             key = found.target, found.architecture
@@ -474,39 +476,24 @@ class Pipeline:
         trivy: Trivy | ScannerFailed,
         moment: datetime,
         whole: bool,
-        results: Results | None,
         keep: Callable[[scanning.Scanned], None],
     ) -> scanning.Run:
         targets = self.plan.image_set.by_target
         if isinstance(trivy, ScannerFailed):
             return scanning.summarise(scanning.unscanned(images, trivy, keep), rules, moment.date(), whole, targets)
-        scanner = f"trivy {trivy.version}"
-        recorded = {entry.digest: entry.sbom for entry in self.plan.known.values() if entry.sbom}
-        shelf = (
-            Kept(self.registry, scanner, results, recorded)
-            if results
-            else Shelf(self.registry, scanner, recorded, self.record_sbom)
-        )
         facts: dict[str, Any] = {"now": moment, "whole": whole, "targets": targets}
-        return scanning.scan_images(images, rules, trivy, shelf, **facts, say=self.say, keep=keep)
+        return scanning.scan_images(images, rules, trivy, self.shelf, **facts, say=self.say, keep=keep)
 
-    def record_sbom(self, digest: str, artifact: str) -> None:
-        """Writes into the records which artifact has the SBOM that a scan made of a ROS image or part: it alone counts.
+    @property
+    def shelf(self) -> Shelf:
+        """The SBOMs that the records name."""
+        return Shelf(self.registry, {entry.digest: entry.sbom for entry in self.plan.known.values() if entry.sbom})
 
-        Args:
-            digest: of the manifest. artifact: of the artifact's manifest.
-        """
-        for key, entry in list(self.plan.known.items()):
-            if entry.digest == digest and key[1] != INDEX:
-                self.plan.known[key] = replace(entry, sbom=artifact)
-                self.records.write(self.plan.known[key])
-
-    def _scanned_parts(self, item: Item) -> Iterator[scanning.Part]:
-        """The ROS image and the parts that an image is the sum of."""
-        for target in item.needs if item.kind == "joined" else (item.target,):
-            part = self.plan.by_key[target, item.architecture]
-            digest = self.plan.known[part.key].digest
-            yield scanning.Part(target, self.host, self.repository(part.repository), digest, part.kind == "ros")
+    def scanned_part(self, target: str, architecture: str) -> scanning.Part:
+        """A ROS image or part that was made, as a scan knows it."""
+        part = self.plan.by_key[target, architecture]
+        digest = self.plan.known[part.key].digest
+        return scanning.Part(target, self.host, self.repository(part.repository), digest, part.kind == "ros")
 
     # ---- Indexes and tags --------------------------------------------------------------------------------------------
 

@@ -228,6 +228,8 @@ class Plan:
             why.append(moved)
         if item.key not in self.present:
             why.append("it is not in the registry any more")
+        if item.kind != "joined" and not entry.sbom:  # of a version that had the scan make them
+            why.append("it has no SBOM")
         for target in item.needs:
             part = self.known.get((target, item.architecture))
             if part and part.digest and entry.parts.get(target) != part.digest:

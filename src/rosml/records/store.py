@@ -55,7 +55,7 @@ class Entry:
         size: bytes of its layers, compressed. unpacked: bytes of its root file system; 0 where nobody counted.
         tested: digest of the tests that ran, empty before. passed: how many passed. failures: those that did not.
         provenance: digests of the statements of where it came from that were attached when it was made, by builder.
-        sbom: of a ROS image or part, digest of the artifact with its SBOM, which a scan attached; empty before.
+        sbom: of a ROS image or part, digest of the artifact with its SBOM.
         scanned: outcome of the scan, empty before. scan: what it found by severity, the database's date, the policy's digest.
         versions: what was found inside the image.
         seconds: wall time by step.

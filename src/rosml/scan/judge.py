@@ -1,8 +1,8 @@
 """Scans images for known vulnerabilities, part by part, and judges what is found by the policy.
 
-An image is a ROS image and parts. Each part is read once in its life, to write its SBOM, which is kept in the
-registry beside it; each night every SBOM is held against one state of the database, once, however many images have that
-part. So hundreds of images cost some dozens of scans of small files, and no layer is pulled a second time.
+An image is a ROS image and parts. Each of these has an SBOM beside it in the registry, from the build that made it; each
+night every SBOM is held against one state of the database, once, however many images have that part. So hundreds of images
+cost some dozens of scans of small files, and no layer is pulled.
 
 Three outcomes are kept apart: the image is clean, the policy stops it, or the scanner failed and nothing is known.
 """
@@ -18,7 +18,7 @@ from typing import Any, TypeVar
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, some
 from rosml.scan.policy import SEVERITIES, Ignored, Rules
-from rosml.scan.sbom import Sbom, Shelf
+from rosml.scan.sbom import Shelf
 from rosml.scan.trivy import ANOTHER, SCANNER_FAILED, Database, Report, ScannerFailed, Trivy
 
 Known = TypeVar("Known")
@@ -200,21 +200,12 @@ class Scanner:
 
         Args:
             trivy: the program.
-            shelf: where SBOMs are kept.
+            shelf: has the SBOMs.
             database: the state that all parts are held against.
             say: told what is going on, a line at a time.
         """
         self.trivy, self.shelf, self.database, self.say = trivy, shelf, database, say
-        self._sboms: dict[str, Sbom | ScannerFailed] = {}
         self._reports: dict[str, PartReport | ScannerFailed] = {}
-
-    def sbom(self, part: Part) -> Sbom:
-        """What is in a part: the SBOM that a scan made before, if the records name it, else read from the part and kept.
-
-        Raises:
-            ScannerFailed: it cannot be had, or it is empty where it cannot be.
-        """
-        return _once(self._sboms, part.digest, lambda: self._sbom(part))
 
     def report(self, part: Part) -> PartReport:
         """What the database knows of a part.
@@ -224,26 +215,13 @@ class Scanner:
         """
         return _once(self._reports, part.digest, lambda: self._report(part))
 
-    def _sbom(self, part: Part) -> Sbom:
-        try:
-            found = self.shelf.load(part.repository, part.digest)
-        except RosmlError as error:
-            raise _failed(f"{part.name}: the registry does not say whether there is an SBOM", error) from None
-        if found is not None:
-            found.require(part.name, part.ros)
-            return found
-        self.say(f"SBOM of {part.name}")
-        found = Sbom.of(self.trivy.sbom(part.reference), part.digest)
-        found.require(part.name, part.ros)
-        try:
-            self.shelf.store(part.repository, part.digest, found)
-        except RosmlError as error:
-            raise _failed(f"{part.name}: its SBOM cannot be kept", error) from None
-        return found
-
     def _report(self, part: Part) -> PartReport:
-        sbom = self.sbom(part)
         self.say(f"scan {part.name}")
+        try:
+            sbom = self.shelf.load(part.repository, part.digest)
+        except RosmlError as error:
+            raise ScannerFailed(f"{part.name}: {error.message}", error.remedy) from None
+        sbom.require(part.name, part.ros)
         report = self.trivy.scan(sbom.content, part.name)
         if lacking := self.trivy.lacks(sbom.sources):
             raise ScannerFailed(
@@ -371,7 +349,7 @@ def scan_images(
         images: in the order in which they are told.
         rules: the policy.
         trivy: the program, with its database.
-        shelf: where SBOMs are kept.
+        shelf: has the SBOMs.
         now: the run's time, in UTC: by its date ignore entries expire, by it the database is too old or not.
         whole: whether these are all images that there are, so that ignore entries that are in none of them can be told.
         targets: of all images of the matrix, so that ignore entries that are for none of them can be told.
@@ -452,7 +430,3 @@ def _once(known: dict[str, Known | ScannerFailed], key: str, work: Callable[[], 
     if isinstance(found, ScannerFailed):
         raise found
     return found
-
-
-def _failed(what: str, error: RosmlError) -> ScannerFailed:
-    return ScannerFailed(f"{what}: {error.message}", error.remedy)

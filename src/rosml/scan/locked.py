@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import json
 from collections import defaultdict
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from datetime import datetime
 from typing import Any
-from urllib.parse import quote
 
 from rosml.base.problems import counted, some
 from rosml.images import lock_file
 from rosml.images.image_set import ImageSet
-from rosml.scan import judge
+from rosml.scan import judge, packages
 from rosml.scan.judge import Outcome
 from rosml.scan.policy import Rules
 from rosml.scan.sbom import Sbom, Shelf
@@ -57,14 +55,10 @@ class Locks(Shelf):
 
     def load(self, repository: str, digest: str) -> Sbom:
         """What a lock pins, as an SBOM."""
-        wheels = [
-            {"bom-ref": purl, "type": "library", "name": name, "version": version, "purl": purl}
-            for name, version in lock_file.versions(self.texts[digest]).items()
-            for purl in [f"pkg:pypi/{name}@{quote(version, safe='')}"]
-        ]
-        about = {"component": {"bom-ref": digest, "type": "application", "name": digest}}
-        head = {"bomFormat": "CycloneDX", "specVersion": "1.6", "version": 1, "metadata": about}
-        return Sbom(json.dumps({**head, "components": wheels, "dependencies": []}).encode())
+        pinned = lock_file.versions(self.texts[digest]).items()
+        wheels = [packages.Python(name=name, version=version) for name, version in pinned]
+        found = packages.Packages(system=packages.System(name="", version=""), apt=[], python=wheels, ros=[])
+        return Sbom(packages.cyclonedx(found, digest))
 
 
 def refused(

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import json
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Literal
+from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
@@ -19,7 +18,8 @@ from rosml.scan.trivy import ScannerFailed
 MEDIA_TYPE = "application/vnd.cyclonedx+json"
 """Also the type of the artifact, by which trivy and others find it beside an image."""
 
-SCANNER_ANNOTATION = "io.rosml.sbom.scanner"
+FORMAT = {"io.rosml.sbom.format": "1"}
+"""The annotation of our SBOMs. With another number all images get a new one, although their digests stay the same."""
 
 COVERED = "io.rosml.sbom."
 """How annotations of an image in its index begin that name the SBOMs of what the image is made of, each by repository and
@@ -27,6 +27,9 @@ digest."""
 
 OF_A_SYSTEM = re.compile(r"pkg:(?:deb|rpm|apk)/([^/]+)/")
 """The package URL of an operating system's package; its group is that system."""
+
+
+REMEDY = "build it again: rosml publish build --force --only NAME"
 
 
 class _Said(BaseModel):
@@ -76,18 +79,6 @@ class Sbom:
     """
 
     content: bytes
-
-    @classmethod
-    def of(cls, written: Mapping[str, Any], digest: str) -> Sbom:
-        """What trivy wrote about an image.
-
-        Raises:
-            ScannerFailed: it is no SBOM, or one of another image.
-        """
-        made = cls(json.dumps(written, separators=(",", ":"), ensure_ascii=False).encode())
-        if not made.is_of(digest):
-            raise ScannerFailed(f"trivy's SBOM of {digest} is of something else")
-        return made
 
     def is_of(self, digest: str) -> bool:
         """Whether it says that it is of an image.
@@ -160,61 +151,34 @@ class Sbom:
 
 
 class Shelf:
-    """SBOMs in the registry, each attached to the manifest that it is of.
+    """SBOMs in the registry, each attached to the manifest that it is of, by the build that made that one.
 
     Anybody who may push into a repository can attach something that says it is an SBOM. So a shelf does not ask what is
     attached: it takes the artifact alone that the publisher's records name by its digest.
     """
 
-    def __init__(
-        self,
-        client: Registry,
-        scanner: str,
-        recorded: Mapping[str, str] | None = None,
-        record: Callable[[str, str], None] = lambda digest, artifact: None,
-    ) -> None:
-        """Keeps SBOMs with a registry.
+    def __init__(self, client: Registry, recorded: Mapping[str, str]) -> None:
+        """Reads SBOMs from a registry.
 
         Args:
             client: of that registry.
-            scanner: name and version of the program that makes them. Those of another version do not count.
             recorded: digests of artifacts with SBOMs, by the digest of the manifest that each is of, as the records say.
-            record: gets the digests of a manifest and of the artifact that was attached to it, for the records.
         """
-        self.client, self.scanner, self.record = client, scanner, record
-        self.recorded = dict(recorded or {})
+        self.client, self.recorded = client, recorded
 
-    def load(self, repository: str, digest: str) -> Sbom | None:
-        """The SBOM of a manifest. None if the records name none, or if the one that they name is of another scanner, of
-        another image, or not there.
+    def load(self, repository: str, digest: str) -> Sbom:
+        """The SBOM of a manifest.
 
         Raises:
             RosmlError: the registry fails.
+            ScannerFailed: the records name none, or what they name is not there, is none of ours, or is of another image.
         """
         artifact = self.recorded.get(digest)
         manifest = self.client.manifest(repository, artifact) if artifact else None
         if manifest is None:
-            return None
-        said = manifest.annotations.get(SCANNER_ANNOTATION), manifest.subject
-        if said != (self.scanner, digest) or len(manifest.layers) != 1:
-            return None
-        found = Sbom(self.client.part(repository, manifest.layers[0]))
-        try:
-            return found if found.is_of(digest) else None
-        except ScannerFailed:
-            return None
-
-    def store(self, repository: str, digest: str, sbom: Sbom) -> None:
-        """Attaches an SBOM to a manifest.
-
-        Raises:
-            RosmlError: there is no such manifest, or the registry fails.
-        """
-        manifest = self.client.manifest(repository, digest)
-        if manifest is None:
-            raise ScannerFailed(f"{repository}@{digest} is not in the registry", "build it again")
-        annotations = {SCANNER_ANNOTATION: self.scanner}
-        subject = manifest.descriptor
-        artifact = self.client.attach(repository, subject, MEDIA_TYPE, sbom.content, MEDIA_TYPE, annotations)
-        self.recorded[digest] = artifact
-        self.record(digest, artifact)
+            raise ScannerFailed("the records name no SBOM of it" if not artifact else "its SBOM is not there", REMEDY)
+        if manifest.subject == digest and len(manifest.layers) == 1 and manifest.annotations.items() >= FORMAT.items():
+            found = Sbom(self.client.part(repository, manifest.layers[0]))
+            if found.is_of(digest):
+                return found
+        raise ScannerFailed("what the records name as its SBOM is another thing", REMEDY)

@@ -28,8 +28,6 @@ SCANNER_FAILED = 4
 
 INSTALL = "run 'rosml setup scanner'"
 VERSION_SECONDS = 30.0
-SBOM_SECONDS = 1800.0
-"""A part with CUDA is 3.5 GB compressed, and all of it is read."""
 SCAN_SECONDS = 600.0
 FETCH_SECONDS = 900.0
 DATABASE_FORMAT = 2
@@ -42,9 +40,6 @@ PAUSE_SECONDS = 5.0
 
 OUR_OWN = ("TRIVY_USERNAME", "TRIVY_PASSWORD", "TRIVY_REGISTRY_TOKEN", "TRIVY_INSECURE", "TRIVY_NON_SSL")
 """Settings of the user's that trivy gets to see: how to reach a registry. All others could change what it finds."""
-
-JARS = "**/*.[jwep]ar"
-"""Archives of Java: to name them, trivy would fetch a second database. Debian's and Ubuntu's are found as packages."""
 
 
 class ScannerFailed(RosmlError):
@@ -154,14 +149,14 @@ ANOTHER = "run it again with another trivy"
 
 @dataclass
 class Trivy:
-    """The program, and the folder with its database and with what it knows of layers.
+    """The program, and the folder with its database.
 
     Attributes:
         program: path of trivy.
         version: its version, which is the pinned one.
-        folder: its cache; the database is below `db`, layers that were read once are below `fanal`.
+        folder: its cache; the database is below `db`.
         environment: what calls of it inherit.
-        seconds: how long an SBOM and a scan may take.
+        scan_seconds: how long a scan may take.
         pause: before the second attempt to fetch the database.
     """
 
@@ -169,7 +164,6 @@ class Trivy:
     version: str
     folder: Path
     environment: Mapping[str, str] = field(default_factory=lambda: dict(os.environ), repr=False)
-    sbom_seconds: float = SBOM_SECONDS
     scan_seconds: float = SCAN_SECONDS
     pause: float = PAUSE_SECONDS
 
@@ -179,7 +173,7 @@ class Trivy:
 
         Args:
             root: the checkout.
-            folder: for the database and for layers; `.state/trivy` by default.
+            folder: for the database; `.state/trivy` by default.
             environment: what calls of it inherit.
 
         Raises:
@@ -203,26 +197,6 @@ class Trivy:
         return found
 
     # ---- work -----------------------------------------------------------------------------------------------------
-    def sbom(self, reference: str) -> dict[str, Any]:
-        """What is in an image of one platform, as CycloneDX. The layers are read from the registry, each only once.
-
-        Args:
-            reference: repository and digest.
-
-        Raises:
-            ScannerFailed: trivy failed, or what it wrote is no CycloneDX.
-        """
-        written = self._written(
-            *("image", "--image-src", "remote", "--format", "cyclonedx", "--skip-files", JARS),
-            *("--skip-db-update", "--skip-java-db-update", "--offline-scan"),
-            reference,
-            seconds=self.sbom_seconds,
-        )
-        document = _object(written, f"SBOM of {reference}")
-        if document.get("bomFormat") != "CycloneDX":
-            raise ScannerFailed(f"trivy did not write an SBOM of {reference}", ANOTHER)
-        return document
-
     def scan(self, sbom: bytes, what: str) -> Report:
         """What the database knows of an SBOM's packages: trivy's own report, with all packages that it looked at.
 

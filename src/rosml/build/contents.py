@@ -1,4 +1,7 @@
-"""Lists the files of an image that was pushed, and attaches the list to it."""
+"""What is in an image that was pushed, attached to it: the list of its files, and its SBOM.
+
+Both are made by the builder that built the image, which has its layers: nobody pulls an image to know what is in it.
+"""
 
 from __future__ import annotations
 
@@ -9,49 +12,59 @@ from pathlib import Path
 from rosml.base.errors import RosmlError
 from rosml.build.push import write_excerpt
 from rosml.images.image_set import ImageSet
-from rosml.join.file_lists import ARTIFACT, MEDIA_TYPE, unpacked
+from rosml.join import file_lists
 from rosml.join.layers import platform
 from rosml.machine import base_images, buildx, exported
 from rosml.machine.services import Services
 from rosml.matrix import names
 from rosml.registry.oci import Manifest, Registry
+from rosml.scan import packages, sbom
 
-TARGET = "file-list"
-"""The bake target that makes a list."""
+TARGET = "contents"
+"""The bake target that says what is in an image."""
+
+PACKAGES = "packages.json"
+"""The packages of an image, as components/containerize/contents.py writes them."""
+
+FILES = "files.gz"
+"""The list of its files."""
 
 
-def attach_files(
+def attach(
     services: Services,
     image_set: ImageSet,
     registry: Registry,
     repository: str,
     digest: str,
     say: Callable[[str], None],
-) -> list[str]:
-    """Lists the files of an image that was pushed, for each of its platforms, and attaches the lists to it.
+) -> dict[str, str]:
+    """Attaches to an image that was pushed what is in it, for each of its platforms.
 
     The builder mounts the image, which it has where it built it, and runs nothing of it: no emulation is needed.
-    A manifest that has its list keeps it.
+    A manifest that has a list of files keeps it. The same packages give the same SBOM, by its digest.
 
     Args:
-        services: the builder. image_set: for the system whose tools make the list.
+        services: the builder. image_set: for the system whose tools look into the image.
         registry: where the image is. repository: its path there. digest: of a manifest, or of an index.
         say: told what is going on, a line at a time.
 
     Returns:
-        Digests of the lists' artifacts that were attached now.
+        Digests of the SBOMs' artifacts, by those of the manifests.
 
     Raises:
         RosmlError: the image is not there; the build failed; the registry refuses.
     """
-    attached = []
+    found = {}
     for manifest in manifests(registry, repository, digest):
-        if registry.referrers(repository, manifest.digest, ARTIFACT):
-            continue
-        say(f"list the files of {repository}@{manifest.digest}")
-        data = _made(services, image_set, registry, repository, manifest)
-        attached.append(registry.attach(repository, manifest.descriptor, ARTIFACT, data, MEDIA_TYPE))
-    return attached
+        place = f"{repository}@{manifest.digest}"
+        say(f"list the packages and files of {place}")
+        said, files = _made(services, image_set, registry, repository, manifest)
+        if not registry.referrers(repository, manifest.digest, file_lists.ARTIFACT):
+            registry.attach(repository, manifest.descriptor, file_lists.ARTIFACT, files, file_lists.MEDIA_TYPE)
+        document = packages.cyclonedx(packages.read(said), f"{registry.host}/{place}")
+        kind = sbom.MEDIA_TYPE, document, sbom.MEDIA_TYPE, sbom.FORMAT
+        found[manifest.digest] = registry.attach(repository, manifest.descriptor, *kind)
+    return found
 
 
 def manifests(registry: Registry, repository: str, digest: str) -> list[Manifest]:
@@ -77,7 +90,10 @@ def _there(registry: Registry, repository: str, digest: str) -> Manifest:
     return found
 
 
-def _made(services: Services, image_set: ImageSet, registry: Registry, repository: str, manifest: Manifest) -> bytes:
+def _made(
+    services: Services, image_set: ImageSet, registry: Registry, repository: str, manifest: Manifest
+) -> tuple[bytes, bytes]:
+    """The packages and the list of files."""
     config = registry.config(repository, manifest)
     os_name = image_set.matrix.default.assembler
     base = base_images.reference(services, image_set.matrix.operating_systems, os_name)
@@ -87,13 +103,13 @@ def _made(services: Services, image_set: ImageSet, registry: Registry, repositor
         sets = (
             f"{TARGET}.output={exported.output(Path(folder) / 'left.tar')}",
             f"{TARGET}.platform={platform(config.facts)}",
-            f"{TARGET}.contexts.listed=docker-image://{registry.host}/{repository}@{manifest.digest}",
+            f"{TARGET}.contexts.described=docker-image://{registry.host}/{repository}@{manifest.digest}",
         )
         variables = {names.os_variable(os_name): f"docker-image://{base}"}
         short = manifest.digest.partition(":")[2][:12]
         buildx.run(services, buildx.Bake(TARGET, f"{TARGET}-{short}", file, sets, variables))
         exported.unpack(Path(folder) / "left.tar", Path(folder) / "left", limits=exported.OURS)
-        data = exported.read(Path(folder) / "left", "files.gz")
-    if not unpacked(data):
+        said, data = (exported.read(Path(folder) / "left", name) for name in (PACKAGES, FILES))
+    if not file_lists.unpacked(data):
         raise RosmlError(f"the list of the files of {repository}@{manifest.digest} is empty", "run it again")
-    return data
+    return said, data

@@ -1,0 +1,127 @@
+"""What a build says of an image's packages, as an SBOM in CycloneDX 1.5."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+from urllib.parse import quote
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from rosml.base.errors import RosmlError
+from rosml.registry import oci
+
+
+class _Model(BaseModel):
+    model_config = ConfigDict(strict=True, extra="forbid")
+
+
+class System(_Model):
+    """An operating system, as /etc/os-release names it."""
+
+    name: str
+    version: str
+
+
+class Apt(_Model):
+    """A package of the operating system, and the source package that it was built from."""
+
+    name: str
+    version: str
+    architecture: str
+    source: str
+    source_version: str
+
+
+class Python(_Model):
+    """A package of Python."""
+
+    name: str
+    version: str
+
+
+class Ros(_Model):
+    """A ROS package of an app."""
+
+    name: str
+    version: str
+    licenses: list[str]
+
+
+class Packages(_Model):
+    """The packages of an image: of its operating system, of Python, and the ROS packages of apps."""
+
+    system: System
+    apt: list[Apt]
+    python: list[Python]
+    ros: list[Ros]
+
+
+def read(data: bytes) -> Packages:
+    """What components/containerize/contents.py wrote.
+
+    Raises:
+        RosmlError: it is damaged.
+    """
+    try:
+        return Packages.model_validate_json(data)
+    except ValidationError:
+        raise RosmlError("what the build says of the packages is damaged", "run it again") from None
+
+
+def cyclonedx(found: Packages, reference: str, of_ros: Callable[[str], Mapping[str, Any]] = lambda name: {}) -> bytes:
+    """The SBOM. The same packages give the same bytes.
+
+    Versions and sources of Debian packages are written as package URLs, and in properties as trivy writes them:
+    https://github.com/package-url/purl-spec/blob/main/types-doc/deb-definition.md
+
+    Args:
+        found: the packages.
+        reference: of the image, by its digest.
+        of_ros: what else there is to tell of a ROS package, by its name.
+    """
+    document = {
+        "$schema": "http://cyclonedx.org/schema/bom-1.5.schema.json",
+        "bomFormat": "CycloneDX",
+        "specVersion": "1.5",
+        "version": 1,
+        "metadata": {"component": {"bom-ref": reference, "type": "container", "name": reference}},
+        "components": list({item["bom-ref"]: item for item in _components(found, of_ros)}.values()),
+    }
+    return oci.encoded(document)
+
+
+def _components(found: Packages, of_ros: Callable[[str], Mapping[str, Any]]) -> Iterator[dict[str, Any]]:
+    system = found.system
+    whole = "-".join(filter(None, (system.name, system.version)))
+    if whole:
+        yield {"bom-ref": whole, "type": "operating-system", "name": system.name, "version": system.version}
+    for package in found.apt:
+        qualifiers = f"arch={package.architecture}&distro={whole}"
+        yield _library(
+            package.name,
+            package.version,
+            f"deb/{system.name}",
+            qualifiers,
+            properties=[
+                {"name": f"aquasecurity:trivy:{name}", "value": value}
+                for name, value in (
+                    ("PkgType", system.name),
+                    ("SrcName", package.source),
+                    ("SrcVersion", package.source_version),
+                )
+            ],
+        )
+    for wheel in found.python:
+        yield _library(wheel.name, wheel.version, "pypi")
+    for ros in found.ros:
+        licenses = [{"license": {"name": name}} for name in ros.licenses]
+        yield _library(ros.name, ros.version, "generic/ros", licenses=licenses, **of_ros(ros.name))
+
+
+def _library(name: str, version: str, kind: str, qualifiers: str = "", **more: Any) -> dict[str, Any]:
+    called = name.lower().replace("_", "-") if kind == "pypi" else name
+    url = f"pkg:{kind}/{quote(called, safe='')}"
+    url += f"@{quote(version, safe=':')}" if version else ""
+    url += f"?{qualifiers}" if qualifiers else ""
+    return {"bom-ref": url, "type": "library", "name": name, "version": version, "purl": url, **more}
