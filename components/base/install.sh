@@ -77,7 +77,7 @@ mkdir -p "$(dirname $constraints)"
 slots=$(dirname $constraints)/constraints.d
 mkdir "$slots"
 echo '-c ../constraints.txt' >"$slots/all.txt"
-for slot in $(seq --equal-width 16); do # SLOTS in src/rosml/matrix/model.py
+for slot in {01..16}; do # SLOTS in src/rosml/matrix/model.py
   : >"$slots/$slot.txt"
   echo "-c $slot.txt" >>"$slots/all.txt"
 done

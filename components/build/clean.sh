@@ -21,6 +21,7 @@ fi
 
 # dpkg gives files the times of their packages; what was written here has the time of now. What the builder mounts is
 # no part of the layer, but find -xdev names it.
-mapfile -t -d '' mounted < <(awk '$5 != "/" {printf "%s%c", $5, 0}' /proc/self/mountinfo)
+listed=$(awk '$5 != "/" {print $5}' /proc/self/mountinfo)
+mapfile -t mounted <<<"$listed"
 for path in "${mounted[@]}"; do skipped+=(! -path "$path"); done
 find / -xdev -newermt "${STEP_STARTED:?}" "${skipped[@]}" -exec touch --no-dereference --date="@${SOURCE_DATE_EPOCH:?}" {} +

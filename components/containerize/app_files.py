@@ -178,6 +178,12 @@ def shown(paths: Iterable[str]) -> list[str]:
     return [path.encode("utf-8", "backslashreplace").decode() for path in paths]
 
 
+def built_packages(install: Path) -> list[str]:
+    """The packages that colcon built into an install space, each in a folder of its own or all in one."""
+    found = (path for below in ("", "*/") for path in install.glob(f"{below}share/colcon-core/packages/*"))
+    return sorted({path.name for path in found})
+
+
 def outside(environment: Path, built: Path) -> list[str]:
     """What the app's packages installed outside of the install space."""
     before = entries(environment)
@@ -191,12 +197,17 @@ def outside(environment: Path, built: Path) -> list[str]:
 def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *locked: Path) -> None:
     root = out / "root"
     root.mkdir(parents=True)
-    facts = {**packages(base, runtime, root), "outside": shown(outside(environment, built)), **versions(base, locked)}
-
     install = "docker-ros/ws/install"
     for folder in ("docker-ros", "docker-ros/ws", install):
         if os.path.lexists(built / folder):
             require_folder(built / folder, Path(folder))
+    facts = {
+        **packages(base, runtime, root),
+        "built": shown(built_packages(built / install)),
+        "outside": shown(outside(environment, built)),
+        **versions(base, locked),
+    }
+
     # Of a base image that is an app itself, what it has built stays there.
     there = {os.path.join(install, path): stats for path, stats in entries(base / install).items()}
     for above, folders, names in os.walk(built / install):

@@ -16,7 +16,12 @@ if [[ " $* " == *" build "* && -e /etc/dpkg/dpkg.cfg.d/rosml-runtime ]]; then
   fail "the base image is only for programs that are built" "name the one without -run"
 fi
 
-listed() { for kind in "${kinds[@]}"; do cat "/run/needed/$kind.$1"; done | sort -u; }
+# listed WAY: all that one way of rosdep installs, into $scratch/WAY.
+listed() {
+  local kind lists=()
+  for kind in "${kinds[@]}"; do lists+=("/run/needed/$kind.$1"); done
+  sort -u "${lists[@]}" >"$scratch/$1"
+}
 
 # update_once: apt's lists, if this step has none yet.
 updated=
@@ -54,7 +59,9 @@ packages() {
 require_locked() {
   local others
   [[ -e $lock/apt ]] || return 0
-  others=$(comm -13 "$1" <(packages) | grep -v -x -F -f "$lock/apt" || true)
+  packages >"$scratch/installed"
+  comm -13 "$1" "$scratch/installed" >"$scratch/added"
+  others=$(grep -v -x -F -f "$lock/apt" "$scratch/added" || [[ $? == 1 ]]) # 1: the lock file has all
   [[ -z $others ]] || fail "the lock file does not have what apt installed: ${others//$'\n'/, }" \
     "the archive has other versions now, or your packages need others: write the lock file anew with --lock"
 }
@@ -72,25 +79,34 @@ follow_lock
 rm -f "$pip_lock"
 export SOURCE_DATE_EPOCH=1767225600 # as the files of all parts: nothing here depends on the commit
 kinds=("$@")
-if [[ -n $(ls -A /run/additional 2>/dev/null) ]]; then
+if [[ -d /run/additional ]]; then additional=$(ls -A /run/additional); fi
+if [[ -n ${additional:-} ]]; then
   mkdir -p /docker-ros/additional-files
   cp -R --preserve=mode,links /run/additional/. /docker-ros/additional-files
 fi
 if [[ -s $requests/before.sh || -s $requests/after.sh ]]; then update_once; fi # what these scripts expect
 script before.sh before
 if [[ -s $requests/before.sh ]]; then updated=; fi # it may have added a source
-mapfile -t debs < <(listed apt; cat "$requests/apt")
-mapfile -t requirements < <(listed pip)
+listed apt
+listed pip
+mapfile -t debs <"$scratch/apt"
+mapfile -t -O "${#debs[@]}" debs <"$requests/apt"
+mapfile -t requirements <"$scratch/pip"
 if [[ " $* " == *" build "* ]]; then
   if ! command -v g++ >/dev/null || ! command -v cmake >/dev/null; then debs+=(build-essential cmake); fi
   if ! command -v colcon >/dev/null; then debs+=(python3-colcon-common-extensions); fi
+  # What the build and the tests call colcon for: without some of these it builds nothing, or leaves no setup.bash.
+  for extension in bash cmake output package_information package_selection ros; do
+    if ! python3 -c "import colcon_$extension" 2>/dev/null; then debs+=("python3-colcon-${extension//_/-}"); fi
+  done
 fi
 if [[ ${#requirements[@]} -gt 0 || -s $requests/pip ]] && ! python3 -m pip --version >/dev/null 2>&1; then debs+=(python3-pip); fi
 
 # catkin leaves Python tests out where it is missing, and manifests seldom name it.
 if [[ " $* " == *" test "* && ${ROS_VERSION:-} == 1 ]]; then
   update_once
-  if [[ -n $(apt-cache search --names-only '^python3-nose$') ]]; then debs+=(python3-nose); fi
+  nose=$(apt-cache search --names-only '^python3-nose$')
+  if [[ -n $nose ]]; then debs+=(python3-nose); fi
 fi
 
 # In an image for programs that are built: what they need, without packages with headers.
@@ -118,9 +134,11 @@ script after.sh after
 require_locked "$scratch/packages"
 
 # What clean.sh takes away, and a package or a script made: folders for logs and caches, and what programs downloaded for root.
-folders=$(find /var/log /var/cache -mindepth 1 -type d -printf '%m %U:%G %p\n' | grep -v -E ' /var/cache/(apt|debconf|ldconfig|man)(/|$)' || true)
+folders=$(find /var/log /var/cache -mindepth 1 -type d ! -regex '/var/cache/\(apt\|debconf\|ldconfig\|man\)\(/.*\)?' \
+  -printf '%m %U:%G %p\n')
 rm -rf /root/.cache/pip /root/.cache/uv
-if [[ -n $(ls -A /root/.cache 2>/dev/null) ]]; then mv /root/.cache /root/.cache-kept; fi
+rmdir --ignore-fail-on-non-empty /root/.cache 2>/dev/null || true # there may be none
+if [[ -d /root/.cache ]]; then mv /root/.cache /root/.cache-kept; fi
 "$here/../build/clean.sh"
 while read -r mode owner folder; do
   if [[ -n $folder ]]; then

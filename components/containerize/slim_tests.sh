@@ -15,19 +15,25 @@ if ! command -v python3 >/dev/null; then apt_install python3; fi
 packages=()
 # Many manifests name what tests are written with as what they are built with.
 frameworks='(^|-)(lib)?(rostest|gtest|gmock|googletest|nose|pytest|launch-testing)'
-mapfile -t tests < <({ cat /run/needed/test.apt; grep -E "$frameworks" /run/needed/build.apt || true; } | sort -u)
+grep -E "$frameworks" /run/needed/build.apt >"$scratch/frameworks" || [[ $? == 1 ]] # 1: there is none
+sort -u /run/needed/test.apt "$scratch/frameworks" >"$scratch/tests"
+mapfile -t tests <"$scratch/tests"
 if [[ ${#tests[@]} -gt 0 ]]; then
   needed=$("$here/../ros/runtime_packages.py" "${tests[@]}")
-  mapfile -t packages < <(grep . <<<"$needed")
+  if [[ -n $needed ]]; then mapfile -t packages <<<"$needed"; fi
 fi
 # Without its compilers, cmake runs tests; what the slim image has of it is empty.
 rm -f /etc/dpkg/dpkg.cfg.d/rosml-runtime
-mapfile -t tools < <(dpkg-query --admindir=/run/environment/var/lib/dpkg --show --showformat '${db:Status-Status} ${Package}\n' \
-  'cmake*' 'colcon' 'python3-colcon-*' 'python3-pytest*' 'python3-nose' 2>/dev/null | sed -n 's/^installed //p')
+tools_of_environment() {
+  dpkg-query --admindir=/run/environment/var/lib/dpkg --show --showformat '${db:Status-Status} ${Package}\n' \
+    'cmake*' 'colcon' 'python3-colcon-*' 'python3-pytest*' 'python3-nose' 2>/dev/null || [[ $? == 1 ]] # it lacks some
+}
+installed=$(tools_of_environment | sed -n 's/^installed //p')
+[[ -z $installed ]] || mapfile -t tools <<<"$installed"
 apt_install --reinstall "${tools[@]}" "${packages[@]}"
 if [[ -s /run/needed/test.pip ]]; then
   if ! python3 -m pip --version >/dev/null 2>&1; then apt_install python3-pip; fi
-  mapfile -t requirements < <(sort -u /run/needed/test.pip)
+  mapfile -t requirements </run/needed/test.pip
   PIP_BREAK_SYSTEM_PACKAGES=1 PIP_NO_CACHE_DIR=1 PIP_ROOT_USER_ACTION=ignore python3 -m pip install "${requirements[@]}"
 fi
 command -v colcon >/dev/null || fail "the base image has colcon, and no package of it that the slim image could have for its tests" \

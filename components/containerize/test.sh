@@ -27,9 +27,10 @@ sed -n -E 's/^\[[0-9.]+\] \((.+)\) TestFailure: .*/\1: its tests failed and left
   "$COLCON_LOG_PATH/latest_test/events.log" >>"$out/failed" || true # without a log, the line above says why
 for package in "${packages[@]}"; do
   # What the build wrote is no result. JUnit files are XML with a test suite; CTest's own file has a list of tests.
+  find "build/$package" -name '*.xml' -xtype f -newer "$scratch/begun" -print0 >"$scratch/reports"
   while IFS= read -r -d '' file; do
     if grep -q -e '<testsuite' -e '<TestList>' "$file"; then
       install -D --mode=644 "$file" "$out/$package/${file#"build/$package/"}"
     fi
-  done < <(find "build/$package" -name '*.xml' -newer "$scratch/begun" -print0)
+  done <"$scratch/reports"
 done

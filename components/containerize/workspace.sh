@@ -10,7 +10,8 @@ mkdir -p "$WORKSPACE/src/$1"
 cp -R --preserve=mode,links /run/sources/. "$WORKSPACE/src/$1"
 # shellcheck source=components/containerize/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
-if [[ -z $(colcon list --base-paths "src/$1") ]]; then exit; fi
+listed=$(colcon list --names-only --base-paths "src/$1")
+if [[ -z $listed ]]; then exit; fi
 arguments=()
 eval "arguments=(${CMAKE_ARGS:-})"
 colcon build --base-paths "src/$1" --event-handlers console_cohesion+ --cmake-args "${arguments[@]}"

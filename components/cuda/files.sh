@@ -17,6 +17,7 @@ only() {
   ln -s "${1#"$OUT"}" "$2/${1##*/}"
 }
 
+found=$(find "$OUT${SITE:?}/nvidia" -path '*/lib/*.so*' -type f | sort)
 while IFS= read -r library; do
   only "$library" "$libraries"
   name=$(basename "$library")
@@ -24,7 +25,7 @@ while IFS= read -r library; do
   plain=${name%%.so*}.so
   [[ -L $libraries/$plain ]] || ln -s "$name" "$libraries/$plain"
   for link in "$name" "$plain"; do ln -sf "/usr/lib/$TRIPLET/$link" "$OUT$home/lib64/$link"; done
-done < <(find "$OUT${SITE:?}/nvidia" -path '*/lib/*.so*' -type f | sort)
+done <<<"$found"
 
 for header in "$OUT$SITE"/nvidia/*/include/*; do
   # The folders are packages of Python as well.

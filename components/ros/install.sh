@@ -35,7 +35,7 @@ apt_update
 if [[ -n $source ]]; then require_sync "$source"; fi
 if [[ -n ${RUNTIME:-} ]]; then
   needed=$("$here/runtime_packages.py" "${packages[@]}")
-  mapfile -t packages < <(grep . <<<"$needed")
+  mapfile -t packages <<<"$needed"
 fi
 apt_install "${packages[@]}"
 

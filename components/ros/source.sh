@@ -64,14 +64,16 @@ sources() {
   local snapshots=${ROS_SNAPSHOT_ADDRESS:-$address} live=${ROS_LIVE_ADDRESS:-$address}
   local testing=${ROS_TESTING_ADDRESS:-$live}
   snapshots=${snapshots%%"{day}"*}
-  grep --files-with-matches -R -F -e "${live#*//}" -e "${testing#*//}" -e "${snapshots#*//}" /etc/apt/sources.list* || true
+  grep --files-with-matches -R -F -e "${live#*//}" -e "${testing#*//}" -e "${snapshots#*//}" /etc/apt/sources.list* ||
+    [[ $? == 1 ]] # none does
 }
 
 codename=$(sed -n 's/^VERSION_CODENAME="\?\([a-z]*\).*/\1/p' /etc/os-release)
 [[ $ROS_CHANNEL == archive || $codename == "${ROS_CODENAME:?}" ]] ||
   fail "the base image is '$codename', and matrix.yaml says '$ROS_CODENAME'" "check image, digest and codename there"
-[[ -z $(sources) ]] ||
-  fail "the base image has an apt source of ROS already ($(sources))" "name an image without one in matrix.yaml"
+others=$(sources)
+[[ -z $others ]] ||
+  fail "the base image has an apt source of ROS already ($others)" "name an image without one in matrix.yaml"
 
 if [[ $ROS_CHANNEL == live ]]; then
   [[ -n ${ROS_APT_SOURCE:-} ]] ||
@@ -87,7 +89,8 @@ if [[ $ROS_CHANNEL == live ]]; then
 else
   if [[ $ROS_CHANNEL == archive ]]; then
     key=$here/../archive-keys/key.asc name=archive
-    [[ -n $(fingerprint <"$key") ]] ||
+    of=$(fingerprint <"$key" || true)
+    [[ -n $of ]] ||
       fail "components/archive-keys/${ROS_SIGNED_BY:?} is no public key" "put the armored key there: gpg --armor --export KEY"
   elif [[ $ROS_CHANNEL == testing ]]; then
     key=$keys/live.asc name=testing

@@ -84,13 +84,15 @@ mkdir -p "$include/tensorflow" "$include/google"
 for entry in "$tensorflow"/include/*; do ln -s "${entry#"$OUT"}" "$include/tensorflow/"; done
 ln -s ../tensorflow "$include/google/tensorflow"
 # Those that C can read, and what they include, in the default path: they bring nothing that others have.
+headers=$(cd "$tensorflow/include" && find tensorflow/c -name '*.h' ! -name '*internal*' | sort)
 while IFS= read -r header; do
   found=$(cd "$tensorflow/include" && "$TRIPLET-g++" -x c -std=c11 -w -M -I . "$header" 2>/dev/null) || continue
+  paths=$(grep -oE '(^| )(tensorflow|tsl|xla)/[^ ]+' <<<"$found" | tr -d ' ') # itself at least
   while IFS= read -r path; do
     mkdir -p "$include/$(dirname "$path")"
     ln -sf "$SITE/tensorflow/include/$path" "$include/$path"
-  done < <(grep -oE '(^| )(tensorflow|tsl|xla)/[^ ]+' <<<"$found" | tr -d ' ')
-done < <(cd "$tensorflow/include" && find tensorflow/c -name '*.h' ! -name '*internal*' | sort)
+  done <<<"$paths"
+done <<<"$headers"
 [[ -e $include/tensorflow/c/c_api.h || -L $include/tensorflow/c/c_api.h ]] || {
   echo "tensorflow: C cannot read tensorflow/c/c_api.h" >&2 && exit 1
 }

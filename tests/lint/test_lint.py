@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -63,6 +64,24 @@ def test_shellcheck() -> None:
     scripts = shell_scripts()
     assert len(scripts) > 1
     check(shellcheck(), "--external-sources", *scripts)
+
+
+UNSEEN = re.compile(r"<\(|\[\[ (?:! )?-[nz] \"?\$\(|\bfor \w+ in .*\$\(")
+"""Where bash takes a command that failed for one that said nothing: `< <(…)`, `[[ -z $(…) ]]`, `for x in $(…)`."""
+
+
+def test_no_script_of_a_build_takes_a_failure_for_nothing_to_do() -> None:
+    folders = ("components", "tests/structure")
+    scripts = [path for path in shell_scripts() if path.relative_to(ROOT).as_posix().startswith(folders)]
+    found = [
+        f"{path.relative_to(ROOT)}:{number}: {line.strip()}: give the output a name, or a file, first"
+        for path in scripts
+        if path.name != "entrypoint.sh"  # it starts a container, with the groups that there are
+        for number, line in enumerate(path.read_text().splitlines(), 1)
+        if UNSEEN.search(line)
+    ]
+    assert not found, "\n".join(found)
+    assert UNSEEN.search("mapfile -t names < <(colcon list)") and UNSEEN.search("if [[ -z $(colcon list) ]]; then")
 
 
 def actionlint(*files: Path) -> None:

@@ -855,6 +855,33 @@ def test_what_a_build_wrote_is_no_result_of_tests(tmp_path: Path) -> None:
     assert (out / "failed").read_text() == "robot: its tests failed and left no report\n"
 
 
+@pytest.mark.parametrize("script", ["workspace.sh target", "test.sh out"])
+def test_a_colcon_that_cannot_list_is_no_empty_workspace(script: str, tmp_path: Path) -> None:
+    """As with few of its extensions: an image without one file of the app would be made."""
+    (tmp_path / "ws").mkdir()
+    (tmp_path / "colcon").write_text("#!/bin/sh\n[ $1 != list ] || { echo \"invalid choice: 'list'\" >&2; exit 2; }\n")
+    (tmp_path / "colcon").chmod(0o755)
+    (tmp_path / "cp").symlink_to("/bin/true")  # /run/sources is a mount of the build
+    environment = {"PATH": f"{tmp_path}:{os.environ['PATH']}", "WORKSPACE": str(tmp_path / "ws")}
+    name, argument = script.split()
+    command = [str(ROOT / "components/containerize" / name), argument]
+    done = subprocess.run(command, env=environment, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode != 0 and "invalid choice: 'list'" in done.stderr
+
+
+def test_no_image_is_made_without_a_package_that_has_a_manifest(
+    repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """colcon passes over some with a warning, and ends well."""
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    monkeypatch.setitem(DEPENDENCIES, "packages", {"robot": {}, "arm": {}, "leg": {}})
+    with pytest.raises(RosmlError, match="colcon has not built arm, leg; no image was made"):
+        app(repository, services, base_image="ros:jazzy", command="true").build()
+    assert [call["name"] for call in calls] == ["packages"]
+    monkeypatch.setitem(APP, "built", ["arm", "leg", "of_the_base", "robot"])
+    app(repository, services, base_image="ros:jazzy", command="true").build()
+
+
 def test_no_image_is_made_where_a_test_failed(
     repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -202,6 +202,13 @@ def tools(root: Root) -> None:
     root.file("root/.bashrc", "source /usr/local/share/rosml/shell.bash\n")
 
 
+def extensions_of_colcon(root: Root) -> None:
+    words = "--base-paths --packages-select console_cohesion --cmake-args --cmake-target --catkin-skip-building-tests"
+    root.program("colcon", f"case $3 in list) ;; build|test) echo {words} ;; *) exit 2 ;; esac")
+    root.file("modules/colcon_bash.py")
+    root.env["PYTHONPATH"] = str(root.folder / "modules")
+
+
 def built_for(root: Root) -> None:
     """Frameworks that say what they were built for, on amd64."""
     root.file("modules/torch/__init__.py")
@@ -221,6 +228,7 @@ def runtime(root: Root) -> None:
 
 
 GOOD: dict[str, Callable[[Root], None]] = {
+    "colcon.sh": extensions_of_colcon,
     "cuda_copies.sh": cuda,
     "cuda_runtime.py": loader,
     "dangling_links.sh": links,
@@ -452,6 +460,21 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
     "a header of ROS's": ("runtime.sh", text("opt/ros/jazzy/include/rcl/rcl.h", ""), "rcl/rcl.h"),
     "a static library": ("runtime.sh", text("usr/lib/x86_64-linux-gnu/libz.a", ""), "a static library"),
     "headers later": ("runtime.sh", text("etc/dpkg/dpkg.cfg.d/rosml-runtime", ""), "leaves no headers out"),
+    "a colcon that lists nothing": (
+        "colcon.sh",
+        says("colcon", "[ $3 != list ] || { echo \"invalid choice: '$3'\" >&2; exit 2; }"),
+        "invalid choice: 'list'",
+    ),
+    "a colcon that selects nothing": (
+        "colcon.sh",
+        says("colcon", "[ $3 = list ] || echo --base-paths console_cohesion"),
+        "colcon build has no --packages-select",
+    ),
+    "a colcon for other shells": (
+        "colcon.sh",
+        lambda root: (root.folder / "modules/colcon_bash.py").unlink(),
+        "No module named 'colcon_bash'",
+    ),
     "a tool": ("tools.sh", lambda root: (root.programs / "rosdep").unlink(), "missing: rosdep"),
     "time zones": (
         "tools.sh",

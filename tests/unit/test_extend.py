@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -46,6 +47,15 @@ def test_a_distribution(project: Path, real: ImageSet) -> None:
 KEY = "-----BEGIN PGP PUBLIC KEY BLOCK-----\n"
 
 
+def missing_of_colcon(tools: str) -> set[str]:
+    """Packages that `rosml containerize` needs of colcon, and that are not among developers' tools."""
+    script = (ROOT / "components/containerize/install.sh").read_text()
+    [names] = re.findall(r"for extension in (.*); do", script)
+    if "python3-colcon-common-extensions" in tools.split():
+        return set()
+    return {f"python3-colcon-{name}".replace("_", "-") for name in names.split()} - {*tools.split()}
+
+
 def test_ros_from_an_archive_of_ones_own(project: Path) -> None:
     """tests/e2e/test_own_archive.py builds it."""
     insert(project, next(block for block in section("ROS from your own archive") if block.title))
@@ -66,11 +76,18 @@ def test_ros_from_an_archive_of_ones_own(project: Path) -> None:
         "ROS_SIGNED_BY": "ours.asc",
         "ROS_PACKAGES": "ros-jazzy-ros-core",
     }.items()
+    assert missing_of_colcon(arguments["ROS_TOOLS"]) == set()
     assert "ROS_CHANNEL" not in arguments and "ROS_ARCHIVE" not in targets.of(made)["ros1-bookworm-core"].arguments
     after = Inputs(project, made)
     for target in ("ros1-bookworm-core", "jazzy-base"):
         assert after.of(target, "amd64") == before.of(target, "amd64"), "a key is an input of its own rows alone"
     assert "components/archive-keys/ours.asc" in after.of("jazzy-ours-core", "amd64")
+
+
+def test_all_rows_have_what_containerize_needs_of_colcon(real: ImageSet) -> None:
+    tools = {made.arguments["ROS_TOOLS"] for made in targets.of(real).values() if made.arguments.get("ROS_TOOLS")}
+    assert tools and not any(map(missing_of_colcon, tools))
+    assert missing_of_colcon("colcon python3-colcon-ros") >= {"python3-colcon-package-information"}
 
 
 def test_ros_one(project: Path) -> None:

@@ -55,7 +55,7 @@ def test_packages_of_another_part_are_shown(tmp_path: Path) -> None:
 
 def test_ros_images_have_a_slot_for_every_part_that_there_may_be() -> None:
     script = (ROOT / "components/base/install.sh").read_text()
-    assert f"seq --equal-width {SLOTS})" in script
+    assert f"{{01..{SLOTS}}}" in script
 
 
 def test_unpinned() -> None:

@@ -19,6 +19,7 @@ APP: dict[str, Any] = {
     "changed": [],
     "replaced": [],
     "removed": [],
+    "built": ["robot"],
     "outside": [],
     "architecture": "amd64",
     "apt": {"libfoo": "1.0"},

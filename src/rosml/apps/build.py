@@ -529,11 +529,25 @@ def _take(built: Built, said: report.Said, slim: bool) -> None:
     dependencies, apps = said.dependencies(), said.apps()
     slim_apps = said.slim_apps() if slim else []
     built.packages = [*dependencies.packages]
+    _require_built(built.packages, apps)
     built.keys = dependencies.model_dump()["keys"]
     built.installed, built.changed, built.outside = apps[0].packages, apps[0].changed, apps[0].outside
     built.replaced = _replaced(apps)
     built.slim_replaced = _replaced(slim_apps) if slim else None
     built.added = lock.added(app.model_dump() for app in (*apps, *slim_apps)).model_dump()
+
+
+def _require_built(packages: Iterable[str], apps: Iterable[report.Facts]) -> None:
+    """Checks that all packages with a manifest are in the install space, on every platform.
+
+    Raises:
+        RosmlError: colcon passed some over; no image is made.
+    """
+    if missing := sorted({*packages} - set.intersection(*({*app.built} for app in apps))):
+        raise RosmlError(
+            f"colcon has not built {', '.join(missing)}; no image was made",
+            "look for what it says of them above, such as a <build_type> that it does not know; or put COLCON_IGNORE into them",
+        )
 
 
 def _pins(repositories: Iterable[sources.Repository]) -> dict[str, lock.Pin]:

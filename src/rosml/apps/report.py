@@ -66,6 +66,7 @@ class Facts(_Model):
         packages: of the operating system that it adds, with their architecture.
         replaced: packages of the base image that it replaces or removes. removed: files that it takes away.
         changed: files of the base image that its packages change.
+        built: ROS packages that are in the install space.
         outside: what its ROS packages installed outside of the install space.
         architecture, apt, pip: what is to be locked, as `lock.Packages` has it.
     """
@@ -74,6 +75,7 @@ class Facts(_Model):
     replaced: list[str]
     changed: list[str]
     removed: list[str]
+    built: list[str]
     outside: list[str]
     architecture: lock.Architecture
     apt: dict[lock.Deb, lock.Version]
