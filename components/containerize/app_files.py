@@ -28,6 +28,7 @@ from pathlib import Path
 from typing import Any, Iterable, Sequence
 
 import contents
+import lacking
 from contents import STATUS, entries, status
 
 LEFT_OUT = re.compile(
@@ -201,9 +202,13 @@ def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *
     for folder in ("docker-ros", "docker-ros/ws", install):
         if os.path.lexists(built / folder):
             require_folder(built / folder, Path(folder))
+    names = built_packages(built / install)
+    lacks = lacking.Lacking(runtime, built, names)
     facts = {
         **packages(base, runtime, root),
-        "built": shown(built_packages(built / install)),
+        "built": shown(names),
+        "lost": shown(sorted(lacks.lost)),
+        "absent": shown(sorted(lacks.absent)),
         "outside": shown(outside(environment, built)),
         **versions(base, locked),
     }

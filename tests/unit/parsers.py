@@ -117,7 +117,9 @@ CTEST = """<Site><Testing><Test Status="failed"><Name>bad</Name><FullCommandLine
 <NamedMeasurement name="Exit Code"><Value>SEGFAULT</Value></NamedMeasurement>
 <Measurement><Value>last</Value></Measurement></Results></Test></Testing></Site>"""
 
-APP: dict[str, Any] = {name: [] for name in ("packages", "changed", "replaced", "removed", "built", "outside", "pip")}
+APP: dict[str, Any] = {
+    name: [] for name in ("packages", "changed", "replaced", "removed", "built", "lost", "absent", "outside", "pip")
+}
 APP |= {"architecture": "amd64", "apt": {"tree": "2.1"}}
 
 JOB: dict[str, Any] = {

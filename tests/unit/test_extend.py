@@ -76,7 +76,7 @@ def test_ros_from_an_archive_of_ones_own(project: Path) -> None:
         "ROS_SIGNED_BY": "ours.asc",
         "ROS_PACKAGES": "ros-jazzy-ros-core",
     }.items()
-    assert missing_of_colcon(arguments["ROS_TOOLS"]) == set()
+    assert missing_of_colcon(str(arguments["ROS_TOOLS"])) == set()
     assert "ROS_CHANNEL" not in arguments and "ROS_ARCHIVE" not in targets.of(made)["ros1-bookworm-core"].arguments
     after = Inputs(project, made)
     for target in ("ros1-bookworm-core", "jazzy-base"):
@@ -85,7 +85,7 @@ def test_ros_from_an_archive_of_ones_own(project: Path) -> None:
 
 
 def test_all_rows_have_what_containerize_needs_of_colcon(real: ImageSet) -> None:
-    tools = {made.arguments["ROS_TOOLS"] for made in targets.of(real).values() if made.arguments.get("ROS_TOOLS")}
+    tools = {str(made.arguments["ROS_TOOLS"]) for made in targets.of(real).values() if made.arguments.get("ROS_TOOLS")}
     assert tools and not any(map(missing_of_colcon, tools))
     assert missing_of_colcon("colcon python3-colcon-ros") >= {"python3-colcon-package-information"}
 

@@ -20,6 +20,8 @@ APP: dict[str, Any] = {
     "replaced": [],
     "removed": [],
     "built": ["robot"],
+    "lost": [],
+    "absent": [],
     "outside": [],
     "architecture": "amd64",
     "apt": {"libfoo": "1.0"},

@@ -6,7 +6,7 @@ import contextlib
 import functools
 import shutil
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -53,6 +53,8 @@ class Built:
             share its layers with the base image alone.
         slim_replaced: the same of the slim image and its base; None if there is no slim image.
         outside: what the packages installed outside of the install space, which is in no image.
+        lost, slim_lost: what files of the install space need, the build had and the run image or the slim image lacks.
+        absent: what they need, and neither an image nor the build has.
         upstream: repositories that were imported. downstream: those of the downstream workspace.
         added: the packages of apt and pip that were added, with their versions, as `lock.Packages` has them.
         lock: what the images were built from, as a lock file says it. locked: the lock file, if it was written.
@@ -71,6 +73,9 @@ class Built:
     replaced: list[str] = field(default_factory=list)
     slim_replaced: list[str] | None = None
     outside: list[str] = field(default_factory=list)
+    lost: list[str] = field(default_factory=list)
+    slim_lost: list[str] = field(default_factory=list)
+    absent: list[str] = field(default_factory=list)
     upstream: list[sources.Repository] = field(default_factory=list)
     downstream: list[sources.Repository] = field(default_factory=list)
     added: dict[str, Any] = field(default_factory=dict)
@@ -90,7 +95,7 @@ class Built:
     def facts(self) -> dict[str, Any]:
         """What another build from the same would come to, for `take`."""
         names = ("packages", "keys", "installed", "changed", "replaced", "outside", "slim_replaced", "added")
-        found = {name: getattr(self, name) for name in names}
+        found = {name: getattr(self, name) for name in (*names, "lost", "slim_lost", "absent")}
         return found | {"tests": [self.tests.count, self.tests.skipped]}
 
     def take(self, facts: Mapping[str, Any]) -> None:
@@ -98,6 +103,7 @@ class Built:
         self.packages, self.keys = facts["packages"], facts["keys"]
         self.installed, self.changed, self.replaced = facts["installed"], facts["changed"], facts["replaced"]
         self.outside, self.slim_replaced, self.added = facts["outside"], facts["slim_replaced"], facts["added"]
+        self.lost, self.slim_lost, self.absent = facts["lost"], facts["slim_lost"], facts["absent"]
         self.tests = junit.Tests(*facts["tests"])
 
     def summary(self) -> Iterator[tuple[str, str]]:
@@ -119,6 +125,16 @@ class Built:
         if self.outside:
             names = ", ".join(f"/{name}" for name in self.outside[:3]) + (" …" if len(self.outside) > 3 else "")
             yield "", f"installed outside of the install space, and in no image: {names}"
+        for which, found in (
+            ("the run image lacks what the build has", self.lost),
+            ("the slim image lacks what the build has", self.slim_lost),
+            ("neither the build nor an image has", self.absent),
+        ):
+            if found:
+                yield (
+                    "",
+                    f"{which}: {'; '.join(found[:3])}" + (f"; and {len(found) - 3} more" if len(found) > 3 else ""),
+                )
         tests = self.tests
         where = f"reports: {self.reports}" if self.reports else "in an earlier build from the same"
         passed = f"{tests.count - tests.skipped} passed, {tests.skipped} skipped; {where}"
@@ -250,6 +266,7 @@ class App:
             _take(built, said, slim=inputs.slim is not None)
             if self._values["tests"] == "true":
                 self._test(left[bake_file.RESULTS], built)
+                self._require_complete(built)
             if cache:
                 cache.keep(keys, built.facts(), said.details())
         unlinked = [target for target, replaced in (("run", built.replaced), (SLIM, built.slim_replaced)) if replaced]
@@ -488,6 +505,20 @@ class App:
         built.reports = str(self.report if len(self._names.platforms) > 1 else self.report / report.TARGET)
         self._require_passed(built)
 
+    def _require_complete(self, built: Built) -> None:
+        """Checks that the install space has in the images what it had where it was built and tested.
+
+        Raises:
+            RosmlError: something is lost; no image is made.
+        """
+        for which, lost in (("run", built.lost if "run" in self._names.targets else []), (SLIM, built.slim_lost)):
+            if lost:
+                raise RosmlError(
+                    f"the {which} image would lack what the tests had; no image was made{_lines(lost)}",
+                    "install it with the package that it is of, or name the package that has it as exec_depend in"
+                    " package.xml; --no-tests makes the images all the same",
+                )
+
     def _require_passed(self, built: Built) -> None:
         """Checks that no test failed.
 
@@ -517,11 +548,14 @@ class App:
             ),
         ):
             if tests.failures:
-                shown = "".join(f"\n    {line}" for line in tests.failures[:SHOWN])
-                if len(tests.failures) > SHOWN:
-                    shown += f"\n    and {len(tests.failures) - SHOWN} more"
                 count = f"{len(tests.failures)} of {tests.count} tests failed"
-                raise RosmlError(f"{count}{where}; no image was made{shown}{reports}", remedy)
+                raise RosmlError(f"{count}{where}; no image was made{_lines(tests.failures)}{reports}", remedy)
+
+
+def _lines(found: Sequence[str]) -> str:
+    """Lines for a message: the first of many."""
+    more = [f"and {len(found) - SHOWN} more"] if len(found) > SHOWN else []
+    return "".join(f"\n    {line}" for line in [*found[:SHOWN], *more])
 
 
 def _take(built: Built, said: report.Said, slim: bool) -> None:
@@ -532,18 +566,21 @@ def _take(built: Built, said: report.Said, slim: bool) -> None:
     _require_built(built.packages, apps)
     built.keys = dependencies.model_dump()["keys"]
     built.installed, built.changed, built.outside = apps[0].packages, apps[0].changed, apps[0].outside
+    built.lost = sorted({line for app in apps for line in app.lost})
+    built.slim_lost = sorted({line for app in slim_apps for line in app.lost}.difference(built.lost))
+    built.absent = sorted({line for app in (*apps, *slim_apps) for line in app.absent})
     built.replaced = _replaced(apps)
     built.slim_replaced = _replaced(slim_apps) if slim else None
     built.added = lock.added(app.model_dump() for app in (*apps, *slim_apps)).model_dump()
 
 
-def _require_built(packages: Iterable[str], apps: Iterable[report.Facts]) -> None:
+def _require_built(packages: Sequence[str], apps: Iterable[report.Facts]) -> None:
     """Checks that all packages with a manifest are in the install space, on every platform.
 
     Raises:
         RosmlError: colcon passed some over; no image is made.
     """
-    if missing := sorted({*packages} - set.intersection(*({*app.built} for app in apps))):
+    if missing := [name for name in packages if not all(name in app.built for app in apps)]:
         raise RosmlError(
             f"colcon has not built {', '.join(missing)}; no image was made",
             "look for what it says of them above, such as a <build_type> that it does not know; or put COLCON_IGNORE into them",

@@ -136,6 +136,9 @@ class _Report(BaseModel):
     changed: list[str]
     replaced: list[str]
     outside: list[str]
+    lost: list[str]
+    slim_lost: list[str]
+    absent: list[str]
     tests: list[int] = Field(min_length=2, max_length=2)
     slim_replaced: list[str] | None
     added: lock.Packages

@@ -67,6 +67,7 @@ class Facts(_Model):
         replaced: packages of the base image that it replaces or removes. removed: files that it takes away.
         changed: files of the base image that its packages change.
         built: ROS packages that are in the install space.
+        lost: what files of the install space need, the build had and the image lacks. absent: what the build lacked, too.
         outside: what its ROS packages installed outside of the install space.
         architecture, apt, pip: what is to be locked, as `lock.Packages` has it.
     """
@@ -76,6 +77,8 @@ class Facts(_Model):
     changed: list[str]
     removed: list[str]
     built: list[str]
+    lost: list[str]
+    absent: list[str]
     outside: list[str]
     architecture: lock.Architecture
     apt: dict[lock.Deb, lock.Version]

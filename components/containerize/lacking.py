@@ -1,0 +1,309 @@
+"""What an install space lacks in an image: libraries, modules and programs that its files name. Files are read; none of them runs.
+
+What was there when the packages were built and tested, and is not in the image, is *lost*: somebody forgot to install it, or to
+name a package as `exec_depend`, and what needs it cannot start. What was not there either is *absent*: a driver may bring it, or
+nobody uses it. So a plugin that was made elsewhere, with needs that nobody has, is no error.
+"""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+import stat
+import struct
+import sys
+import warnings
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+from typing import Iterable, Iterator, NamedTuple
+
+INSTALL = "docker-ros/ws/install"
+WORK = re.compile(r"docker-ros/ws/(src|build)/")
+"""Where packages are built and tested: no image to run has it."""
+
+DRIVER = re.compile(
+    r"lib(cuda|nvcuvid|nvidia-[a-z0-9-]+|nvoptix|cudadebugger|GLX_nvidia|EGL_nvidia|dxcore)\.so(\.[0-9.]+)?"
+)
+"""Libraries that a driver brings when a container starts."""
+
+LIBRARY = re.compile(r".+\.so(\.[^/]+)?")
+MODULES = re.compile(
+    r".*/(site|dist)-packages|.*/lib/python3(\.\d+)?(/lib-dynload)?|usr/lib/python3(\.\d+)?(/lib-dynload)?"
+)
+"""Folders that Python looks into."""
+
+TABLE, LINE, SIZE = 1 << 20, 4096, 4 << 20
+"""Bytes of a dynamic section, of a name in it, and of a text that is read, at most."""
+
+
+class Elf(NamedTuple):
+    """What a program or a library says of itself: what it is for (class, byte order, machine), and the libraries that it names."""
+
+    machine: tuple[int, int, int]
+    needed: list[str]
+
+
+def elf(path: Path) -> Elf | None:
+    """A program or library; None for any other file, and for one that is damaged."""
+    try:
+        if not stat.S_ISREG(os.lstat(path).st_mode):
+            return None
+        with open(path, "rb") as file:
+            head = file.read(64)
+            if head[:4] != b"\x7fELF" or head[4] not in (1, 2) or head[5] not in (1, 2):
+                return None
+            wide, order = head[4] == 2, "<" if head[5] == 1 else ">"
+            kind, machine = struct.unpack_from(order + "HH", head, 16)
+            if kind not in (2, 3):  # an object file, or a core
+                return None
+            place = struct.unpack_from(order + ("Q" if wide else "I"), head, 32 if wide else 28)[0]
+            size, count = struct.unpack_from(order + "HH", head, 54 if wide else 42)
+
+            def at(offset: int, length: int) -> bytes:
+                file.seek(offset)
+                return file.read(length)
+
+            segments = []
+            for number in range(count):
+                entry = at(place + number * size, size)
+                if wide:
+                    segment, _, offset, address, _, length = struct.unpack_from(order + "IIQQQQ", entry)
+                else:
+                    segment, offset, address, _, length = struct.unpack_from(order + "IIIII", entry)
+                segments.append((segment, offset, address, length))
+            form = order + ("qQ" if wide else "iI")
+            found: dict[int, list[int]] = {}
+            for segment, offset, _, length in segments:
+                if segment == 2:  # PT_DYNAMIC
+                    table = at(offset, min(length, TABLE))
+                    for tag, value in struct.iter_unpack(
+                        form, table[: len(table) // struct.calcsize(form) * struct.calcsize(form)]
+                    ):
+                        found.setdefault(tag, []).append(value)
+            needed = []
+            for name in found.get(1, []):  # DT_NEEDED, in the table of DT_STRTAB
+                address = found[5][0] + name
+                for segment, offset, start, length in segments:
+                    if segment == 1 and start <= address < start + length:  # PT_LOAD
+                        text = at(offset + address - start, LINE).partition(b"\0")[0]
+                        needed.append(text.decode("utf-8", "backslashreplace"))
+                        break
+            return Elf((head[4], head[5], machine), needed)
+    except (OSError, struct.error, KeyError, IndexError, OverflowError, ValueError):
+        return None
+
+
+class Files:
+    """What there is to be found, by name.
+
+    Attributes:
+        libraries: a place of each. programs: all places in the workspace of what can be started. modules: of Python, with the
+            folders that have them. sources: of Python in the working folder, as paths without their endings.
+    """
+
+    def __init__(self) -> None:
+        self.libraries: dict[str, str] = {}
+        self.programs: dict[str, list[str]] = {}
+        self.modules: dict[str, set[Path]] = {}
+        self.sources: set[str] = set()
+
+    def add(self, root: Path, below: str = "") -> Files:
+        """Adds what a folder of a root has."""
+        for above, folders, names in os.walk(root / below):
+            place = os.path.relpath(above, root)
+            if MODULES.fullmatch(place):
+                for name in folders + names:
+                    self.modules.setdefault(name.partition(".")[0], set()).add(Path(above))
+            for name in names:
+                path, where = os.path.join(above, name), os.path.normpath(os.path.join(place, name))
+                if LIBRARY.fullmatch(name) and _leads_somewhere(path):
+                    self.libraries.setdefault(name, where)
+                if not where.startswith("docker-ros/"):
+                    continue
+                if name.endswith(".py"):
+                    self.sources.add(place if name == "__init__.py" else where[:-3])
+                if os.access(path, os.X_OK):
+                    self.programs.setdefault(name, []).append(where)
+        return self
+
+    def has_module(self, name: str, beside: Path) -> bool:
+        """Whether Python finds a module: in its folders, or beside the script that asks. Only of packages in the install space do
+        the parts of a name count: others may make theirs as they like."""
+        first, _, rest = name.partition(".")
+        folders = {*self.modules.get(first, ())}
+        if _is_module(beside / first):
+            folders.add(beside)
+        if not rest or not all(INSTALL in str(folder) for folder in folders):
+            return bool(folders)
+        return any(_is_module(folder / name.replace(".", "/")) for folder in folders)
+
+    def has_source(self, name: str) -> bool:
+        """Whether a module is in the working folder."""
+        ending = f"/{name.replace('.', '/')}"
+        return any(source.endswith(ending) for source in self.sources)
+
+
+def _leads_somewhere(path: str) -> bool:
+    """Whether a file is no link to nothing; of a link with a whole path nobody knows here."""
+    return not os.path.islink(path) or os.path.isabs(os.readlink(path)) or os.path.exists(path)
+
+
+def _is_module(path: Path) -> bool:
+    return path.is_dir() or any(path.parent.glob(f"{path.name}.*"))
+
+
+class Lacking:
+    """What is lost and what is absent, each in a sentence.
+
+    Args:
+        runtime: the image without the app. built: where the app was built: it has the install space. packages: of the app.
+    """
+
+    def __init__(self, runtime: Path, built: Path, packages: Iterable[str]) -> None:
+        self._root, self._install, self._packages = built, built / INSTALL, {*packages}
+        self._image = Files().add(runtime).add(built, INSTALL)
+        self._before = Files().add(built)
+        shells = (elf(runtime / name) for name in ("usr/bin/dash", "bin/dash", "usr/bin/bash", "bin/bash"))
+        self._machine = next((found.machine for found in shells if found), None)
+        self._seen: set[Path] = set()
+        self.lost: set[str] = set()
+        self.absent: set[str] = set()
+        for above, folders, names in os.walk(self._install):
+            for name in sorted(folders + names):
+                path = Path(above, name)
+                if path.is_symlink():
+                    self._link(path)
+                elif path.is_file():
+                    self._file(path)
+
+    def _shown(self, path: Path) -> str:
+        return str(path.relative_to(self._install))
+
+    def _say(self, path: Path, what: str, before: str) -> None:
+        """Says that a file asks for what is not there; `before`: where it was when the packages were built, if anywhere."""
+        if before:
+            self.lost.add(f"{self._shown(path)} needs {what}, which is in no image: {before}")
+        else:
+            self.absent.add(f"{self._shown(path)} needs {what}")
+
+    def _link(self, path: Path) -> None:
+        target = os.path.normpath(os.path.join("/", os.path.relpath(path.parent, self._root), os.readlink(path)))
+        if WORK.match(target[1:]):
+            self.lost.add(f"{self._shown(path)} is a link to {target}, which is in no image")
+
+    def _file(self, path: Path) -> None:
+        found = elf(path)
+        if found:
+            if self._machine in (None, found.machine):  # otherwise it is for another processor
+                for name in found.needed:
+                    if os.path.basename(name) not in self._image.libraries and not DRIVER.fullmatch(name):
+                        self._say(path, name, self._before.libraries.get(os.path.basename(name), ""))
+        elif path.name == "entry_points.txt" and path.parent.suffix in (".egg-info", ".dist-info"):
+            self._entry_points(path)
+        elif path.name.endswith(LAUNCH):
+            for package, program in _launched(path):
+                self._launch(path, package, program)
+        elif path.parent.parent.name == "lib" and path.parent.name in self._packages and _is_python(path):
+            self._imports(path, path.parent)
+
+    def _launch(self, path: Path, package: str, program: str) -> None:
+        if package not in self._packages or not program or "$" in program:
+            return
+        ways = (f"/lib/{package}/", f"/share/{package}/")
+        there = self._image.programs.get(os.path.basename(program), [])
+        if not any(way in place for place in there for way in ways):
+            places = self._before.programs.get(os.path.basename(program), [])
+            before = [place for place in places if WORK.match(place) and f"/{package}/" in place]
+            self._say(path, f"the program {program} of {package}", min(before, default=""))
+
+    def _entry_points(self, path: Path) -> None:
+        group = ""
+        for line in _text(path).split("\n"):
+            if line.startswith("["):
+                group = line.strip("[] \t")
+            name, _, module = (part.strip() for part in line.partition("="))
+            if group in ("console_scripts", "gui_scripts") and module:
+                self._import(path, module.partition(":")[0].partition("[")[0].strip(), path.parent.parent, name)
+
+    def _imports(self, path: Path, beside: Path) -> None:
+        """Looks for what a script, or a module that it imports, imports in any case."""
+        if path in self._seen:
+            return
+        self._seen.add(path)
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                body = ast.parse(_text(path)).body
+        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            return
+        for line in body:
+            if isinstance(line, ast.Import):
+                names = [item.name for item in line.names]
+            elif isinstance(line, ast.ImportFrom) and line.module and not line.level:
+                names = [line.module]
+            elif isinstance(line, ast.ImportFrom) and line.level:
+                names = self._relative(path, line)
+            else:
+                continue
+            for name in names:
+                self._import(path, name, beside)
+
+    def _relative(self, path: Path, line: ast.ImportFrom) -> list[str]:
+        parts = path.relative_to(self._install).parts
+        start = next((number for number, part in enumerate(parts) if part in ("site-packages", "dist-packages")), None)
+        above = parts[start + 1 : len(parts) - line.level] if start is not None else ()
+        return [".".join([*above, *(line.module or "").split(".")]).strip(".")] if above else []
+
+    def _import(self, path: Path, name: str, beside: Path, entry: str = "") -> None:
+        first = name.partition(".")[0]
+        if first in sys.builtin_module_names:
+            return
+        if not self._image.has_module(name, beside):
+            before = "its sources have it" if self._before.has_source(name) else ""
+            if not before and first in self._before.modules and first not in self._image.modules:
+                before = str(min(self._before.modules[first]).relative_to(self._root))
+            what = f"the module {name}" + (f" for {entry}" if entry else "")
+            self._say(path, what, before or ("nor is it in its sources" if entry else ""))
+            return
+        folders = [folder for folder in self._image.modules.get(first, ()) if INSTALL in str(folder)]
+        for folder in [*folders, beside]:
+            for number in range(1, name.count(".") + 2):
+                place = folder / "/".join(name.split(".")[:number])
+                for file in (place / "__init__.py", place.with_name(f"{place.name}.py")):
+                    if file.is_file():
+                        self._imports(file, beside)
+
+
+LAUNCH = (".launch", ".launch.xml", ".launch.py", "_launch.xml", "_launch.py")
+
+
+def _launched(path: Path) -> Iterator[tuple[str, str]]:
+    """The nodes of a launch file: packages and programs, as they are written."""
+    text = _text(path)
+    if path.suffix != ".py":
+        try:
+            nodes = [*ElementTree.fromstring(text).iter("node")]
+        except (ElementTree.ParseError, ValueError):
+            return
+        for node in nodes:
+            yield node.get("pkg", ""), node.get("type", "") or node.get("exec", "")
+        return
+    try:
+        calls = [node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Call)]
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return
+    for call in calls:
+        said = {word.arg: word.value.value for word in call.keywords if isinstance(word.value, ast.Constant)}
+        package, program = said.get("package"), said.get("executable")
+        if isinstance(package, str) and isinstance(program, str):
+            yield package, program
+
+
+def _is_python(path: Path) -> bool:
+    return path.suffix == ".py" or re.match(r"#!.*\bpython3?\b", _text(path, LINE).partition("\n")[0]) is not None
+
+
+def _text(path: Path, size: int = SIZE) -> str:
+    with open(path, "rb") as file:
+        return file.read(size).decode("utf-8", "replace")
