@@ -560,7 +560,9 @@ PLAN = {
 
 PARSERS: dict[str, Parser] = {
     ".env": Parser("text", [ENV], written(".env", inputs.read_env)),
-    ".repos": Parser("yaml", [REPOS], written("a.repos", lambda file: repos_file.read(file, "a.repos", local=False))),
+    ".repos": Parser(
+        "yaml", [REPOS], written("a.repos", lambda file: repos_file.read([file], file.parent, "", local=False))
+    ),
     ".rosml.toml": Parser("text", [DEFAULTS], defaults_of),
     "allowed.json": Parser(
         "json",

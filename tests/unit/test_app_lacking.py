@@ -11,7 +11,8 @@ from typing import Any
 import pytest
 from registry_stand_in import StandIn
 from stubs import script_of_a_build
-from test_apps import APP, SLIM, app, calls, put, repository, services
+from test_apps import SLIM, app, calls, put, repository, services
+from test_report import APP
 
 from rosml.base.errors import RosmlError
 from rosml.machine.base_images import native_architecture

@@ -21,6 +21,7 @@ from pathlib import Path
 import pytest
 import trustme
 
+from rosml.apps import repos_file
 from rosml.apps.lock import Pin
 from rosml.apps.sources import Access, Repository, fetch
 from rosml.base.errors import RosmlError
@@ -307,12 +308,79 @@ def test_two_files_that_contradict_each_other(place: Place) -> None:
         ("- git: {local-name: x}", "the file is no mapping"),
         ("repos: {}", "no key 'repositories'"),
         ("repositories: [", "not YAML"),
+        (
+            "repositories: {x: {type: git, url: 'https://h/x', verison: '1'}}",
+            "unknown key 'verison'; did you mean 'version'?",
+        ),
+        ("repositories: {x: {type: git, url: 'https://h/x', tag: '1'}}", "unknown key 'tag'; did you mean 'version'?"),
+        (
+            "repositories: {x: {type: git, url: 'https://h/x', depth: 1}}",
+            "unknown key 'depth'; known: type, url, version",
+        ),
+        ("repositorys: {}\nrepositories: {}", "unknown key 'repositorys'; did you mean 'repositories'?"),
+        ("extend: a.repos\nrepositories: {}", "unknown key 'extend'; did you mean 'extends'?"),
+        ("extends: 2.repos", "it extends 2.repos, and there is no such file beside it"),
+        ("extends: [y/a.repos, y/a.repos]", "extends has y/a.repos twice"),
+        ("extends: x.repos", "it extends x.repos, which extends it"),
+        ("extends: ../outside.repos", "leads out of"),
+        ("extends: /etc/hostname", "leads out of"),
+        ("extends: .env", "gets into no image"),
+        ("extends: y", "a folder in the place of a file"),
+        ("extends: {a: b}", "extends is no file"),
+        ("repositories: {<<: [x], x: {type: git, url: /a}}", "merges is no mapping"),
     ],
 )
 def test_what_is_refused(place: Place, text: str, said: str) -> None:
     place.put(f"\n{text}", "x.repos")
+    place.put("repositories: {}", "y/a.repos")
+    place.put("A=1", ".env")
+    (place.root / "outside.repos").write_text("repositories: {}")
     error = place.refused()
-    assert error.message.startswith(("x.repos:2: ", "x.repos:3: ")) and said in error.message and error.exit_code == 2
+    assert error.message.startswith(("x.repos:2: ", "x.repos:3: ")) and error.exit_code == 2
+    assert said in f"{error.message}; {error.remedy}"
+
+
+def test_a_file_may_extend_others(place: Place) -> None:
+    """As in vcs2l 1.1: the later one counts, and the file itself counts before them. Those that it extends do not count alone."""
+    for name in ("a", "b", "c", "d"):
+        commit(place.root / name, {"f": name})
+        git(place.root / name, "tag", "v1")
+    every = {name: (place.root / name, "main") for name in ("a", "b", "c")}
+    place.put(repos(**every), "deps/base.repos")
+    place.put(repos(b=(place.root / "b", "v1"), d=(place.root / "d", "main")), "deps/more.yaml")
+    place.put(f"extends: [deps/base.repos, deps/more.yaml]\n{_yaml(repos(a=(place.root / 'a', 'v1')))}", "my.repos")
+    found = {repository.path: (repository.version, repository.named_in) for repository in place.fetch()}
+    assert found == {
+        "a": ("v1", "my.repos"),
+        "b": ("v1", "deps/more.yaml"),
+        "c": ("main", "deps/base.repos"),
+        "d": ("main", "deps/more.yaml"),
+    }
+    place.put("extends: my.repos\n", "other.repos")
+    assert len(place.fetch(recursive=False, file="other.repos")) == 4
+    place.put("extends: ../other.repos\n", "deps/more.yaml")
+    assert "which extends it" in place.refused(recursive=False, file="other.repos").message
+    for number in range(repos_file.EXTENDS + 2):
+        place.put(f"extends: {number + 1}.yaml\n", f"{number}.yaml")
+    assert "more than 10 files extend each other" in place.refused(recursive=False, file="0.yaml").message
+
+
+def _yaml(text: str) -> str:
+    return "repositories: " + json.dumps(json.loads(text)["repositories"])
+
+
+def test_a_mapping_has_what_it_merges(place: Place) -> None:
+    a = place.root / "a"
+    commit(a, {"f": "1"})
+    git(a, "tag", "v1")
+    place.put(
+        f"""defaults: &defaults {{type: git, url: '{a}', version: main}}
+repositories:
+  one: {{<<: *defaults}}
+  two: {{version: v1, <<: [{{version: v2}}, *defaults]}}
+"""
+    )
+    assert {repository.path: repository.version for repository in place.fetch()} == {"one": "main", "two": "v1"}
 
 
 def test_links_in_a_repository_lead_nowhere(place: Place) -> None:

@@ -1,18 +1,35 @@
-"""`.repos` files, as vcstool reads them: where they are, and which repositories they name."""
+"""`.repos` files, as vcstool and vcs2l read them: where they are, and which repositories they name.
+
+vcs2l 1.1 has `extends`: a file, or a list of files, beside this one. Of two that name one path the later one counts, and what the
+file itself names counts before all of them.
+"""
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any, NoReturn
 
 import yaml
 
-from rosml.apps import urls
+from rosml.apps import urls, within
 from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
+from rosml.base.problems import near
+
+KEYS = ("type", "url", "version")
+"""What a repository may have."""
+
+VERSIONS = ("branch", "tag", "commit", "ref", "rev", "revision", "hash", "sha", "checkout")
+"""What people write in the place of `version`."""
+
+EXTENDS = 10
+"""How many files may extend each other, one above the other."""
+
+MERGE = "tag:yaml.org,2002:merge"
+"""What YAML makes of a key `<<`: the mapping has what its value has, and it does not have itself."""
 
 IGNORE = "COLCON_IGNORE"
 """A folder with a file of this name has no packages, and no `.repos` files that count."""
@@ -70,17 +87,85 @@ def _raise(error: OSError) -> None:
     raise error
 
 
-def read(file: Path, name: str, local: bool) -> list[Entry]:
-    """The repositories that a `.repos` file names.
+def read(files: Iterable[Path], folder: Path, prefix: str, local: bool) -> list[Entry]:
+    """The repositories that `.repos` files of a folder name. One that another of them extends counts as a part of that one.
 
     Args:
-        name: what the file is called in messages. local: whether it may name repositories of this machine.
+        prefix: what their paths begin with in messages. local: whether they may name repositories of this machine.
 
     Raises:
-        RosmlError: it cannot be read, or names something that is not allowed (exit code 2).
+        RosmlError: one cannot be read, or names something that is not allowed (exit code 2).
     """
+    reader = _Reader(folder, prefix, local)
+    found = {file: reader.entries(file, ()) for file in files}
+    return [entry for file in found if file.resolve() not in reader.extended for entry in found[file].values()]
+
+
+class _Reader:
+    """Reads files of a folder, each once.
+
+    Attributes:
+        extended: files that others extend, resolved.
+    """
+
+    def __init__(self, folder: Path, prefix: str, local: bool) -> None:
+        self._folder, self._prefix, self._local = folder, prefix, local
+        self._known: dict[Path, dict[str, Entry]] = {}
+        self.extended: set[Path] = set()
+
+    def entries(self, file: Path, above: tuple[Path, ...]) -> dict[str, Entry]:
+        """What a file names, by path. `above`: the files that led here by `extends`."""
+        place = file.resolve()
+        if place not in self._known:
+            self._known[place] = self._read(file, (*above, place))
+        return self._known[place]
+
+    def _read(self, file: Path, above: tuple[Path, ...]) -> dict[str, Entry]:
+        name = f"{self._prefix}{os.path.relpath(file, self._folder)}"
+        node = _parsed(file, name)
+        if _is_empty(node):
+            return {}
+        top = _mapping(node, name, "the file")
+        listed, extends = top.pop("repositories", None), top.pop("extends", None)
+        if listed is None and extends is None:
+            _refuse(name, node, "no key 'repositories'")
+        _require_known(name, top, ("repositories", "extends"), listed)
+        found: dict[str, Entry] = {}
+        for item, parent in self._parents(file, name, extends[1]) if extends else ():
+            if parent.resolve() in above:
+                _refuse(name, item, f"it extends {item.value}, which extends it", "take one of the two out")
+            if len(above) > EXTENDS:
+                _refuse(name, item, f"more than {EXTENDS} files extend each other", "write them as fewer")
+            self.extended.add(parent.resolve())
+            found |= self.entries(parent, above)
+        if listed is not None and not _is_empty(listed[1]):
+            for key, value in _mapping(listed[1], name, "repositories").values():
+                entry = _entry(name, key, value, self._local)
+                found[entry.path] = entry
+        return found
+
+    def _parents(self, file: Path, name: str, node: Any) -> Iterator[tuple[Any, Path]]:
+        """The files that a file extends, each with its node."""
+        said: set[str] = set()
+        for item in node.value if isinstance(node, yaml.SequenceNode) else [node]:
+            if not isinstance(item, yaml.ScalarNode) or not item.value or not item.value.isprintable():
+                _refuse(name, item, "extends is no file", "name a .repos file, or a list of them")
+            if item.value in said:
+                _refuse(name, item, f"extends has {item.value} twice", "keep one of them")
+            said.add(item.value)
+            path = file.parent / item.value
+            try:
+                there = within.there(path, self._folder)
+            except RosmlError as error:
+                _refuse(name, item, f"it extends {item.value}: {error.message}", error.remedy)
+            if not there:
+                _refuse(name, item, f"it extends {item.value}, and there is no such file beside it", "check its name")
+            yield item, path
+
+
+def _parsed(file: Path, name: str) -> Any:
     try:
-        node = untrusted.yaml_node(files.limited(file, untrusted.SIZE).decode("utf-8-sig"))
+        return untrusted.yaml_node(files.limited(file, untrusted.SIZE).decode("utf-8-sig"))
     except OSError as error:
         raise RosmlError(f"{name}: cannot be read: {error.strerror}", "make it readable", exit_code=2) from None
     except UnicodeDecodeError:
@@ -89,15 +174,6 @@ def read(file: Path, name: str, local: bool) -> list[Entry]:
         mark = getattr(error, "problem_mark", None)
         what = getattr(error, "problem", None) or "a character that YAML does not allow"
         raise RosmlError(f"{name}:{mark.line + 1 if mark else 1}: not YAML: {what}", _FORMAT, exit_code=2) from None
-    if _is_empty(node):
-        return []
-    listed = _mapping(node, name, "the file").get("repositories")
-    if listed is None:
-        _refuse(name, node, "no key 'repositories'")
-    if _is_empty(listed[1]):
-        return []
-    entries = _mapping(listed[1], name, "repositories")
-    return [_entry(name, key, value, local) for key, value in entries.values()]
 
 
 _FORMAT = "write it as 'repositories: {PATH: {type: git, url: URL, version: VERSION}}'"
@@ -114,17 +190,49 @@ def _refuse(name: str, node: Any, text: str, remedy: str = _FORMAT) -> NoReturn:
 
 
 def _mapping(node: Any, name: str, what: str) -> dict[str, _Pair]:
-    """The nodes of a mapping's keys and values."""
+    """The nodes of a mapping's keys and values, with those that it merges."""
     if not isinstance(node, yaml.MappingNode):
         _refuse(name, node, f"{what} is no mapping")
     pairs: dict[str, _Pair] = {}
+    merged: dict[str, _Pair] = {}
     for key, value in node.value:
         if not isinstance(key, yaml.ScalarNode):
             _refuse(name, key, "a key is no text")
+        if key.tag == MERGE:
+            for item in value.value if isinstance(value, yaml.SequenceNode) else [value]:
+                merged = _mapping(item, name, f"what {what} merges") | merged  # the first one counts
+            continue
         if key.value in pairs:
             _refuse(name, key, f"{key.value} is there twice", "keep one of them")
         pairs[key.value] = (key, value)
-    return pairs
+    return merged | pairs
+
+
+def _require_known(name: str, others: dict[str, _Pair], known: tuple[str, ...], used: _Pair | None = None) -> None:
+    """Checks that a mapping has no key beside those that are known. Only `used` may lead to what another one has: anchors are
+    written somewhere."""
+    reached = _nodes(used[1]) if used and others else set()
+    for key, value in others.values():
+        if reached.isdisjoint(_nodes(value)):
+            meant = (
+                "did you mean 'version'?" if key.value in VERSIONS and "version" in known else near(key.value, known)
+            )
+            _refuse(name, key, f"unknown key {key.value!r}", meant)
+
+
+def _nodes(node: Any) -> set[int]:
+    """A node and all below it; an alias is the node that it names."""
+    found: set[int] = set()
+    todo = [node]
+    while todo:
+        item = todo.pop()
+        if id(item) not in found:
+            found.add(id(item))
+            if isinstance(item, yaml.MappingNode):
+                todo += [part for pair in item.value for part in pair]
+            elif isinstance(item, yaml.SequenceNode):
+                todo += item.value
+    return found
 
 
 def _entry(name: str, key: Any, node: Any, local: bool) -> Entry:
@@ -145,11 +253,12 @@ def _entry(name: str, key: Any, node: Any, local: bool) -> Entry:
 
 def _texts(name: str, path: str, node: Any) -> Iterator[tuple[str, str]]:
     """The plain values of a repository, as they are written: YAML would read the version 1.10 as the number 1.1."""
-    for key, (_, value) in _mapping(node, name, path).items():
-        if key in ("type", "url", "version"):
-            if not isinstance(value, yaml.ScalarNode):
-                _refuse(name, value, f"{path}: {key} is no text")
-            yield key, "" if _is_empty(value) else value.value
+    fields = _mapping(node, name, path)
+    _require_known(name, {key: pair for key, pair in fields.items() if key not in KEYS}, KEYS)
+    for key, (_, value) in fields.items():
+        if not isinstance(value, yaml.ScalarNode):
+            _refuse(name, value, f"{path}: {key} is no text")
+        yield key, "" if _is_empty(value) else value.value
 
 
 def _path(name: str, key: Any) -> str:

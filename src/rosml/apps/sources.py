@@ -5,7 +5,6 @@ They are fetched on the caller's machine. The folder is a context of the build, 
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
@@ -97,7 +96,7 @@ def fetch(
         tree = Tree(out)
         known: dict[str, Entry] = {}
         done: list[Repository] = []
-        if wave := _entries(files, target, "", local):
+        if wave := repos_file.read(files, target, "", local):
             with opened(access, cache) as git:
                 store = Store(git, cache, say)
                 while new := _new(wave, known):
@@ -120,16 +119,11 @@ def _alone(target: Path, file: str) -> list[Path]:
     raise RosmlError(f"{file}: no file below {target}", "name a .repos file of the target", exit_code=2)
 
 
-def _entries(files: Iterable[Path], folder: Path, prefix: str, local: bool) -> list[Entry]:
-    names = [(file, prefix + os.path.relpath(file, folder)) for file in files]
-    return [entry for file, name in names for entry in repos_file.read(file, name, local)]
-
-
 def _named_by(repository: Repository, out: Path) -> list[Entry]:
     """What the `.repos` files of a repository name."""
     folder = out / repository.path
     prefix = f"upstream/{repository.path}/"
-    return _entries(repos_file.found(folder), folder, prefix, local=urls.is_local(repository.url))
+    return repos_file.read(repos_file.found(folder), folder, prefix, local=urls.is_local(repository.url))
 
 
 def _new(entries: Iterable[Entry], known: dict[str, Entry]) -> list[Entry]:
