@@ -25,9 +25,18 @@ def fail(message: str, remedy: str) -> NoReturn:
 
 
 def _manifests(folder: Path) -> list[Path]:
-    """The package.xml of all packages, as colcon finds them: none in an ignored folder, and none inside of another package."""
+    """The package.xml of all packages, as colcon finds them: none in an ignored folder, and none inside of another package.
+
+    A folder behind a link is one of them, once, unless the link leads out."""
     found = []
-    for path, folders, names in os.walk(folder):
+    seen = set()
+    top = os.path.realpath(folder)
+    for path, folders, names in os.walk(folder, followlinks=True):
+        real = os.path.realpath(path)
+        if real in seen or not f"{real}/".startswith(f"{top}/"):
+            folders.clear()
+            continue
+        seen.add(real)
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         ignored = IGNORED & set(names)
         if "package.xml" in names and not ignored:
@@ -86,7 +95,9 @@ def main(folder: Path, left_out: Path) -> None:
     for place, _package in all_packages(folder).values():
         if place in kept:
             continue
-        if len(place.parts) > 1:
+        if (folder / place).is_symlink():
+            (folder / place).unlink()
+        elif len(place.parts) > 1:
             shutil.rmtree(folder / place)
         else:  # the repository itself is the package, and src/target stays
             for path in (folder / place).iterdir():

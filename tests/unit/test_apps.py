@@ -9,13 +9,16 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import tarfile
 import time
 import tracemalloc
+import types
 import zlib
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import archives
 import pytest
@@ -174,6 +177,58 @@ def test_manifests_are_those_that_colcon_finds(tmp_path: Path) -> None:
     assert written == ["target/a/package.xml", "target/b/c/package.xml", "target/hidden/COLCON_IGNORE"]
     with pytest.raises(RosmlError, match=r"there is no package\.xml"):
         workspace.write_manifests({"target": tmp_path / "none"}, tmp_path / "out")
+
+
+def test_packages_behind_links_are_those_that_colcon_finds(tmp_path: Path) -> None:
+    """Once each, and within the repository; a link that leads out is named."""
+    repository, outside, said = tmp_path / "robot", tmp_path / "outside", list[str]()
+    for path in (repository / "third_party/tp", repository / "src/main", repository / ".git/secret", outside / "x"):
+        path.mkdir(parents=True)
+        (path / "package.xml").write_text(PACKAGE.format(path.name))
+    (repository / "third_party/COLCON_IGNORE").touch()
+    for name, leads in (
+        ("tp", "../third_party/tp"), ("again", repository / "third_party/tp"), ("up", ".."), ("out", outside),
+        ("nowhere", "nothing"), ("git", "../.git"),
+    ):  # fmt: skip
+        (repository / "src" / name).symlink_to(leads)
+    counts = workspace.write_manifests({"target": repository}, tmp_path / "out", said.append)
+    assert counts == {"target": 2} and list(workspace.names(repository)) == ["tp", "main"]
+    assert sorted(line.partition(" leads")[0] for line in said) == [
+        f"{repository}/src/{name}" for name in ("git", "out")
+    ]
+    written = {str(path.relative_to(tmp_path / "out/target")) for path in (tmp_path / "out/target").rglob("*.xml")}
+    assert written == {"src/again/package.xml", "src/main/package.xml"}
+
+    workspace.stage(repository, tmp_path / "staged")
+    assert os.readlink(tmp_path / "staged/src/again") == "../third_party/tp", "there is no such path in a step"
+    assert os.readlink(tmp_path / "staged/src/out") == str(outside)
+
+
+def test_a_package_behind_a_link_can_be_left_out(tmp_path: Path, catkin_pkg: None) -> None:
+    script = script_of_a_build("containerize/manifests.py")
+    for path in ("src/target/third_party/tp", "src/target/main", "outside"):
+        (tmp_path / path).mkdir(parents=True)
+        (tmp_path / path / "package.xml").write_text(PACKAGE.format(path.rpartition("/")[2]))
+    (tmp_path / "src/target/third_party/COLCON_IGNORE").touch()
+    (tmp_path / "src/target/tp").symlink_to("third_party/tp")
+    (tmp_path / "src/target/out").symlink_to(tmp_path / "outside")
+    assert sorted(script.all_packages(tmp_path / "src")) == ["main", "tp"]
+    (tmp_path / "left_out").write_text("tp\n")
+    script.main(tmp_path / "src", tmp_path / "left_out")
+    assert sorted(script.all_packages(tmp_path / "src")) == ["main"]
+
+
+@pytest.fixture
+def catkin_pkg(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a base image has: its parser of manifests, as far as names go."""
+    package = types.ModuleType("catkin_pkg.package")
+
+    def parse_package(path: str) -> Any:
+        return types.SimpleNamespace(name=ElementTree.parse(path).findtext("name"))
+
+    package.parse_package = parse_package  # type: ignore[attr-defined]
+    monkeypatch.setitem(sys.modules, "catkin_pkg", types.ModuleType("catkin_pkg"))
+    monkeypatch.setitem(sys.modules, "catkin_pkg.package", package)
 
 
 def requests(folder: Path, given: dict[str, str], environment: dict[str, str]) -> dict[str, str]:

@@ -425,7 +425,7 @@ class App:
             text = f"{' and '.join(named)} has a password, and steps that ask the mirror run code of the repository"
             remedy = "name a mirror without a password; if you trust all of that code, add --allow-mirror-password"
             raise RosmlError(text, remedy, exit_code=2)
-        counts = workspace.write_manifests(roots, manifests)
+        counts = workspace.write_manifests(roots, manifests, self._say)
         if values["downstream-workspace"] and not counts["downstream"]:
             text = f"downstream-workspace: the repositories of {values['downstream-workspace']} have no package"
             raise RosmlError(text, "name some that have, or leave the input out", exit_code=2)

@@ -25,6 +25,15 @@ def require_own(path: Path, root: Path) -> None:
         raise RosmlError(text, "name another file", exit_code=2)
 
 
+def is_own(path: Path, root: Path) -> bool:
+    """Whether a path leads to something of the repository that is not secret."""
+    try:
+        require_own(path, root)
+    except RosmlError:
+        return False
+    return True
+
+
 def there(path: Path, root: Path, folder: bool = False) -> bool:
     """Whether a repository has a file, or a folder, at a path.
 

@@ -7,7 +7,7 @@ import os
 import re
 import shutil
 import stat
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -19,10 +19,27 @@ IGNORED = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
 """Files that keep colcon from looking for packages in a folder."""
 
 
-def manifests(root: Path) -> Iterator[Path]:
-    """The package.xml of the packages below a folder, as colcon finds them, and the files that hide others."""
-    for folder, folders, names in os.walk(root):
-        folders[:] = sorted(name for name in folders if not name.startswith("."))
+def manifests(root: Path, beyond: list[Path] | None = None) -> Iterator[Path]:
+    """The package.xml of the packages below a folder, as colcon finds them, and the files that hide others.
+
+    A folder behind a link is one of them, once, unless the link leads out of the root, or to what is secret.
+
+    Args:
+        beyond: gets such links.
+    """
+    seen: set[str] = set()
+    for folder, folders, names in os.walk(root, followlinks=True):
+        real = os.path.realpath(folder)
+        if real in seen:
+            folders.clear()
+            continue
+        seen.add(real)
+        out = [
+            name for name in folders if Path(folder, name).is_symlink() and not within.is_own(Path(folder, name), root)
+        ]
+        if beyond is not None:
+            beyond += [Path(folder, name) for name in out]
+        folders[:] = sorted(name for name in folders if not name.startswith(".") and name not in out)
         hidden = [name for name in IGNORED if name in names]
         if hidden:
             yield Path(folder, hidden[0])
@@ -40,8 +57,13 @@ def names(root: Path) -> Iterator[str]:
                 yield name
 
 
-def write_manifests(roots: Mapping[str, Path], out: Path) -> dict[str, int]:
+def write_manifests(
+    roots: Mapping[str, Path], out: Path, say: Callable[[str], object] = lambda text: None
+) -> dict[str, int]:
     """Copies the manifests of some folders, each below its name; gives the number of packages in each.
+
+    Args:
+        say: tells people of links behind which nobody looks for packages.
 
     Raises:
         RosmlError: the target and upstream have no package, or a manifest cannot be read or leads out of its folder (exit code 2).
@@ -51,7 +73,8 @@ def write_manifests(roots: Mapping[str, Path], out: Path) -> dict[str, int]:
     count = dict.fromkeys(roots, 0)
     for name, root in roots.items():
         (out / name).mkdir()
-        for path in manifests(root):
+        beyond: list[Path] = []
+        for path in manifests(root, beyond):
             target = out / name / path.relative_to(root)
             target.parent.mkdir(parents=True, exist_ok=True)
             if path.name in IGNORED:
@@ -63,6 +86,8 @@ def write_manifests(roots: Mapping[str, Path], out: Path) -> dict[str, int]:
             except OSError as error:
                 raise RosmlError(f"cannot read {path}: {error.strerror}", "check the file", exit_code=2) from None
             count[name] += 1
+        for path in beyond:
+            say(f"{path} leads to {os.readlink(path)}, out of {root}: packages there are not yours, and are not built")
     if not count["target"] + count.get("upstream", 0):
         raise RosmlError(
             f"there is no package.xml in {roots['target']}",
@@ -74,7 +99,7 @@ def write_manifests(roots: Mapping[str, Path], out: Path) -> dict[str, int]:
 
 def stage(folder: Path, out: Path, without: Path | None = None) -> None:
     """Makes a folder of links to the files of a repository, without git's folder and files of secrets, and without one file
-    more: what the builder gets.
+    more: what the builder gets. A link with a whole path that leads to another place of the folder becomes one that does so anywhere.
 
     It is one level deeper than the context of the build, so that a `.dockerignore` of the repository, which is about another
     build, hides nothing.
@@ -89,14 +114,17 @@ def stage(folder: Path, out: Path, without: Path | None = None) -> None:
             (place / name).mkdir(mode=0o755)
         for name in [*names, *links]:
             if name not in SECRET and Path(path, name) != without:
-                _link(Path(path, name), place / name)
+                _link(Path(path, name), place / name, folder)
 
 
-def _link(source: Path, target: Path) -> None:
+def _link(source: Path, target: Path, root: Path) -> None:
     """Gives a file another name; copies it where that is on another file system. Sockets and pipes are left out."""
     facts = source.lstat()
     if stat.S_ISLNK(facts.st_mode):
-        target.symlink_to(os.readlink(source))
+        leads = os.readlink(source)
+        if os.path.isabs(leads) and within.is_own(source, root):
+            leads = os.path.relpath(os.path.realpath(source), os.path.realpath(source.parent))
+        target.symlink_to(leads)
     elif stat.S_ISREG(facts.st_mode):
         try:
             os.link(source, target)
