@@ -67,6 +67,10 @@ class Answer(NamedTuple):
     names: tuple[str, ...]
 
 
+class NoWay(Exception):
+    """A rule for a key installs something in a way that no image has: the message is the rule."""
+
+
 def read(folder: Path, left_out: Path) -> Packages:
     """What each package needs: its keys of rosdep by kind."""
     context = {name: os.environ.get(name, "") for name in ("ROS_DISTRO", "ROS_VERSION")}
@@ -118,7 +122,7 @@ class Rosdep:
         """What a key becomes, with what its rule depends on; asks the network for one that is not known here.
 
         Raises:
-            KeyError: nobody knows it.
+            KeyError: nobody knows it. NoWay: it is known, and no image can have it.
         """
         try:
             return list(self._resolve(key))
@@ -134,11 +138,15 @@ class Rosdep:
             fail(f"rosdep's lists are wrong about {key}: it depends on itself", "correct them")
         try:
             rule_installer, rule = self._view.lookup(key).get_rule_for_platform(*self._platform)
+            if rule_installer not in INSTALLERS:  # one of sources would ask the network now
+                raise NoWay(f"{rule_installer}: {json.dumps(rule, default=str)[:200]}")
             installer = self._context.get_installer(rule_installer)
             names = tuple(str(name) for name in installer.resolve(rule))
             others = [str(other) for other in installer.get_depends(rule)]
         except (KeyError, ResolutionError):
             raise KeyError(key) from None
+        except NoWay:
+            raise
         except Exception as error:  # rosdep takes its lists to have the right shape
             fail(f"rosdep's lists are wrong about {key}: {str(error)[:500] or type(error).__name__}", "correct them")
         if wrong := [name for name in names if not NAME.fullmatch(name)]:
@@ -202,10 +210,11 @@ def answers(packages: Packages, skipped: set[str], rosdep: Rosdep) -> dict[str, 
             found[key] = rosdep.find(key)
         except KeyError:
             unknown.append(f"{key} (asked for by {', '.join(sorted(asking[key]))})")
-            continue
-        for answer in found[key]:
-            if answer.installer not in INSTALLERS:
-                fail(f"rosdep installs {key} by {answer.installer}", f"install it in a script, and --skip-keys {key}")
+        except NoWay as rule:
+            fail(
+                f"rosdep's rule for {key}, which {', '.join(sorted(asking[key]))} asks for, is not one of apt or pip: {rule}",
+                f"install it in docker/custom.sh, and leave it out with --skip-keys {key}",
+            )
     if unknown and rosdep.failure:
         fail(
             f"rosdep's lists could not be fetched: {rosdep.failure}; those of the image do not know {', '.join(unknown)}",

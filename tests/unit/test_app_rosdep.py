@@ -5,10 +5,14 @@ from __future__ import annotations
 import dataclasses
 import gzip
 import shutil
+import sys
+import types
 from pathlib import Path
+from typing import Any, ClassVar
 
 import pytest
 from registry_stand_in import StandIn
+from stubs import script_of_a_build
 
 from rosml.apps import rosdep_index
 from rosml.apps.base import Base
@@ -166,3 +170,64 @@ def test_what_is_no_whole_checkout_is_not_published(path: str, checkout: Path) -
     with pytest.raises(RosmlError) as caught:
         rosdep_index.packed(checkout)
     assert caught.value.exit_code == 2
+
+
+class Rules:
+    """A view of rosdep's lists with one rule for each key, and an installer that asks the network."""
+
+    rules: ClassVar[dict[str, tuple[str, Any]]] = {
+        "by_source": ("source", {"uri": "https://example.org/x.rdmanifest", "md5sum": "abc"}),
+        "by_snap": ("snap", ["x"]),
+        "above": ("apt", ["above"]),
+    }
+
+    def __init__(self, key: str = "") -> None:
+        self._key = key
+
+    def lookup(self, key: str) -> Rules:
+        return Rules(key)
+
+    def get_rule_for_platform(self, *_: object) -> tuple[str, Any]:
+        return self.rules[self._key]
+
+    def get_installer(self, name: str) -> Rules:
+        assert name == "apt", f"{name} would ask the network"
+        return self
+
+    def resolve(self, rule: list[str]) -> list[str]:
+        return rule
+
+    def get_depends(self, rule: object) -> list[str]:
+        return ["by_source"]
+
+
+@pytest.mark.parametrize(
+    ("key", "says"),
+    [
+        ("by_source", r"rule for by_source, which arm, robot asks for, .* source: .*x\.rdmanifest"),
+        ("by_snap", r"rule for by_snap, which arm, robot asks for, .* snap: \[\"x\"\]; .*--skip-keys by_snap"),
+        ("above", r"rule for above, which arm, robot asks for, .* source: "),
+    ],
+)
+def test_a_rule_that_no_image_can_follow_is_named(key: str, says: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One of sources asks the network as soon as rosdep looks at it."""
+    for name in ("rosdep2", "rosdep2.lookup", "rosdep2.rospkg_loader", "rosdep2.sources_list", "manifests"):
+        monkeypatch.setitem(sys.modules, name, types.ModuleType(name))
+    for name, module in (
+        ("RosdepLookup", "rosdep2"),
+        ("create_default_installer_context", "rosdep2"),
+        ("get_default_installer", "rosdep2"),
+        ("DEFAULT_VIEW_KEY", "rosdep2.rospkg_loader"),
+        ("SourcesListLoader", "rosdep2.sources_list"),
+    ):
+        monkeypatch.setattr(sys.modules[module], name, None, raising=False)
+    monkeypatch.setattr(sys.modules["rosdep2.lookup"], "ResolutionError", LookupError, raising=False)
+    monkeypatch.setattr(
+        sys.modules["manifests"], "fail", lambda text, remedy: sys.exit(f"{text}; {remedy}"), raising=False
+    )
+    script = script_of_a_build("containerize/identify.py")
+    rosdep = object.__new__(script.Rosdep)
+    rosdep._view, rosdep._context, rosdep._platform, rosdep._may_ask, rosdep.failure = Rules(), Rules(), (), False, ""
+    packages = {name: {"exec": {key}} for name in ("robot", "arm")}
+    with pytest.raises(SystemExit, match=says):
+        script.answers(packages, set(), rosdep)
