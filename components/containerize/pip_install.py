@@ -89,7 +89,7 @@ def fragment(sha256: str, info: dict[str, Any]) -> str:
 def run(arguments: Sequence[str]) -> None:
     done = subprocess.run([sys.executable, "-m", "pip", "install", *arguments])
     if done.returncode:
-        sys.exit(done.returncode)
+        fail(f"pip ended with {done.returncode}", "the lines above say why")
 
 
 PLACE = "direct_url.json"

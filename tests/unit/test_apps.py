@@ -507,6 +507,18 @@ def test_images_are_joined_after_the_report_is_read(
     assert dev["dockerfile-inline"].startswith("FROM workspace\n")
 
 
+def test_scripts_that_run_code_of_packages_are_those_of_the_build() -> None:
+    """Their output is not searched for reasons of ours. Those that colcon, tests or CMake run in."""
+    dockerfile = (bake_file.SCRIPTS / "containerize/Dockerfile").read_text()
+    called = set(re.findall(r"/run/(scripts/containerize/\w+\.sh)(?= \w+$| /tests)", dockerfile, re.M))
+    runs = {name for name in called if re.search(r"^ *colcon (build|test)\b", _script(name), re.M)}
+    assert runs == set(bake_file.FOREIGN)
+
+
+def _script(name: str) -> str:
+    return (bake_file.SCRIPTS / name.removeprefix("scripts/")).read_text()
+
+
 def test_a_run_image_starts_from_its_packages_where_they_replace_some_of_the_base(
     repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
 ) -> None:

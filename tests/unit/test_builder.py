@@ -239,13 +239,13 @@ def test_failure_without_a_step(tmp_path: Path, registry: str, bake: Bake) -> No
 
 
 LOGIN = "docker login"
+PUSH = "failed to push {}/a: unexpected status from PUT request to http://x/v2/a/manifests/sha256:0: {}"
 
 
 @pytest.mark.parametrize(
     ("reason", "remedy"),
     [
         ("write /x: no space left on device", "free some disk space"),
-        ("No space left on device (28)", "free some disk space"),
         ("dial tcp 127.0.0.1:1: connect: connection refused", "run 'rosml setup'"),
         ("failed to dial gRPC", "run 'rosml setup'"),
         ("failed to solve: failed to load LLB: network.host is not allowed", "run 'rosml setup'"),
@@ -254,30 +254,21 @@ LOGIN = "docker login"
             ' "https://registry-1.docker.io/v2/library/a/manifests/1": dial tcp: connect: connection refused',
             "name a base image that answers",
         ),
-        ("Could not resolve host: example.org", "package indexes"),
-        ("Temporary failure resolving 'example.org'", "Debian's mirrors"),
-        ("E: Failed to fetch x.deb", "run it again"),
-        ("error sending request for url", "run it again"),
-        ("Hash mismatch for `x`", "rosml locks"),
         ("failed to push ghcr.io/a: unexpected status from POST request to https://ghcr.io/v2/: 403 Forbidden", LOGIN),
         (
             "failed to resolve source metadata for x: unexpected status from HEAD request to https://x: 401 Unauthorized",
             LOGIN,
         ),
         ("failed to authorize: failed to fetch oauth token: unexpected status: 401 Unauthorized", LOGIN),
-        ("error: HTTP status client error (403 Forbidden) for url (https://example.org/simple/torch/)", "its address"),
-        ("error: HTTP status client error (401 Unauthorized) for url (https://example.org/simple/)", "its address"),
-        ("E: Failed to fetch http://example.org/x.deb  403  Forbidden [IP: 192.0.2.1 80]", "its address"),
-        ("curl: (22) The requested URL returned error: 403", "its address"),
+        (PUSH.format("127.0.0.1:1", "500 Internal Server Error").replace("x/v2", "127.0.0.1:1/v2"), ".state/registry"),
+        (PUSH.format("ghcr.io", "500 Internal Server Error"), ""),
         ("exit code: 1", ""),
     ],
 )
-@pytest.mark.parametrize("where", ["error", "tail", "other"])
-def test_remedies(tmp_path: Path, bake: Bake, reason: str, remedy: str, where: str) -> None:
+@pytest.mark.parametrize("where", ["error", "other"])
+def test_remedies_for_what_the_builder_says(tmp_path: Path, bake: Bake, reason: str, remedy: str, where: str) -> None:
     progress = BuildProgress()
     progress.feed(vertex(completed=f"{DAY}12Z", error=reason if where == "error" else "exit code: 1"))
-    if where == "tail":
-        progress.steps[NAME].tail.append(reason)
     if where == "other":
         progress.feed(f"ERROR: {reason}")
     error = builder.failure(bake, progress, tmp_path / "x.log", 1)
@@ -285,25 +276,73 @@ def test_remedies(tmp_path: Path, bake: Bake, reason: str, remedy: str, where: s
     assert bool(error.remedy) == bool(remedy)
 
 
-def test_the_step_that_failed_says_why(tmp_path: Path, bake: Bake) -> None:
-    """And not what the log says of others, nor what was tried again and went well."""
-    log = tmp_path / "x.log"
-    log.write_text("unexpected status from GET request to https://x: 401 Unauthorized\nE: Failed to fetch x.deb\n")
+def printed(*lines: str, name: str = NAME) -> BuildProgress:
+    """A build with a step that printed lines and failed."""
     progress = BuildProgress()
-    progress.feed(vertex(completed=f"{DAY}12Z", error="exit code: 1"))
-    progress.steps[NAME].tail.extend(
-        ["Temporary failure resolving 'x', another try", "write: no space left on device", ""]
-    )
-    assert "free some disk space" in builder.failure(bake, progress, log, 1).remedy
+    progress.feed(vertex(name, completed=f"{DAY}12Z", error="exit code: 1"))
+    progress.steps[name].tail.extend(lines)
+    return progress
+
+
+PRINTED = [
+    ("No space left on device (28)", "free some disk space"),
+    ("Could not resolve host: example.org", "package indexes"),
+    ("Temporary failure resolving 'example.org'", "Debian's mirrors"),
+    ("E: Failed to fetch x.deb", "run it again"),
+    ("error sending request for url", "run it again"),
+    ("curl: (7) Failed to connect to 127.0.0.1 port 1: Connection refused", "HTTP_PROXY"),
+    ("Hash mismatch for `x`", "rosml locks"),
+    ("error: HTTP status client error (403 Forbidden) for url (https://example.org/simple/torch/)", "its address"),
+    ("error: HTTP status client error (401 Unauthorized) for url (https://example.org/simple/)", "its address"),
+    ("E: Failed to fetch http://example.org/x.deb  403  Forbidden [IP: 192.0.2.1 80]", "its address"),
+    ("curl: (22) The requested URL returned error: 403", "its address"),
+]
+
+
+@pytest.mark.parametrize(("line", "remedy"), PRINTED)
+def test_remedies_for_what_our_own_steps_print(tmp_path: Path, bake: Bake, line: str, remedy: str) -> None:
+    assert remedy in builder.failure(bake, printed(line), tmp_path / "x.log", 1).remedy
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        *(line for line, _ in PRINTED),
+        "x509: certificate has expired",
+        "PUT http://127.0.0.1:1: 500 Internal Server Error",
+    ],
+)
+def test_what_somebody_elses_code_prints_is_no_reason_of_ours(tmp_path: Path, bake: Bake, line: str) -> None:
+    """A project's own download has another hash, its tests refuse a connection, its CMake warns of a proxy."""
+    name = "[built 1/1] RUN --mount=type=bind,target=/run/scripts/workspace.sh /run/scripts/workspace.sh target"
+    foreign = replace(bake, foreign=("scripts/workspace.sh",))
+    error = builder.failure(foreign, printed(line, "Summary: 1 package failed: a", name=name), tmp_path / "x.log", 1)
+    assert error.remedy == "" and line in error.message
+    ours = printed(line, "error: no room: No space left on device; free some", name=name)
+    assert "free some disk space" in builder.failure(foreign, ours, tmp_path / "x.log", 1).remedy
+
+
+def test_a_script_of_ours_that_knows_the_reason_has_the_last_word(tmp_path: Path, bake: Bake) -> None:
+    """Before that, a script of a repository may have printed whatever it likes."""
+    said = "error: the script before the installation of dependencies ended with 1; the lines above say why"
+    assert builder.failure(bake, printed("Hash mismatch", said), tmp_path / "x.log", 1).remedy == ""
+    said = "error: packages did not arrive, after 5 tries (Failed to fetch http://x  403  Forbidden); check the network"
+    assert "its address" in builder.failure(bake, printed("Hash mismatch", said), tmp_path / "x.log", 1).remedy
+
+
+def test_the_step_that_failed_says_why(tmp_path: Path, bake: Bake) -> None:
+    """And not what others say, nor what was tried again and went well."""
+    progress = printed("Temporary failure resolving 'x', another try", "write: no space left on device")
+    progress.feed(vertex("[b 1/1] RUN other", completed=f"{DAY}12Z"))
+    progress.steps["[b 1/1] RUN other"].tail.append("E: Failed to fetch x.deb")
+    assert "free some disk space" in builder.failure(bake, progress, tmp_path / "x.log", 1).remedy
 
 
 def test_the_reason_may_stand_far_above_the_last_lines(tmp_path: Path, bake: Bake) -> None:
-    log = tmp_path / "x.log"
-    log.write_text("Hash mismatch for `torch==2.10.0`\n" + "  sha256:00\n" * 100)
-    progress = BuildProgress()
-    progress.feed(vertex(completed=f"{DAY}12Z", error="exit code: 1"))
-    progress.steps[NAME].tail.append("  sha256:00")
-    assert "rosml locks" in builder.failure(bake, progress, log, 1).remedy
+    progress = printed("Hash mismatch for `torch==2.10.0`", *(f"  sha256:{number:02d}" for number in range(100)))
+    error = builder.failure(bake, progress, tmp_path / "x.log", 1)
+    assert "rosml locks" in error.remedy
+    assert "sha256:79" not in error.message and "sha256:80" in error.message
 
 
 def test_a_service_that_is_down_is_the_reason(tmp_path: Path, registry: str, bake: Bake) -> None:
@@ -322,8 +361,6 @@ def test_buildx_is_gone(tmp_path: Path, bake: Bake) -> None:
         builder.run(services(tmp_path), bake)
     assert caught.value.remedy == "run 'rosml setup'"
 
-
-PUSH = "failed to push {}/a: unexpected status from PUT request to http://x/v2/a/manifests/sha256:0: {}"
 
 TRY = """
 echo x >>"$here/tries"

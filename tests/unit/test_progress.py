@@ -235,13 +235,13 @@ def test_tail_and_log(build: Build) -> None:
     build.vertex(ROS, started=f"{DAY}10Z")
     build.prints(ROS, b"one\r\ntwo\n\nthree \xff\n")
     assert list(build.step(ROS).tail) == ["one", "two", "three \ufffd"]
-    for number in range(50):
+    for number in range(progress.KEPT_LINES):
         build.prints(ROS, f"line {number}\n".encode())
-    assert list(build.step(ROS).tail) == [f"line {number}" for number in range(30, 50)]
+    assert list(build.step(ROS).tail) == [f"line {number}" for number in range(progress.KEPT_LINES)]
     assert re.findall(r"^    (one|two|line \d+)$", build.log.getvalue(), re.M) == [
         "one",
         "two",
-        *(f"line {number}" for number in range(50)),
+        *(f"line {number}" for number in range(progress.KEPT_LINES)),
     ]
     build.prints("of a step that nobody knows", b"kept in the log\n")
     assert "    kept in the log\n" in build.log.getvalue()

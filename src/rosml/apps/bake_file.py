@@ -20,6 +20,9 @@ from rosml.machine.services import Services
 SCRIPTS = ROOT / "components"
 """What steps of the build call."""
 
+FOREIGN = ("scripts/containerize/workspace.sh", "scripts/containerize/test.sh")
+"""Those that run code of the packages. Others that run a script of the repository say so, if that is what failed."""
+
 BASE_NAME = "org.opencontainers.image.base.name"
 BASE_DIGEST = "org.opencontainers.image.base.digest"
 

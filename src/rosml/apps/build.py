@@ -261,7 +261,8 @@ class App:
             for archive in left.values():
                 archive.unlink(missing_ok=True)
             files.write(file, bake_file.render(*arguments))
-            buildx.run(self._services, buildx.Bake(bake_file.PACKAGES, f"containerize-{self._state.name}", file))
+            name = f"containerize-{self._state.name}"
+            buildx.run(self._services, buildx.Bake(bake_file.PACKAGES, name, file, foreign=bake_file.FOREIGN))
             said = report.Said(left[bake_file.REPORT], self._state / "said", self._names.platforms)
             _take(built, said, slim=inputs.slim is not None)
             if self._values["tests"] == "true":

@@ -18,7 +18,7 @@ from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.machine import trust
-from rosml.machine.progress import BuildProgress
+from rosml.machine.progress import TAIL_LINES, BuildProgress, Step
 from rosml.machine.services import Services
 from rosml.registry import failures, login, oci
 
@@ -34,7 +34,16 @@ _NO_BASE = (
     " digest: OS_BOOKWORM=registry.example.com/debian:bookworm@sha256:…"
 )
 
-_REMEDIES = (
+_NO_SPACE = (
+    "no space left on device",
+    "free some disk space (rosml setup down; rosml setup clean removes all that was made), then run it again",
+)
+_NOBODY_THERE = (
+    "connection refused",
+    "check HTTP_PROXY, HTTPS_PROXY and the mirrors; if it was the registry or the builder, run 'rosml setup'",
+)
+
+_OF_THE_BUILDER = (
     (
         "x509: certificate signed by unknown authority",
         "put the registry's authority into certs.d/<host>/ca.crt beside Docker's config.json, then run 'rosml setup', which tells"
@@ -42,32 +51,34 @@ _REMEDIES = (
     ),
     ("x509: certificate has expired", "the registry's operator has to renew its certificate"),
     (r"unexpected status\b.*: 40[13]\b|insufficient_scope|no basic auth credentials", _LOGIN),
-    (r"(client error \(|returned error: |failed to fetch .* )40[13]\b", _REFUSED),
-    ("Hash mismatch", "a download is not what the lock says: run 'rosml locks' if that is intended"),
-    ("all requirements must have their versions pinned", "a lock is damaged: run 'rosml locks'"),
     ("failed to calculate checksum of ref", "a file of the build is missing; if it is a lock: run 'rosml locks'"),
-    (
-        "no space left on device",
-        "free some disk space (rosml setup down; rosml setup clean removes all that was made), then run it again",
-    ),
+    _NO_SPACE,
     (r"registry-1\.docker\.io", _NO_BASE),
-    ("Could not resolve", "check that this machine reaches the package indexes (proxy? CA bundle?), then run it again"),
-    ("Temporary failure resolving", "check that this machine reaches Debian's mirrors, then run it again"),
-    ("Failed to fetch|error sending request", _AGAIN),
-    (
-        "connection refused",
-        "check HTTP_PROXY, HTTPS_PROXY and the mirrors; if it was the registry or the builder, run 'rosml setup'",
-    ),
+    _NOBODY_THERE,
     ("network.host is not allowed", "run 'rosml setup', which tells the builder of a mirror on this machine"),
     ("failed to dial", "run 'rosml setup', which starts what is down, then run it again"),
     (
-        "500 Internal Server Error",
+        r"//(127\.|localhost\b|\[::1\])\S*: 500 Internal Server Error",
         "the local registry's storage is damaged: rosml setup down; rm -r .state/registry; run it again",
     ),
 )
-"""Patterns of what BuildKit and the programs in a step print when something outside the build is wrong, and what helps. A
-registry refuses in BuildKit's words ("unexpected status from POST request to …: 403 Forbidden"), a package index in those of
-uv, curl or apt."""
+"""Patterns of what BuildKit says when something outside the build is wrong, and what helps. A registry refuses in its words:
+"unexpected status from POST request to …: 403 Forbidden"."""
+
+_OF_OUR_STEPS = (
+    (r"(client error \(|returned error: |failed to fetch .* )40[13]\b", _REFUSED),
+    ("Hash mismatch", "a download is not what the lock says: run 'rosml locks' if that is intended"),
+    ("all requirements must have their versions pinned", "a lock is damaged: run 'rosml locks'"),
+    _NO_SPACE,
+    ("Could not resolve", "check that this machine reaches the package indexes (proxy? CA bundle?), then run it again"),
+    ("Temporary failure resolving", "check that this machine reaches Debian's mirrors, then run it again"),
+    ("Failed to fetch|error sending request", _AGAIN),
+    _NOBODY_THERE,
+)
+"""The same of what uv, curl and apt print in a step of rosml's own."""
+
+_OWN_WORDS = re.compile(r"error: .+; .+")
+"""How a script of rosml ends that knows why: the reason and its remedy."""
 
 _MIRRORS = ("OS_APT_MIRROR", "ROS_APT_MIRROR")
 
@@ -110,6 +121,7 @@ class Bake:
         variables: values of the bake file's variables.
         name: what the log is called, without its ending.
         file: the bake file.
+        foreign: scripts that run code of somebody else. What that prints is no reason that rosml knows a remedy for.
     """
 
     target: str
@@ -117,6 +129,7 @@ class Bake:
     file: Path
     sets: Sequence[str] = ()
     variables: Mapping[str, str] = field(default_factory=dict)
+    foreign: Sequence[str] = ()
 
 
 def local_servers(services: Services) -> list[str]:
@@ -267,9 +280,8 @@ def _run(services: Services, bake: Bake, mode: Literal["w", "a"]) -> tuple[Build
 def failure(bake: Bake, progress: BuildProgress, log: Path, code: int) -> RosmlError:
     """The error for a build that failed: the step, its last lines, the log, and the remedy if the reason is known."""
     step = progress.failed()
-    lines = list(step.tail) if step else []
-    # uv names every hash that it would have accepted: the reason may stand far above the last lines.
-    remedy = _remedy([*_end(log), *progress.other, step.error if step else "", *lines])
+    lines = list(step.tail)[-TAIL_LINES:] if step else []
+    remedy = _remedy(bake, progress, step)
     message = f"building {bake.target} failed"
     if step:
         message += f" in step {step.label}"
@@ -285,22 +297,20 @@ def failure(bake: Bake, progress: BuildProgress, log: Path, code: int) -> RosmlE
     return RosmlError(message, remedy)
 
 
-def _remedy(lines: Sequence[str]) -> str:
+def _remedy(bake: Bake, progress: BuildProgress, step: Step | None) -> str:
     """What helps against the last line whose reason is known; empty if there is none. A build that goes on after an error,
     such as a download that is tried again, did not fail because of it."""
-    for line in reversed(lines):
-        for pattern, remedy in _REMEDIES:
+    said = [(line, _OF_THE_BUILDER) for line in (*progress.other, step.error if step else "")]
+    printed = list(step.tail) if step else []
+    if printed and _OWN_WORDS.match(printed[-1]):
+        printed = printed[-1:]
+    elif step and any(script in step.name for script in bake.foreign):
+        printed = []
+    for line, known in reversed([*said, *((line, _OF_OUR_STEPS) for line in printed)]):
+        for pattern, remedy in known:
             if re.search(pattern, line, re.IGNORECASE):
                 return remedy
     return ""
-
-
-def _end(log: Path, lines: int = 200) -> list[str]:
-    """The last lines of a log."""
-    try:
-        return log.read_text(errors="replace").splitlines()[-lines:]
-    except OSError:
-        return []
 
 
 def _stop(process: subprocess.Popen[str]) -> None:

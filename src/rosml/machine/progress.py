@@ -31,6 +31,9 @@ HEARTBEAT_SECONDS = 20.0
 TAIL_LINES = 20
 """How many of a step's last lines are shown when it fails."""
 
+KEPT_LINES = 200
+"""How many of them are kept: uv names every hash that it would have accepted, so the reason may stand far above the last ones."""
+
 
 @dataclass
 class Step:
@@ -41,7 +44,7 @@ class Step:
         started, completed: seconds since the epoch; 0.0 when not known yet.
         cached: the result was there already.
         error: what went wrong, or empty.
-        tail: the last lines it printed.
+        tail: the last lines it printed, without empty ones.
     """
 
     name: str
@@ -49,7 +52,7 @@ class Step:
     completed: float = 0.0
     cached: bool = False
     error: str = ""
-    tail: deque[str] = field(default_factory=lambda: deque(maxlen=TAIL_LINES))
+    tail: deque[str] = field(default_factory=lambda: deque(maxlen=KEPT_LINES))
 
     @property
     def seconds(self) -> float:
