@@ -13,6 +13,7 @@ if they do not know all keys, the network is asked.
 
 from __future__ import annotations
 
+import difflib
 import json
 import os
 import re
@@ -20,7 +21,7 @@ import subprocess
 import sys
 from collections import defaultdict
 from pathlib import Path
-from typing import Dict, Iterator, NamedTuple, Set
+from typing import Dict, Iterable, Iterator, NamedTuple, NoReturn, Set
 
 import manifests
 from manifests import fail
@@ -133,6 +134,29 @@ class Rosdep:
         self._update("", "")
         return list(self._resolve(key))
 
+    def why_not(self, key: str, others: Iterable[str]) -> tuple[str, bool]:
+        """Why nobody knows a key, and whether lists have it for other systems.
+
+        Args:
+            others: names that somebody may have meant, besides those of the lists.
+        """
+        system, version, installers, _ = self._platform
+        try:
+            rules = self._view.lookup(key).data
+        except KeyError:
+            near = difflib.get_close_matches(key, {*self._view.keys(), *others}, 3, 0.8)
+            return f"there is {' or '.join(near)}" if near else "no list has it", False
+        there = [name for name, rule in rules.items() if rule is not None and name != system]
+        own = rules.get(system)
+        if isinstance(own, dict) and not any(installer in own for installer in installers):
+            there += [f"{system} {name}" for name, rule in own.items() if rule is not None and name != version]
+        return f"there is one for {', '.join(map(str, there)) or 'no other system'}", True
+
+    @property
+    def system(self) -> str:
+        """What the image's system is called."""
+        return f"{self._platform[0].capitalize()} {self._platform[1]}"
+
     def _resolve(self, key: str, above: tuple[str, ...] = ()) -> Iterator[Answer]:
         if key in above:
             fail(f"rosdep's lists are wrong about {key}: it depends on itself", "correct them")
@@ -209,29 +233,51 @@ def answers(packages: Packages, skipped: set[str], rosdep: Rosdep) -> dict[str, 
         try:
             found[key] = rosdep.find(key)
         except KeyError:
-            unknown.append(f"{key} (asked for by {', '.join(sorted(asking[key]))})")
+            unknown.append(key)
         except NoWay as rule:
             fail(
                 f"rosdep's rule for {key}, which {', '.join(sorted(asking[key]))} asks for, is not one of apt or pip: {rule}",
                 f"install it in docker/custom.sh, and leave it out with --skip-keys {key}",
             )
-    if unknown and rosdep.failure:
-        fail(
-            f"rosdep's lists could not be fetched: {rosdep.failure}; those of the image do not know {', '.join(unknown)}",
-            "check the network; or name lists with --rosdep-index, such as a checkout of ros/rosdistro",
-        )
     if unknown:
-        fail(
-            f"rosdep does not know {', '.join(unknown)}",
-            "check the names; put a package that is missing into a .repos file, name other lists with --rosdep-index, or"
-            " leave a key out with --skip-keys",
-        )
+        explain({key: asking[key] for key in unknown}, packages, rosdep)
     return found
+
+
+SHOWN = 12
+"""How many keys that are not known are told one by one: the last lines of a step are what people see."""
+
+
+def explain(unknown: dict[str, set[str]], packages: Iterable[str], rosdep: Rosdep) -> NoReturn:
+    """Ends the program with the reason for each key that is not known.
+
+    Args:
+        unknown: who asks for it. packages: those of the workspace.
+    """
+    elsewhere = []
+    for number, (key, names) in enumerate(unknown.items()):
+        why, ruled = rosdep.why_not(key, packages)
+        elsewhere += [key] if ruled else []
+        what = f"has no rule for {key} on {rosdep.system}" if ruled else f"does not know {key}"
+        if number < SHOWN:
+            print(f"error: rosdep {what} (asked for by {', '.join(sorted(names))}); {why}", file=sys.stderr)
+    if len(unknown) > SHOWN:
+        print(f"and {len(unknown) - SHOWN} keys more", file=sys.stderr)
+    skip = f"leave out what your packages run without: --skip-keys '{' '.join(elsewhere or unknown)}'"
+    if rosdep.failure:
+        fail(
+            f"rosdep's lists could not be fetched: {rosdep.failure}; those of the image do not know all keys",
+            f"check the network; or name lists with --rosdep-index, such as a checkout of ros/rosdistro; or {skip}",
+        )
+    fail(
+        f"rosdep knows no package for {len(unknown)} of the keys",
+        f"check the names; put a package that is missing into a .repos file, or name other lists with --rosdep-index; or {skip}",
+    )
 
 
 def main(folder: Path, left_out: Path, index: Path, scratch: Path, out: Path) -> None:
     packages = read(folder, left_out)
-    skipped = set(os.environ.get("SKIP_KEYS", "").split())
+    skipped = set(re.split(r"[\s,]+", os.environ.get("SKIP_KEYS", ""))) - {""}
     found = answers(packages, skipped | provided(), Rosdep(index, scratch))
     lists: defaultdict[str, set[str]] = defaultdict(set)
     for kinds in packages.values():

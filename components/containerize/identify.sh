@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Finds out which packages the manifests in /run/manifests need, and writes them into a folder, as identify.py says.
-#   SKIP_KEYS    keys of rosdep that are left out, separated by spaces
+#   SKIP_KEYS    keys of rosdep that are left out, separated by blanks or commas
 #   MANIFESTS    `changed` where the packages that are to be left out are gone already
 #   ROSDEP_DAY   the day on which rosdep's index was asked last; with another one the step runs again
 set -euo pipefail

@@ -105,7 +105,7 @@ TABLE = (
         "repository in a registry that keeps finished stages, for machines that have none; such as ghcr.io/me/robot-cache",
         in_repository=NO,
     ),
-    Input("skip-keys", "keys of rosdep that are left out, separated by blanks"),
+    Input("skip-keys", "keys of rosdep that are left out, separated by blanks or commas"),
     Input(
         "rosdep-index",
         "rosdep's lists: of a registry, such as ghcr.io/me/rosml/rosdep:latest, or of a checkout of ros/rosdistro; the newest"

@@ -1,0 +1,124 @@
+"""What an app's packages need: what is said of keys of rosdep that become no package.
+
+rosdep and catkin_pkg are in images alone, so these have their shape here.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+import pytest
+from stubs import script_of_a_build
+
+from rosml import ROOT
+
+RULES: dict[str, dict[str, Any]] = {
+    "angles": {"debian": ["libangles-dev"]},
+    "boost": {"debian": ["libboost-dev"]},
+    "only_on_ubuntu": {"ubuntu": ["libfoo-dev"]},
+    "only_old_debian": {"debian": {"buster": ["libbar-dev"], "bookworm": None}, "fedora": None},
+    "null_rule": {"debian": None},
+    "rti-connext-dds-6.0.1": {"ubuntu": {"jammy": ["rti"]}, "rhel": ["rti"]},
+}
+
+
+class View:
+    """rosdep's view of lists."""
+
+    def keys(self) -> list[str]:
+        return [*RULES]
+
+    def lookup(self, key: str) -> Any:
+        return SimpleNamespace(data=RULES[key])
+
+
+@pytest.fixture
+def identify(monkeypatch: pytest.MonkeyPatch) -> Any:
+    """identify.py as a module, with a rosdep on Debian bookworm that knows RULES and asks no network."""
+    fakes: dict[str, dict[str, Any]] = {
+        "catkin_pkg": {},
+        "catkin_pkg.package": {"parse_package": None},
+        "rosdep2": {"RosdepLookup": None, "create_default_installer_context": None, "get_default_installer": None},
+        "rosdep2.lookup": {"ResolutionError": RuntimeError},
+        "rosdep2.rospkg_loader": {"DEFAULT_VIEW_KEY": "*"},
+        "rosdep2.sources_list": {"SourcesListLoader": None},
+    }
+    for name, content in fakes.items():
+        module = ModuleType(name)
+        vars(module).update(content)
+        monkeypatch.setitem(sys.modules, name, module)
+    monkeypatch.syspath_prepend(ROOT / "components/containerize")
+    monkeypatch.delitem(sys.modules, "manifests", raising=False)
+    module = script_of_a_build("containerize/identify.py")
+
+    class Rosdep(module.Rosdep):  # type: ignore[name-defined, misc]
+        def __init__(self, *_: object) -> None:
+            self._view, self._may_ask, self.failure = View(), False, ""
+            self._platform = ("debian", "bookworm", ["apt", "pip"], "apt")
+
+        def _resolve(self, key: str, _above: tuple[str, ...] = ()) -> Any:
+            names = RULES[key].get("debian")
+            if not isinstance(names, list):
+                raise KeyError(key)
+            yield module.Answer("apt", tuple(names))
+
+    monkeypatch.setattr(module, "Rosdep", Rosdep)
+    monkeypatch.setattr(module, "provided", set)
+    return module
+
+
+def said(identify: Any, capsys: pytest.CaptureFixture[str], *keys: str) -> str:
+    """What is said of keys that a package `arm` asks for."""
+    with pytest.raises(SystemExit) as caught:
+        identify.answers({"arm": {"exec": {*keys}}, "moveit_arm": {}}, set(), identify.Rosdep())
+    return f"{capsys.readouterr().err}{caught.value}"
+
+
+@pytest.mark.parametrize(
+    ("key", "why"),
+    [
+        ("angels", "does not know angels (asked for by arm); there is angles"),
+        ("moveit_arms", "does not know moveit_arms (asked for by arm); there is moveit_arm"),
+        ("nothing_like_it", "does not know nothing_like_it (asked for by arm); no list has it"),
+        (
+            "only_on_ubuntu",
+            "has no rule for only_on_ubuntu on Debian bookworm (asked for by arm); there is one for ubuntu",
+        ),
+        ("only_old_debian", "on Debian bookworm (asked for by arm); there is one for debian buster"),
+        ("rti-connext-dds-6.0.1", "on Debian bookworm (asked for by arm); there is one for ubuntu, rhel"),
+        ("null_rule", "on Debian bookworm (asked for by arm); there is one for no other system"),
+    ],
+)
+def test_a_key_without_a_package_is_told_with_its_reason(
+    identify: Any, capsys: pytest.CaptureFixture[str], key: str, why: str
+) -> None:
+    text = said(identify, capsys, key, "boost")
+    assert f"error: rosdep {why if why.startswith(('does', 'has')) else f'has no rule for {key} {why}'}\n" in text
+    assert text.endswith(f"--skip-keys '{key}'")
+
+
+def test_keys_with_rules_elsewhere_can_be_left_out_by_a_line_to_copy(
+    identify: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A typo is none of them."""
+    text = said(identify, capsys, "angels", "only_on_ubuntu", "rti-connext-dds-6.0.1")
+    assert text.endswith("--skip-keys 'only_on_ubuntu rti-connext-dds-6.0.1'")
+    many = said(identify, capsys, *(f"of_nobody_{number:02d}" for number in range(30)))
+    assert many.count("error: rosdep does not know") == 12 and "and 18 keys more\n" in many
+
+
+@pytest.mark.parametrize(
+    "given", ["only_on_ubuntu null_rule", "only_on_ubuntu,null_rule", " only_on_ubuntu,\nnull_rule ,"]
+)
+def test_keys_to_leave_out_are_separated_by_blanks_or_commas(
+    identify: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, given: str
+) -> None:
+    monkeypatch.setenv("SKIP_KEYS", given)
+    monkeypatch.setattr(identify, "read", lambda *_: {"arm": {"exec": {"boost", "only_on_ubuntu", "null_rule"}}})
+    identify.main(tmp_path, tmp_path, tmp_path, tmp_path, tmp_path / "out")
+    facts = json.loads((tmp_path / "out/dependencies.json").read_text())
+    assert (facts["skipped"], [*facts["keys"]]) == (["null_rule", "only_on_ubuntu"], ["boost"])
