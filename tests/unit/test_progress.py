@@ -247,6 +247,28 @@ def test_tail_and_log(build: Build) -> None:
     assert "    kept in the log\n" in build.log.getvalue()
 
 
+def test_a_line_that_comes_in_pieces_is_one_line(build: Build) -> None:
+    """As apt writes its errors through a pipe: `E`, `: `, and the rest. A letter may be cut, too."""
+    build.vertex(ROS, started=f"{DAY}10Z")
+    for piece in (b"E", b": ", b"Unable to locate package x\nE: ", "für".encode()[:2], "für".encode()[2:], b" x"):
+        build.prints(ROS, piece)
+    assert list(build.step(ROS).tail) == ["E: Unable to locate package x"]
+    build.vertex(ROS, started=f"{DAY}10Z", completed=f"{DAY}12Z", error="exit code: 100")
+    assert list(build.step(ROS).tail) == ["E: Unable to locate package x", "E: für x"]
+    assert "    E: Unable to locate package x\n    E: für x\n" in build.log.getvalue()
+
+
+def test_a_line_without_an_end(build: Build) -> None:
+    build.vertex(ROS, started=f"{DAY}10Z")
+    build.prints(ROS, b"." * progress.LONGEST_LINE)
+    assert list(build.step(ROS).tail) == []
+    build.prints(ROS, b".")
+    assert list(build.step(ROS).tail) == ["." * (progress.LONGEST_LINE + 1)]
+    data = base64.b64encode(b"the last words").decode()
+    build.progress.follow([json.dumps({"logs": [{"vertex": f"sha256:{ROS}", "data": data}]})])
+    assert build.step(ROS).tail[-1] == "the last words", "buildx ended"
+
+
 def test_what_is_not_json_is_kept(build: Build) -> None:
     build.progress.follow(["ERROR: cannot connect\n", "\n", "  \n", '{"vertexes":[\n', "\x00\xff\n"])
     assert list(build.progress.other) == ["ERROR: cannot connect", '{"vertexes":[', "\x00\xff"]

@@ -31,6 +31,9 @@ HEARTBEAT_SECONDS = 20.0
 TAIL_LINES = 20
 """How many of a step's last lines are shown when it fails."""
 
+LONGEST_LINE = 64 << 10
+"""Bytes of a line that has no end yet, such as of a progress bar: more of it is taken for several lines."""
+
 KEPT_LINES = 200
 """How many of them are kept: uv names every hash that it would have accepted, so the reason may stand far above the last ones."""
 
@@ -104,6 +107,7 @@ class BuildProgress:
         self._begin = clock()
         self._spoke = clock()
         self._lock = threading.Lock()
+        self._begun: dict[tuple[str, str], bytes] = {}
 
     def follow(self, lines: Iterable[str]) -> None:
         """Reads lines of rawjson until they end."""
@@ -123,6 +127,8 @@ class BuildProgress:
         finally:
             ended.set()
             thread.join()
+            for vertex in {vertex for vertex, _ in self._begun}:
+                self._end_lines(vertex)
 
     def feed(self, line: str) -> None:
         """Takes one line. What is not JSON (warnings, errors of the command itself) is kept for the error message."""
@@ -155,18 +161,34 @@ class BuildProgress:
         step.error = str(vertex.get("error") or step.error)
         completed = _seconds(str(vertex.get("completed") or ""))
         if completed and not step.completed:
+            self._end_lines(digest)
             step.completed = completed
             self._write_log(f"{'CACHED' if step.cached else f'{step.seconds:.1f} s'} {step.name} {step.error}".rstrip())
             if not step.internal and not step.cached and not step.error and step.seconds >= 0.5:
                 self.say(f"{step.seconds:6.1f} s  {step.label}")
 
     def _logs(self, log: dict[str, object]) -> None:
-        step = self.steps.get(str(log.get("vertex", "")))
+        """Takes what a step printed: pieces of any size. A program that writes to a pipe may send a line word by word."""
+        of = str(log.get("vertex", "")), str(log.get("stream", ""))
         try:
-            text = base64.b64decode(str(log.get("data") or ""), validate=True).decode(errors="replace")
+            data = base64.b64decode(str(log.get("data") or ""), validate=True)
         except (binascii.Error, ValueError):
             return
-        for line in text.splitlines():
+        whole, end, rest = (self._begun.pop(of, b"") + data).rpartition(b"\n")
+        if len(rest) > LONGEST_LINE:
+            whole, end, rest = whole + end + rest, b"", b""
+        self._print(of[0], whole)
+        if rest:
+            self._begun[of] = rest
+
+    def _end_lines(self, vertex: str) -> None:
+        """Takes lines of a step that have no end, as nothing comes any more."""
+        for of in [of for of in self._begun if of[0] == vertex]:
+            self._print(vertex, self._begun.pop(of))
+
+    def _print(self, vertex: str, data: bytes) -> None:
+        step = self.steps.get(vertex)
+        for line in data.decode(errors="replace").splitlines():
             self._write_log(f"    {line}")
             if step is not None and line.strip():
                 step.tail.append(line.rstrip())
