@@ -742,6 +742,42 @@ def test_names_and_tags_are_those_of_docker_ros(
     assert calls[2]["tags"] == ["ghcr.io/me/robot:v1-dev", "ghcr.io/me/robot:latest-dev"]
 
 
+def test_a_package_that_apt_lacks_is_told_with_the_rule_that_names_it(
+    repository: Path, services: Services, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    monkeypatch.setattr(sources, "fetch", lambda *_, **__: [])
+    tail = "E: Unable to locate package {}\nE: Package 'liba+b1' has no installation candidate\n  the whole log: x"
+    names = {"boost": ["libboost-dev", "liba+b1"], "tree": ["tree"]}
+    said = {
+        "packages": {"robot": {"exec": ["boost"]}, "arm": {"build": ["boost"], "test": ["tree"]}},
+        "keys": {key: [{"installer": "apt", "names": names}] for key, names in names.items()},
+        "skipped": [],
+    }
+    lacking = ""
+
+    def run(services: Services, bake: buildx.Bake) -> tuple[None, dict[str, str]]:
+        if bake.target == "packages":
+            raise RosmlError(tail.format(lacking), "of the step")
+        content = json.loads(bake.file.read_text())["target"][bake.target]
+        archives.write(Path(content["output"][0].partition("dest=")[2]), {"dependencies.json": json.dumps(said)})
+        return None, {}
+
+    monkeypatch.setattr(buildx, "run", run)
+    for lacking in ("tree", "of-nobody"):
+        with pytest.raises(RosmlError) as caught:
+            app(repository, services, base_image="ros:jazzy", command="true").build()
+        rules = caught.value.message.partition("  the whole log: x\n")[2].splitlines()
+        assert rules[0] == "  rosdep's rule for boost, which robot, arm asks for, names liba+b1"
+        tree = lacking == "tree"
+        assert rules[1:] == (["  rosdep's rule for tree, which arm asks for, names tree"] if tree else [])
+        assert f"--skip-keys '{'boost tree' if tree else 'boost'}'" in caught.value.remedy
+    tail = "E: Unable to locate package of-nobody"
+    with pytest.raises(RosmlError) as caught:
+        app(repository, services, base_image="ros:jazzy", command="true").build()
+    assert (caught.value.message, caught.value.remedy) == (tail, "of the step")
+
+
 @pytest.mark.parametrize(
     ("given", "says"),
     [

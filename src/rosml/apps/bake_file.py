@@ -29,8 +29,9 @@ BASE_DIGEST = "org.opencontainers.image.base.digest"
 LOCK = f"{PREFIX}lock"
 """The label that says what an image was built from, as the lock file does."""
 
-REPORT, RESULTS = "report", "results"
-"""The targets that leave an archive: one with what rosml's own steps say of the app, and one with what its tests left."""
+REPORT, RESULTS, ASKED = "report", "results", "identified"
+"""The targets that leave an archive: one with what rosml's own steps say of the app, one with what its tests left, and one with
+which keys of rosdep became which packages, for when these cannot be installed."""
 
 STAGES = ("app", "runtime", "workspace")
 """Stages that images are joined from."""
@@ -89,7 +90,7 @@ def render(
 
     Args:
         environment: variables that are set.
-        left: the archives for what the targets `REPORT` and `RESULTS` leave.
+        left: the archives for what the targets `REPORT`, `RESULTS` and `ASKED` leave.
         known: stages that are in a registry, with their references. kept: where others go, by stage.
         unlinked: images that are not their base image and the app: they start from the stage that has the app's packages.
         lock: what the images are built from, for a label.
@@ -129,6 +130,7 @@ def render(
     elif values["downstream-workspace"]:  # built all the same, for nobody to take
         targets[RESULTS] = {**common, "target": "downstream-built", "output": ["type=cacheonly"]}
     first = [*targets]
+    targets[ASKED] = {**common, "target": ASKED, "output": [exported.output(left[ASKED])]}
     for stage in inputs.stages:
         targets[stage] = {**common, "target": stage}
     for stage, reference in kept.items():

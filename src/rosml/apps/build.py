@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import functools
+import re
 import shutil
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -25,6 +26,11 @@ from rosml.base.units import duration
 from rosml.machine import buildx, git
 from rosml.machine.services import Services
 from rosml.registry import oci
+
+_LACKING = re.compile(
+    r"Unable to locate package ([a-z0-9][a-z0-9.+-]*)|Package '([^' ]+)' has no installation candidate"
+)
+"""How apt names a package that no source has."""
 
 TIME = 1767225600
 """2026-01-01T00:00:00Z: of images whose sources are in no commit."""
@@ -236,7 +242,7 @@ class App:
     ) -> None:
         """Builds what no cache has, and joins the images."""
         file = self._state / "bake.json"
-        left = {name: self._state / f"{name}.tar" for name in (bake_file.REPORT, bake_file.RESULTS)}
+        left = {name: self._state / f"{name}.tar" for name in (bake_file.REPORT, bake_file.RESULTS, bake_file.ASKED)}
         said: report.Said | None = None
         known: dict[str, str] = {}
         kept: dict[str, str] = {}
@@ -261,8 +267,7 @@ class App:
             for archive in left.values():
                 archive.unlink(missing_ok=True)
             files.write(file, bake_file.render(*arguments))
-            name = f"containerize-{self._state.name}"
-            buildx.run(self._services, buildx.Bake(bake_file.PACKAGES, name, file, foreign=bake_file.FOREIGN))
+            self._packages(file, left[bake_file.ASKED])
             said = report.Said(left[bake_file.REPORT], self._state / "said", self._names.platforms)
             _take(built, said, slim=inputs.slim is not None)
             if self._values["tests"] == "true":
@@ -286,6 +291,50 @@ class App:
                 self._describe(built, said.detail)
             elif cache:
                 self._describe(built, functools.partial(cache.detail, keys))
+
+    def _packages(self, file: Path, asked: Path) -> None:
+        """Builds all that there is before the images.
+
+        Args:
+            file: the bake file. asked: the archive of its target `ASKED`.
+
+        Raises:
+            RosmlError: a step failed.
+        """
+        call = buildx.Bake(bake_file.PACKAGES, f"containerize-{self._state.name}", file, foreign=bake_file.FOREIGN)
+        try:
+            buildx.run(self._services, call)
+        except RosmlError as error:
+            self._explain(error, file, asked)
+            raise
+
+    def _explain(self, error: RosmlError, file: Path, left: Path) -> None:
+        """Says of packages that apt does not have which rule of rosdep names them, and who asks for that, if that is why a
+        build failed. The steps behind it do not know: they run again only if the packages are others.
+
+        Args:
+            file: the bake file. left: the archive of its target `ASKED`.
+        """
+        lacking = {name for names in _LACKING.findall(error.message) for name in names if name}
+        if not lacking:
+            return
+        with contextlib.suppress(RosmlError):
+            buildx.run(self._services, buildx.Bake(bake_file.ASKED, f"containerize-{self._state.name}-asked", file))
+            asked = report.Said(left, self._state / "asked", self._names.platforms).dependencies()
+            wrong = []
+            for key, answers in asked.keys.items():
+                by = ", ".join(
+                    name for name, kinds in asked.packages.items() if any(key in keys for keys in kinds.values())
+                )
+                for name in sorted(lacking & {name for answer in answers for name in answer.names}):
+                    wrong.append(key)
+                    by = by or "a package of the downstream workspace"
+                    error.message += f"\n  rosdep's rule for {key}, which {by} asks for, names {name}"
+            if wrong:
+                error.remedy = (
+                    "if the archive never had it, correct the rule, or name other lists with --rosdep-index; or leave out what"
+                    f" your packages run without: --skip-keys '{' '.join(sorted(set(wrong)))}'"
+                )
 
     def _describe(self, built: Built, load: Callable[[str], bytes]) -> None:
         """Attaches an SBOM and a list of files to the images to run. Some registries take no such thing.
