@@ -9,3 +9,45 @@ done
 unset _setup
 set -u
 cd "${WORKSPACE:-/docker-ros/ws}" || exit
+
+# What somebody said of the number of jobs; empty if nobody did.
+asked_jobs() { cat /run/secrets/parallel-jobs 2>/dev/null || true; }
+
+# The memory that this step may have, in MiB.
+memory() {
+  local memory limit file
+  memory=$(awk '$1 == "MemTotal:" {print int($2 / 1024)}' /proc/meminfo)
+  for file in /sys/fs/cgroup/memory.max /sys/fs/cgroup/memory/memory.limit_in_bytes; do
+    limit=$(cat "$file" 2>/dev/null || true)
+    if [[ $limit =~ ^[0-9]{1,18}$ ]] && ((limit >> 20 < memory)); then memory=$((limit >> 20)); fi
+  done
+  echo "$memory"
+}
+
+# limit_jobs PACKAGES: lets colcon build some packages at the same time, by the options in $workers, and each start some
+# compilers: all together as many as somebody said, or as memory has room for, with 2 GB for each. If it has room for one on each
+# core, colcon does as it does: it builds as many packages as there are cores, and make looks at the load.
+# shellcheck disable=SC2034  # whoever calls it reads $workers
+limit_jobs() {
+  local jobs memory at_once=1
+  workers=()
+  jobs=$(asked_jobs)
+  if [[ -z $jobs ]]; then
+    memory=$(memory)
+    jobs=$((memory < 2000 ? 1 : memory / 2000))
+    if ((jobs >= $(nproc))); then return; fi
+  fi
+  while (((at_once + 1) * (at_once + 1) <= jobs && at_once < $1)); do at_once=$((at_once + 1)); done
+  workers=(--parallel-workers "$at_once")
+  export MAKEFLAGS=-j$((jobs / at_once)) CMAKE_BUILD_PARALLEL_LEVEL=$((jobs / at_once))
+}
+
+# killed: the first line that says so of a program that the last build started, if there is one. Compilers, linkers, make and
+# ninja say it.
+killed() {
+  local found
+  found=$(grep -r -h -m 1 --include=stdout_stderr.log -E -e '^Killed$' -e '\*\*\* .* Error 137$' \
+    -e 'Killed signal|: Killed \(program|command: Killed' -e 'terminated with signal 9|signal: 9, SIGKILL' \
+    -e 'virtual memory exhausted|: out of memory allocating' "$COLCON_LOG_PATH/latest_build/" || true) # it may have no log
+  head -n 1 <<<"$found"
+}

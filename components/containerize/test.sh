@@ -17,8 +17,12 @@ listed=$(colcon list --names-only --base-paths "$folder")
 if [[ -z $listed ]]; then exit; fi
 mapfile -t packages <<<"$listed"
 if [[ ${ROS_VERSION:-} == 1 && -z ${2:-} ]]; then # catkin builds tests by a target of their own
-  colcon build --base-paths "$folder" --packages-select "${packages[@]}" --event-handlers console_cohesion+ \
-    --cmake-target tests --cmake-target-skip-unavailable || echo "tests do not build" >>"$out/failed"
+  limit_jobs "${#packages[@]}"
+  colcon build --base-paths "$folder" "${workers[@]}" --packages-select "${packages[@]}" --event-handlers console_cohesion+ \
+    --cmake-target tests --cmake-target-skip-unavailable || {
+    why=$(killed)
+    echo "tests do not build${why:+: a program was killed ($why); memory may have run out: --parallel-jobs 1}" >>"$out/failed"
+  }
 fi
 touch "$scratch/begun"
 colcon test --base-paths "$folder" --packages-select "${packages[@]}" --event-handlers console_cohesion+ ||

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Builds the packages below /run/sources into $WORKSPACE/install, on what is there already.
-#   CMAKE_ARGS  arguments of CMake, as a shell reads them
+#   CMAKE_ARGS   arguments of CMake, as a shell reads them
+#   COLCON_ARGS  arguments of colcon build, likewise
 #   workspace.sh FOLDER   of $WORKSPACE/src: upstream, target, downstream
 set -euo pipefail
 
@@ -14,4 +15,16 @@ listed=$(colcon list --names-only --base-paths "src/$1")
 if [[ -z $listed ]]; then exit; fi
 arguments=()
 eval "arguments=(${CMAKE_ARGS:-})"
-colcon build --base-paths "src/$1" --event-handlers console_cohesion+ --cmake-args "${arguments[@]}"
+own=()
+eval "own=(${COLCON_ARGS:-})"
+limit_jobs "$(wc -l <<<"$listed")"
+colcon build --base-paths "src/$1" --event-handlers console_cohesion+ "${workers[@]}" "${own[@]}" --cmake-args "${arguments[@]}" || {
+  code=$?
+  why=$(killed)
+  if [[ -n $why ]]; then
+    echo "error: a program was killed ($why); memory may have run out" >&2
+  elif grep -r -q -F --include=stdout_stderr.log 'No space left on device' "$COLCON_LOG_PATH/latest_build/"; then
+    echo "error: a package does not build: No space left on device; free some" >&2
+  fi
+  exit "$code"
+}

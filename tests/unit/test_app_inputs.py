@@ -46,6 +46,9 @@ def test_arguments_of_cmake_are_a_shells_words(value: str, tmp_path: Path) -> No
         ({"ros-distro": "jazzy; id"}, "ros-distro: 'jazzy; id'"),
         ({"rmw-implementation": "cyclonedds"}, "rmw-implementation: 'cyclonedds'"),
         ({"rmw-implementation": "rmw_a b"}, "rmw-implementation: 'rmw_a b'"),
+        ({"colcon-args": "--executor sequential; id"}, "colcon-args: .*: ; needs quotes"),
+        ({"parallel-jobs": "0"}, "parallel-jobs: .0.: that is none"),
+        ({"parallel-jobs": "many"}, "parallel-jobs: .many."),
     ],
 )
 def test_a_value_that_a_step_could_not_use_is_refused(given: dict[str, str], says: str, tmp_path: Path) -> None:

@@ -464,7 +464,7 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
     def run(services: Services, bake: buildx.Bake) -> tuple[None, dict[str, str]]:
         content = json.loads(bake.file.read_text())
         wanted = content["target"]
-        seen.append({"name": bake.target, **wanted.get(bake.target, wanted["report"])})
+        seen.append({"name": bake.target, "variables": bake.variables, **wanted.get(bake.target, wanted["report"])})
         if bake.target == "packages":
             said = {"dependencies.json": DEPENDENCIES, "app.json": APP, "slim.json": SLIM}
             left = {name: json.dumps(content) for name, content in said.items()}
@@ -505,6 +505,24 @@ def test_images_are_joined_after_the_report_is_read(
     assert run["args"]["APP_RMW_IMPLEMENTATION"] == "rmw_zenoh_cpp"
     assert run["labels"][bake_file.BASE_DIGEST] == digest
     assert dev["dockerfile-inline"].startswith("FROM workspace\n")
+
+
+def test_the_number_of_compilers_is_no_part_of_what_a_step_is_made_from(
+    repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Who lowers it after a failure goes on from there."""
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    given = {"base_image": "ros:jazzy", "command": "true", "target": "run"}
+    app(repository, services, **given).build()
+    app(repository, services, **given, parallel_jobs="3").build()
+    plain, limited = calls[0], calls[2]
+    secret = "type=env,id=parallel-jobs,env=PARALLEL_JOBS"
+    assert (secret in limited["secret"], secret in plain["secret"], limited["variables"]) == (
+        True,
+        False,
+        {"PARALLEL_JOBS": "3"},
+    )
+    assert {**limited, "secret": []} == {**plain, "secret": [], "variables": limited["variables"]}
 
 
 def test_scripts_that_run_code_of_packages_are_those_of_the_build() -> None:

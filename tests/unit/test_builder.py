@@ -262,7 +262,9 @@ PUSH = "failed to push {}/a: unexpected status from PUT request to http://x/v2/a
         ("failed to authorize: failed to fetch oauth token: unexpected status: 401 Unauthorized", LOGIN),
         (PUSH.format("127.0.0.1:1", "500 Internal Server Error").replace("x/v2", "127.0.0.1:1/v2"), ".state/registry"),
         (PUSH.format("ghcr.io", "500 Internal Server Error"), ""),
-        ("exit code: 1", ""),
+        ('process "/bin/sh -c x" did not complete successfully: exit code: 137', "--parallel-jobs"),
+        ('process "/bin/sh -c x" did not complete successfully: cannot allocate memory', "--parallel-jobs"),
+        ('process "/bin/sh -c x" did not complete successfully: exit code: 1', ""),
     ],
 )
 @pytest.mark.parametrize("where", ["error", "other"])
@@ -286,6 +288,7 @@ def printed(*lines: str, name: str = NAME) -> BuildProgress:
 
 PRINTED = [
     ("No space left on device (28)", "free some disk space"),
+    ("error: a program was killed (Killed); memory may have run out", "--parallel-jobs"),
     ("Could not resolve host: example.org", "package indexes"),
     ("Temporary failure resolving 'example.org'", "Debian's mirrors"),
     ("E: Failed to fetch x.deb", "run it again"),
@@ -307,7 +310,7 @@ def test_remedies_for_what_our_own_steps_print(tmp_path: Path, bake: Bake, line:
 @pytest.mark.parametrize(
     "line",
     [
-        *(line for line, _ in PRINTED),
+        *(line for line, _ in PRINTED if "memory may" not in line),
         "x509: certificate has expired",
         "PUT http://127.0.0.1:1: 500 Internal Server Error",
     ],

@@ -97,6 +97,8 @@ def render(
     """
     values = inputs.values
     secrets = [f"type=env,id={name},env={item}" for name, item in _MIRRORS.items() if item in environment]
+    if values["parallel-jobs"]:  # as a secret, for the result does not depend on it: steps need not run again
+        secrets.append("type=env,id=parallel-jobs,env=PARALLEL_JOBS")
     if services.ca_bundle:
         secrets.append(f"type=file,id=ca-bundle,src={services.ca_bundle}")
     base = {"base": f"docker-image://{inputs.base.reference}"}
@@ -112,6 +114,7 @@ def render(
         "contexts": {**base, "scripts": str(SCRIPTS), **contexts, **stages},
         "args": {
             "CMAKE_ARGS": values["cmake-args"],
+            "COLCON_ARGS": values["colcon-args"],
             "SKIP_KEYS": values["skip-keys"],
             "ROSDEP_DAY": f"{datetime.now(UTC):%F}",
             "ROS_DISTRO": inputs.distribution,

@@ -301,7 +301,9 @@ class App:
         Raises:
             RosmlError: a step failed.
         """
-        call = buildx.Bake(bake_file.PACKAGES, f"containerize-{self._state.name}", file, foreign=bake_file.FOREIGN)
+        jobs = {"PARALLEL_JOBS": self._values["parallel-jobs"]}
+        name = f"containerize-{self._state.name}"
+        call = buildx.Bake(bake_file.PACKAGES, name, file, variables=jobs, foreign=bake_file.FOREIGN)
         try:
             buildx.run(self._services, call)
         except RosmlError as error:
@@ -539,7 +541,7 @@ class App:
             contexts["upstream"],
             contexts["target"],
             contexts["downstream"],
-            values["cmake-args"],
+            f"{values['cmake-args']}\0{values['colcon-args']}" if values["colcon-args"] else values["cmake-args"],
             values["tests"],
             inputs.hooked,
         )

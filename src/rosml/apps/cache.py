@@ -71,7 +71,7 @@ def keys(
     upstream: Path,
     target: Path,
     downstream: Path,
-    cmake: str,
+    arguments: str,
     tests: str,
     hooked: bool,
 ) -> Keys:
@@ -81,12 +81,12 @@ def keys(
         given: values that decide which packages are installed, and from what.
         dependencies: folders that do so.
         upstream, target, downstream: folders with sources.
-        cmake: arguments of CMake. tests: whether they run.
+        arguments: of CMake and of colcon. tests: whether they run.
         hooked: a script changes the sources before their dependencies are read, so that all of them count for these.
     """
     sources = [tree(folder, SECRET) for folder in (upstream, target)]
     environment = _digest(given, [tree(folder) for folder in dependencies], sources if hooked else [])
-    built = _digest(environment, sources[0], cmake, sources[1] if hooked else "")
+    built = _digest(environment, sources[0], arguments, sources[1] if hooked else "")
     app = _digest(built, sources[1], tree(downstream, SECRET), tests)
     return Keys(environment, built, app, bool(given.get("slim")))
 

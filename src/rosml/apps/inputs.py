@@ -100,6 +100,12 @@ TABLE = (
         "a .repos file with packages that use yours: they are built and tested with yours, and are in no image",
     ),
     Input("cmake-args", "arguments of CMake for all packages", "-DCMAKE_BUILD_TYPE=Release"),
+    Input("colcon-args", "arguments of colcon build, such as --executor sequential"),
+    Input(
+        "parallel-jobs",
+        "how many compilers run at the same time; if left out, as many as cores, and fewer if the builder has less than 2 GB"
+        " of memory for each",
+    ),
     Input(
         "cache",
         "repository in a registry that keeps finished stages, for machines that have none; such as ghcr.io/me/robot-cache",
@@ -199,8 +205,9 @@ FILE = ".env"
 _PATTERNS = {
     "ros-distro": ("[a-z][a-z0-9]*|Debian", "name one, such as jazzy"),
     "rmw-implementation": ("rmw_[a-z0-9_]+", "name one, such as rmw_cyclonedds_cpp"),
+    "parallel-jobs": ("[1-9][0-9]{0,3}", "name a number, such as 1"),
 }
-"""Inputs that become a part of names of packages: how their values look, and what to do about others."""
+"""Inputs that become a part of names of packages, or numbers of a script: how their values look, and what to do about others."""
 
 _PIECE = re.compile(r"""'([^']*)'|"((?:[^"\\]|\\.)*)"|\\(.)|([^\s'"\\]+)""", re.DOTALL)
 
@@ -316,11 +323,11 @@ def _require_possible(name: str, value: str) -> None:
     Raises:
         RosmlError: it cannot be that (exit code 2).
     """
-    if name == "cmake-args":
+    if name in ("cmake-args", "colcon-args"):
         problem, remedy = _problem_of_words(value), "write it as a shell reads it, such as -DNAME='a;b'"
     else:
         pattern, remedy = _PATTERNS.get(name, ("(?s:.*)", ""))
-        problem = "" if not value or re.fullmatch(pattern, value) else "that is no name of one"
+        problem = "" if not value or re.fullmatch(pattern, value) else "that is none"
     if problem:
         raise RosmlError(f"{name}: {value!r}: {problem}", remedy, exit_code=2)
 

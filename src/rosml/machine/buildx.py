@@ -43,6 +43,11 @@ _NOBODY_THERE = (
     "check HTTP_PROXY, HTTPS_PROXY and the mirrors; if it was the registry or the builder, run 'rosml setup'",
 )
 
+_NO_MEMORY = (
+    "memory may have run out",
+    "give the builder more memory, or let fewer compilers run at the same time: rosml containerize --parallel-jobs 1",
+)
+
 _OF_THE_BUILDER = (
     (
         "x509: certificate signed by unknown authority",
@@ -52,6 +57,7 @@ _OF_THE_BUILDER = (
     ("x509: certificate has expired", "the registry's operator has to renew its certificate"),
     (r"unexpected status\b.*: 40[13]\b|insufficient_scope|no basic auth credentials", _LOGIN),
     ("failed to calculate checksum of ref", "a file of the build is missing; if it is a lock: run 'rosml locks'"),
+    (r"successfully: (exit code: 137\b|cannot allocate memory)", _NO_MEMORY[1]),
     _NO_SPACE,
     (r"registry-1\.docker\.io", _NO_BASE),
     _NOBODY_THERE,
@@ -70,6 +76,7 @@ _OF_OUR_STEPS = (
     ("Hash mismatch", "a download is not what the lock says: run 'rosml locks' if that is intended"),
     ("all requirements must have their versions pinned", "a lock is damaged: run 'rosml locks'"),
     _NO_SPACE,
+    _NO_MEMORY,
     ("Could not resolve", "check that this machine reaches the package indexes (proxy? CA bundle?), then run it again"),
     ("Temporary failure resolving", "check that this machine reaches Debian's mirrors, then run it again"),
     ("Failed to fetch|error sending request", _AGAIN),

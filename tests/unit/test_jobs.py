@@ -1,0 +1,97 @@
+"""How many compilers a build of packages starts, and what it says of one that was killed."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+from stubs import executable
+
+STEPS = ROOT / "components/containerize"
+
+
+def bash(text: str, tmp_path: Path, **environment: str) -> str:
+    """What a shell prints that has setup.sh, in a workspace without anything."""
+    script = f"set -euo pipefail\nsource {STEPS}/setup.sh\n{text}"
+    env = {"PATH": f"{tmp_path}:{os.environ['PATH']}", "WORKSPACE": str(tmp_path), **environment}
+    return subprocess.run(["bash", "-c", script], env=env, check=True, capture_output=True, text=True).stdout
+
+
+@pytest.mark.parametrize(
+    ("cores", "memory", "asked", "packages", "expected"),
+    [
+        (8, 64_000, "", 20, " |"),  # as colcon does it
+        (8, 16_000, "", 20, " |"),
+        (8, 15_900, "", 20, "--parallel-workers 2|-j3"),
+        (8, 15_900, "", 1, "--parallel-workers 1|-j7"),
+        (64, 64_000, "", 100, "--parallel-workers 5|-j6"),
+        (4, 3_000, "", 20, "--parallel-workers 1|-j1"),
+        (4, 900, "", 20, "--parallel-workers 1|-j1"),
+        (4, 64_000, "1", 20, "--parallel-workers 1|-j1"),
+        (4, 900, "16", 20, "--parallel-workers 4|-j4"),
+    ],
+)
+def test_compilers_are_as_many_as_memory_has_room_for(
+    cores: int, memory: int, asked: str, packages: int, expected: str, tmp_path: Path
+) -> None:
+    executable(tmp_path / "nproc", f"echo {cores}")
+    text = f"asked_jobs() {{ echo '{asked}'; }}; memory() {{ echo {memory}; }}\nlimit_jobs {packages}\n"
+    said = bash(f'{text}echo "${{workers[*]:- }}|${{MAKEFLAGS:-}}"', tmp_path)
+    assert said == f"{expected}\n"
+
+
+def test_the_memory_of_this_machine(tmp_path: Path) -> None:
+    said = int(bash("memory", tmp_path))
+    assert 0 < said <= os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") >> 20
+
+
+COLCON = """
+case $1 in
+list) echo a ;;
+build)
+  echo "$* $MAKEFLAGS" >calls
+  mkdir -p "$COLCON_LOG_PATH/build_1/a" && ln -sfn build_1 "$COLCON_LOG_PATH/latest_build"
+  printf '%s\\n' "begins" {line} "Summary: 1 package failed" | tee "$COLCON_LOG_PATH/build_1/a/stdout_stderr.log"
+  exit 2 ;;
+esac
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        ("gmake[2]: *** [CMakeFiles/k.dir/build.make:70: CMakeFiles/k] Error 137", "memory may have run out"),
+        ("c++: fatal error: Killed signal terminated program cc1plus", "memory may have run out"),
+        ("g++: internal compiler error: Killed (program cc1plus)", "memory may have run out"),
+        ("collect2: fatal error: ld terminated with signal 9 [Killed]", "memory may have run out"),
+        ("clang: error: unable to execute command: Killed", "memory may have run out"),
+        ("cc1plus: out of memory allocating 65536 bytes", "memory may have run out"),
+        ("Killed", "memory may have run out"),
+        (
+            "fatal error: error writing to /tmp/a.s: No space left on device",
+            "error: a package does not build: No space left",
+        ),
+        ("warning: Killed is a nice name; Error 1370", ""),
+        ("gmake: *** [Makefile:146: all] Error 2", ""),
+    ],
+)
+def test_a_build_says_of_a_program_that_was_killed(line: str, says: str, tmp_path: Path) -> None:
+    """And it ends as colcon did."""
+    executable(tmp_path / "colcon", COLCON.format(line=f"'{line}'"))
+    script = (STEPS / "workspace.sh").read_text().replace("/run/sources/.", f"{tmp_path}/src/.")
+    for old, new in (('$(dirname "${BASH_SOURCE[0]}")', str(STEPS)), ("=/tmp/log", f"={tmp_path}/log")):
+        assert old in script
+        script = script.replace(old, new)
+    (tmp_path / "src").mkdir()
+    env = {"PATH": f"{tmp_path}:{os.environ['PATH']}", "WORKSPACE": str(tmp_path / "ws"), "MAKEFLAGS": ""}
+    env |= {"COLCON_ARGS": "--executor sequential", "CMAKE_ARGS": "-DA='b c'"}
+    (tmp_path / "ws").mkdir()
+    done = subprocess.run(["bash", "-c", script, "workspace.sh", "target"], env=env, capture_output=True, text=True)
+    assert done.returncode == 2, done.stderr
+    assert "--executor sequential --cmake-args -DA=b c" in (tmp_path / "ws/calls").read_text()
+    last = done.stderr.splitlines()[-1:]
+    assert says in "".join(last) and bool(last) == bool(says)
+    assert says != "memory may have run out" or last[0].startswith(f"error: a program was killed ({line}); ")
