@@ -21,7 +21,8 @@ from pathlib import Path
 import pytest
 import trustme
 
-from rosml.apps import repos_file
+from rosml.apps import repos_file, sources
+from rosml.apps.git import Failed
 from rosml.apps.lock import Pin
 from rosml.apps.sources import Access, Repository, fetch
 from rosml.base.errors import RosmlError
@@ -301,7 +302,8 @@ def test_two_files_that_contradict_each_other(place: Place) -> None:
         (f"repositories: {{x: {{type: git, url: 'https://u:{SECRET}@h/x'}}}}", "holds a password"),
         ("repositories: {x: {type: git, url: 'https://h/x', version: --x}}", "is no version"),
         ("repositories: {x: {type: hg, url: 'https://h/x'}}", "the type is hg; only git works"),
-        ("repositories: {x: {url: 'https://h/x'}}", "the type is missing"),
+        ("repositories: {x: {url: 'https://h/x'}}", "x: no type; add 'type: git'"),
+        ("repositories: {.: {type: git, url: 'https://h/x'}}", "'.' is the folder for sources itself"),
         ("repositories: {x: {type: git}}", "no url"),
         ("repositories: {x: 1}", "x is no mapping"),
         ("repositories: {x: {type: git, url: /a}, x: {type: git, url: /b}}", "x is there twice"),
@@ -913,6 +915,34 @@ def test_ctrl_c_leaves_no_key(place: Place, ssh: Path) -> None:
         place.fetch(Access(ssh_key=KEY, ssh_known_hosts=HOSTS))
     (name,) = ssh.read_text().split()
     assert not Path(name).parent.exists()
+
+
+@pytest.mark.parametrize(
+    ("url", "said", "cause", "remedy"),
+    [
+        (
+            "file:///srv/my robot",
+            "fatal: detected dubious ownership in repository at '/srv/my robot'\nTo add an exception, call:",
+            "/srv/my robot belongs to another user",
+            "git config --global --add safe.directory '/srv/my robot'",
+        ),
+        (
+            "/srv/a",
+            "fatal: unsafe repository ('/srv/a' is owned by someone else)",
+            "another user",
+            "safe.directory /srv/a",
+        ),
+        (
+            "git://github.com/me/a.git",
+            "fatal: unable to connect to github.com:",
+            "unable",
+            "write https://github.com/me/a.git",
+        ),
+    ],
+)
+def test_a_failure_of_git_is_told_with_its_cause(url: str, said: str, cause: str, remedy: str) -> None:
+    error = sources.told("a.repos:2: a", url, Failed(said))
+    assert cause in error.message and remedy in error.remedy
 
 
 def test_ssh_says_what_is_wrong(place: Place, ssh: Path) -> None:

@@ -507,6 +507,24 @@ def test_images_are_joined_after_the_report_is_read(
     assert dev["dockerfile-inline"].startswith("FROM workspace\n")
 
 
+def test_submodules_that_nobody_fetched_are_named(
+    repository: Path, services: Services, calls: list[dict[str, Any]]
+) -> None:
+    """As `git clone` alone leaves them: a package in them is one that rosdep does not know."""
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    said: list[str] = []
+    (repository / "src/empty").mkdir()
+    sections = "".join(
+        f'[submodule "{name}"]\n\tpath = {name}\n' for name in ("src/robot", "src/empty", "src/gone away")
+    )
+    (repository / ".gitmodules").write_text(f"{sections}\turl = ../x\n")
+    values = inputs.values({"base-image": "ros:jazzy", "command": "true", "target": "run"}, repository, {})
+    build.App(repository, values, {}, services, said.append).build()
+    told = [line for line in said if "submodule" in line]
+    remedy = "is not there: git submodule update --init --recursive"
+    assert told == [f"the submodule {name} {remedy}" for name in ("src/empty", "src/gone away")]
+
+
 def test_the_number_of_compilers_is_no_part_of_what_a_step_is_made_from(
     repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
 ) -> None:

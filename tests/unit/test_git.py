@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT
+from stubs import executable
 
 from rosml.base.errors import RosmlError
 from rosml.machine import git
@@ -347,6 +348,26 @@ def test_another_users_repository_counts_if_its_user_says_so(tmp_path: Path, mon
         assert git.commit(folder) is None
     author_git(tmp_path, "config", "--global", "safe.directory", str(folder))
     assert git.commit(folder) == there
+
+
+@pytest.mark.parametrize(
+    "said", ["detected dubious ownership in repository at 'x'", "unsafe repository ('x' is owned by someone else)"]
+)
+def test_another_users_repository_is_named_with_its_remedy(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, said: str
+) -> None:
+    """In the words of git since 2.35."""
+    place = repository(tmp_path / "my robot")
+    executable(tmp_path / "git", f'echo "fatal: {said}" >&2; exit 128')
+    monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
+    told: list[str] = []
+    assert git.commit(place / "sub", told.append) is None
+    assert told == [
+        f"{place} belongs to another user, and git does not read it: its commit is not known;"
+        f" if you trust it: git config --global --add safe.directory '{place}'"
+    ]
+    executable(tmp_path / "git", 'echo "fatal: bad object HEAD" >&2; exit 128')
+    assert git.commit(place, told.append) is None and len(told) == 1
 
 
 def test_nothing_else_calls_git() -> None:

@@ -486,6 +486,8 @@ class App:
             locked.write_requests(requests)
         if self._renew:  # what an earlier build installed is not what is newest
             (requests / "renewed").write_text(f"{time.time()}\n")
+        for path in workspace.empty_submodules(folder):
+            self._say(f"the submodule {path} is not there: git submodule update --init --recursive")
         packages = _count(counts["target"] + counts["upstream"], "package")
         if counts["downstream"]:
             packages += f", and {counts['downstream']} that use them,"
@@ -507,7 +509,7 @@ class App:
                 " reaches what listens here"
             )
         hooked = (requests / "identification.sh").stat().st_size > 0
-        commit = git.commit(folder) or git.Commit("", TIME)
+        commit = git.commit(folder, self._say) or git.Commit("", TIME)
         return bake_file.Inputs(base, distribution, values, contexts, empty, hooked, commit.hash, commit.time, slim)
 
     def _with_lists(self, inputs: bake_file.Inputs, locked: lock.Lock | None) -> bake_file.Inputs:

@@ -237,8 +237,10 @@ def _nodes(node: Any) -> set[int]:
 
 def _entry(name: str, key: Any, node: Any, local: bool) -> Entry:
     fields = dict(_texts(name, key.value, node))
-    if (kind := fields.get("type") or "missing") != "git":
-        _refuse(name, key, f"{key.value}: the type is {kind}; only git works", "take the sources from git")
+    if not fields.get("type"):
+        _refuse(name, key, f"{key.value}: no type", "add 'type: git'")
+    if fields["type"] != "git":
+        _refuse(name, key, f"{key.value}: the type is {fields['type']}; only git works", "take the sources from git")
     if not fields.get("url"):
         _refuse(name, key, f"{key.value}: no url")
     try:
@@ -264,7 +266,10 @@ def _texts(name: str, path: str, node: Any) -> Iterator[tuple[str, str]]:
 def _path(name: str, key: Any) -> str:
     path = PurePosixPath(key.value)
     parts = path.parts
-    if not parts or path.is_absolute() or ".." in parts or not key.value.isprintable() or "\\" in key.value:
+    if not parts:
+        text = f"{key.value!r} is the folder for sources itself, which other repositories go into as well"
+        _refuse(name, key, text, "name a folder below it, such as the repository's name")
+    if path.is_absolute() or ".." in parts or not key.value.isprintable() or "\\" in key.value:
         _refuse(name, key, f"{key.value!r} leads out of the folder for sources", "name a folder below it")
     if ".git" in (part.lower() for part in parts):
         _refuse(name, key, f"{key.value!r} is a name that git uses itself", "choose another one")

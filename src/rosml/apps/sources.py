@@ -20,6 +20,7 @@ from rosml.apps.versions import Version, resolve
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.base.problems import listed
+from rosml.machine.git import trusting
 
 __all__ = ["Access", "Repository", "fetch"]
 
@@ -183,7 +184,7 @@ def _fetch(
                 store.write(entry.url, version, folder)
             say(f"{entry.path}: {entry.version or 'default branch'} is {version.commit}")
     except Failed as error:
-        raise _told(head, entry.url, error) from None
+        raise told(head, entry.url, error) from None
     except RosmlError as error:
         raise RosmlError(f"{head}: {error.message}", error.remedy, error.exit_code) from None
     return Repository(entry.path, entry.url, entry.version, version.commit, entry.file, version.moving)
@@ -213,7 +214,7 @@ def _pinned(entry: Entry, pins: Mapping[str, lock.Pin], store: Store) -> Version
     return Version(pin.commit)
 
 
-def _told(head: str, url: str, error: Failed) -> RosmlError:
+def told(head: str, url: str, error: Failed) -> RosmlError:
     """What git's failure means, and what to do about it."""
     if error.could_not_write:
         return RosmlError(f"{head}: cannot be written: {error.reason}", "free some disk space, then run it again")
@@ -225,6 +226,15 @@ def _told(head: str, url: str, error: Failed) -> RosmlError:
     if "Load key " in error.said:
         text = f"{head}: ssh cannot use the key: it is damaged, or has a passphrase"
         return RosmlError(text, "set GIT_SSH_PRIVATE_KEY to the whole text of a private key without a passphrase")
+    if "detected dubious ownership" in error.said or "unsafe repository" in error.said:
+        place = url.removeprefix("file://")
+        text = f"{head}: {place} belongs to another user, and git does not read it"
+        return RosmlError(text, trusting(Path(place)))
+    if url.startswith("git://"):
+        text = f"{head}: cannot be read: {error.reason}"
+        return RosmlError(
+            text, f"write https://{url.removeprefix('git://')}: GitHub and others do not answer git:// any more"
+        )
     if urls.is_local(url):
         return RosmlError(f"{head}: cannot be read: {error.reason}", "check the URL")
     names = ["GIT_HTTPS_SERVER", "GIT_HTTPS_USER", "GIT_HTTPS_PASSWORD"]

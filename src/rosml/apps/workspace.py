@@ -13,6 +13,7 @@ from xml.etree import ElementTree
 
 from rosml.apps import inputs, within
 from rosml.apps.within import SECRET
+from rosml.base import files
 from rosml.base.errors import RosmlError
 
 IGNORED = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
@@ -130,6 +131,23 @@ def _link(source: Path, target: Path, root: Path) -> None:
             os.link(source, target)
         except OSError:
             shutil.copy2(source, target)
+
+
+def empty_submodules(folder: Path) -> list[str]:
+    """The submodules of a repository that nobody fetched: as after a `git clone` without more, their folders are empty."""
+    with contextlib.suppress(OSError, RosmlError):
+        text = files.limited(folder / ".gitmodules", inputs.LARGEST_TEXT).decode(errors="replace")
+        paths = re.findall(r"""^[ \t]*path[ \t]*=[ \t]*"?([^"\n]*[^"\s])"?[ \t]*$""", text, re.MULTILINE)
+        return sorted(path for path in paths if path.isprintable() and not any(_listed(folder / path)))
+    return []
+
+
+def _listed(folder: Path) -> Iterator[os.DirEntry[str]]:
+    try:
+        with os.scandir(folder) as entries:
+            yield from entries
+    except OSError:
+        return
 
 
 def additional_files(name: str, folder: Path) -> Path | None:

@@ -13,7 +13,9 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 import subprocess
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -76,10 +78,26 @@ def _has_git(place: Path) -> bool:
         return False
 
 
-def commit(folder: Path) -> Commit | None:
-    """The commit that is checked out in a folder, which may be a stranger's; None if git does not say."""
+def trusting(place: Path) -> str:
+    """What has git read a repository that belongs to another user."""
+    return f"if you trust it: git config --global --add safe.directory {shlex.quote(str(place))}"
+
+
+class Distrusted(RosmlError):
+    """A repository that belongs to another user, and that git therefore does not read."""
+
+
+def commit(folder: Path, say: Callable[[str], object] = lambda text: None) -> Commit | None:
+    """The commit that is checked out in a folder, which may be a stranger's; None if git does not say.
+
+    Args:
+        say: gets a sentence for people if git refuses to say, though there is a commit.
+    """
     try:
         said = ask(folder, "rev-list", "--no-walk", "--format=%ct", "HEAD", "--")
+    except Distrusted as error:
+        say(f"{error.message}: its commit is not known; {error.remedy}")
+        return None
     except RosmlError:
         return None
     found = re.fullmatch(rb"commit ([0-9a-f]{40,64})\n(\d+)\n", said)
@@ -120,5 +138,7 @@ def ask(folder: Path, *arguments: str) -> bytes:
         raise RosmlError("git is not installed", "install it: apt-get install git") from None
     if done.returncode and done.stderr:
         said = done.stderr.decode(errors="replace").strip()
+        if "detected dubious ownership" in said or "unsafe repository" in said:
+            raise Distrusted(f"{place} belongs to another user, and git does not read it", trusting(place))
         raise RosmlError(f"git cannot read {folder}: {said}", "call it in a git checkout")
     return done.stdout
