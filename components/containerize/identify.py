@@ -19,6 +19,7 @@ import os
 import re
 import subprocess
 import sys
+import time
 from collections import defaultdict
 from pathlib import Path
 from typing import Dict, Iterable, Iterator, NamedTuple, NoReturn, Set
@@ -50,6 +51,12 @@ SOURCES = Path("/etc/ros/rosdep/sources.list.d")
 
 EMPTY = "empty.yaml"
 """An index of distributions that has none."""
+
+BUSY = re.compile(r"HTTP Error (429|500|502|503|504)\b")
+"""Answers of a server that may be other ones a moment later."""
+
+PAUSES = (1, 3)
+"""Seconds before such a server is asked again."""
 
 DEBIAN = "10-debian.list"
 """Of Debian's rosdep: it calls Debian's own packages of ROS 1 by names that ROS 2 has as well."""
@@ -103,6 +110,26 @@ def provided() -> set[str]:
     patterns = ("share/*/package.xml", "*/share/*/package.xml")  # merged, and each in a folder of its own
     found = (path for place in WORKSPACES for pattern in patterns for path in (place / "install").glob(pattern))
     return {path.parent.name for path in found}
+
+
+def reasons(said: str) -> str:
+    """What a call of rosdep says went wrong: all addresses that failed, each with its reason."""
+    lines = [line.strip() for line in said.split("\n")]
+    sources = re.findall(r"unable to process source \[(.*)\]:\n\s*(.*)", said)
+    told = [f"{address}: {why.replace(f'({address})', '').strip()}" for address, why in sources]
+    others = [line for line in lines if line and line not in ("[[[", "]]]")]
+    return ", ".join(dict.fromkeys(told)) or (others[-1] if others else "")
+
+
+def failure(command: list[str], environment: dict[str, str]) -> str:
+    """Why a call of rosdep failed; empty if it did not. A server that is too busy is asked again."""
+    for pause in (*PAUSES, 0):
+        done = subprocess.run(command, env=environment, capture_output=True)
+        said = done.stderr.decode(errors="replace")
+        if not (done.returncode and pause and BUSY.search(said)):
+            break
+        time.sleep(pause)
+    return (reasons(said) or f"rosdep ended with {done.returncode}") if done.returncode else ""
 
 
 class Rosdep:
@@ -207,11 +234,7 @@ class Rosdep:
         if self._distribution and not index.endswith(EMPTY):
             command.append(f"--rosdistro={self._distribution}")
         given = {"ROSDEP_SOURCE_PATH": sources, "ROSDISTRO_INDEX_URL": index} if index else {}
-        done = subprocess.run(command, env={**os.environ, **given}, capture_output=True)
-        if done.returncode:
-            said = done.stderr.decode(errors="replace").split("\n")
-            told = [line.strip(" []\t") for line in said if line.strip(" []\t")]
-            self.failure = told[-1] if told else f"rosdep update ended with {done.returncode}"
+        self.failure = failure(command, {**os.environ, **given}) or self.failure
         try:
             lookup = RosdepLookup.create_from_rospkg(sources_loader=SourcesListLoader.create_default())
             self._view = lookup.get_rosdep_view(DEFAULT_VIEW_KEY)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import contextlib
 import http.server
 import json
 import os
@@ -20,11 +21,13 @@ from pathlib import Path
 
 import pytest
 import trustme
+from stubs import executable
 
 from rosml.apps import repos_file, sources
-from rosml.apps.git import Failed
+from rosml.apps.git import Failed, opened
 from rosml.apps.lock import Pin
 from rosml.apps.sources import Access, Repository, fetch
+from rosml.base import web
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 
@@ -915,6 +918,20 @@ def test_ctrl_c_leaves_no_key(place: Place, ssh: Path) -> None:
         place.fetch(Access(ssh_key=KEY, ssh_known_hosts=HOSTS))
     (name,) = ssh.read_text().split()
     assert not Path(name).parent.exists()
+
+
+@pytest.mark.parametrize(("code", "calls"), [(429, 2), (503, 2), (404, 1)])
+def test_a_server_that_is_too_busy_is_asked_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, code: int, calls: int
+) -> None:
+    monkeypatch.setattr(web, "WAIT", 0.001)
+    text = f"echo x >>{tmp_path}/calls; test -e {tmp_path}/again && echo done && exit; touch {tmp_path}/again"
+    said = f"fatal: unable to access 'https://h/a/': The requested URL returned error: {code}"
+    executable(tmp_path / "git", f'case "$*" in *ls-remote*) ;; *) exit 1 ;; esac\n{text}; echo "{said}" >&2; exit 128')
+    monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
+    with opened(Access(), tmp_path) as call, contextlib.suppress(Failed):
+        assert call("ls-remote", "https://h/a") == "done\n"
+    assert (tmp_path / "calls").read_text() == "x\n" * calls
 
 
 @pytest.mark.parametrize(

@@ -661,6 +661,28 @@ def test_a_repository_of_packages(server: Hostile, name: str) -> None:
     ends(lambda: release_file.read(f"http://{server.address}/x", 1000, "MIRROR"))
 
 
+@pytest.mark.parametrize("code", [429, 503, 200])
+@pytest.mark.parametrize("times", [1, 100])
+def test_a_repository_that_is_too_busy_is_asked_again(
+    server: Hostile, monkeypatch: pytest.MonkeyPatch, code: int, times: int
+) -> None:
+    """And not for ever. An answer of 200 that breaks off before its headers is none."""
+    monkeypatch.setattr(web, "WAIT", 0.001)
+    busy = [reply(code, headers={"Retry-After": "0"}) if code != 200 else b""] * times
+
+    def answer() -> Iterator[bytes]:
+        yield busy.pop() if busy else reply(200, b"Suite: stable")
+
+    server.answers = {"GET": answer}
+    server.requests.clear()
+    if times == 1:
+        assert release_file.read(f"http://{server.address}/x", 1000, "MIRROR") == "Suite: stable"
+    else:
+        with pytest.raises(RosmlError, match="does not answer"):
+            release_file.read(f"http://{server.address}/x", 1000, "MIRROR")
+    assert len(server.requests) == min(times + 1, web.ATTEMPTS)
+
+
 @pytest.mark.parametrize(
     "answer", [endless(200), reply(200, BOMB, {"Content-Encoding": "gzip"})], ids=["endless", "bomb"]
 )

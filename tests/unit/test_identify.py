@@ -111,6 +111,35 @@ def test_keys_with_rules_elsewhere_can_be_left_out_by_a_line_to_copy(
     assert many.count("error: rosdep does not know") == 12 and "and 18 keys more\n" in many
 
 
+def test_all_hosts_that_fail_are_named(identify: Any) -> None:
+    """As rosdep says it: each at once, and all again at the end."""
+    error = "ERROR: unable to process source [https://{0}/base.yaml]:\n\t<urlopen error {1}> (https://{0}/base.yaml)\n"
+    both = error.format("a", "timed out") + error.format("b", "HTTP Error 404")
+    said = f"{both}ERROR: Not all sources were able to be updated.\n[[[\n{both}]]]\n"
+    reasons = "https://a/base.yaml: <urlopen error timed out>, https://b/base.yaml: <urlopen error HTTP Error 404>"
+    assert identify.reasons(said) == reasons
+    assert identify.reasons("ERROR: error loading sources list:\n\t<urlopen error x>\n") == "<urlopen error x>"
+    assert identify.reasons(" \n") == ""
+
+
+@pytest.mark.parametrize(
+    ("said", "calls"), [("HTTP Error 503: busy", 3), ("HTTP Error 429: many", 3), ("HTTP Error 404", 1)]
+)
+def test_a_server_of_lists_that_is_too_busy_is_asked_again(
+    identify: Any, monkeypatch: pytest.MonkeyPatch, said: str, calls: int
+) -> None:
+    called = []
+
+    def run(command: list[str], **_: object) -> Any:
+        called.append(command)
+        return SimpleNamespace(returncode=1, stderr=said.encode())
+
+    monkeypatch.setattr(identify.subprocess, "run", run)
+    monkeypatch.setattr(identify, "PAUSES", (0.001, 0.001))
+    assert identify.failure(["rosdep", "update"], {}) == said
+    assert len(called) == calls
+
+
 @pytest.mark.parametrize(
     "given", ["only_on_ubuntu null_rule", "only_on_ubuntu,null_rule", " only_on_ubuntu,\nnull_rule ,"]
 )

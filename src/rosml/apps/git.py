@@ -13,11 +13,12 @@ import signal
 import subprocess
 import tempfile
 import threading
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from rosml.apps import urls
+from rosml.base import web
 from rosml.base.errors import RosmlError
 from rosml.machine.git import CLEAN, QUIET
 
@@ -51,6 +52,10 @@ _BOILERPLATE = (
     "fatal: the remote end hung up",
 )
 """What git says after each failure of ssh."""
+
+
+_BUSY = re.compile(rf"The requested URL returned error: ({'|'.join(map(str, web.BUSY))})\b")
+"""How git says that a server may have another answer a moment later."""
 
 
 class Failed(Exception):
@@ -141,17 +146,29 @@ class Git:
         settings: Iterable[Setting] = (),
         environment: Mapping[str, str] | None = None,
     ) -> str:
-        """What git prints.
+        """What git prints. A server that is too busy is asked again.
 
         Raises:
             Failed: it did not succeed. RosmlError: it is not installed, or somebody stopped it.
         """
+        attempt = 0
+        while True:
+            attempt += 1
+            try:
+                return self._call(arguments, given, settings, environment or {})
+            except Failed as error:
+                if not _BUSY.search(error.said) or not web.waited(attempt):
+                    raise
+
+    def _call(
+        self, arguments: Sequence[str], given: bytes, settings: Iterable[Setting], environment: Mapping[str, str]
+    ) -> str:
         options = [word for name, value in (*self._settings, *settings) for word in ("-c", f"{name}={value}")]
         try:
             process = subprocess.Popen(
                 ["git", *options, *arguments],
                 cwd=self._folder,
-                env={**self._environment, **(environment or {})},
+                env={**self._environment, **environment},
                 umask=0o022,
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,

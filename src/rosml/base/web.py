@@ -7,11 +7,13 @@ sent, up to a size. Nothing is unpacked: a few kB of gzip can hold gigabytes.
 from __future__ import annotations
 
 import contextlib
+import email.utils
 import functools
 import os
 import socket
 import ssl
 import time
+from collections.abc import Mapping
 from http.cookiejar import CookieJar
 from typing import Any
 from urllib.parse import urlsplit
@@ -29,6 +31,15 @@ REDIRECTS = 5
 EXCERPT = 64 << 10
 """Bytes that are read of an answer that nobody needs as a whole: an error, or a redirect."""
 
+
+BUSY = (429, 500, 502, 503, 504)
+"""Answers that may be other ones a moment later."""
+
+ATTEMPTS = 3
+"""How often a server is asked for a list that is busy."""
+
+WAIT, LONGEST_WAIT = 1.0, 30.0
+"""Seconds before the second attempt, which double with every further one; and what a server may ask for at most."""
 
 LONGEST = 600.0
 """Seconds that a body may take that is read as a whole."""
@@ -158,6 +169,50 @@ def followed(client: httpx.Client, request: httpx.Request, elsewhere: bool) -> h
         answer = client.send(following, stream=True, follow_redirects=False)
     answer.close()
     raise Unfit("redirects without end")
+
+
+def after(headers: Mapping[str, str]) -> float:
+    """Seconds that a server asks to wait: `Retry-After` has them, or a date. 0 if it asks for nothing that can be read."""
+    text = headers.get("retry-after", "")[:64]
+    if text.isdecimal():
+        return float(text)
+    try:
+        return email.utils.parsedate_to_datetime(text).timestamp() - time.time()
+    except (TypeError, ValueError, IndexError, OverflowError):
+        return 0.0
+
+
+def waited(attempt: int, seconds: float = 0.0) -> bool:
+    """Waits before a server that was too busy is asked again; false, without a wait, if it was asked often enough.
+
+    Args:
+        attempt: how often it was asked. seconds: that it asks to wait.
+    """
+    if attempt >= ATTEMPTS:
+        return False
+    time.sleep(min(max(WAIT * 2 ** (attempt - 1), seconds), LONGEST_WAIT))
+    return True
+
+
+def asked(client: httpx.Client, url: str) -> httpx.Response:
+    """Asks for a file, again if the server is too busy or breaks off. Nothing of the answer's body is read yet.
+
+    Raises:
+        Unfit: there are too many redirects, or one leads to no address.
+        httpx.HTTPError: nobody answers, or in no form that is HTTP.
+    """
+    attempt = 0
+    while True:
+        attempt += 1
+        try:
+            answer = followed(client, client.build_request("GET", url), elsewhere=True)
+        except (httpx.ReadError, httpx.RemoteProtocolError):
+            if not waited(attempt):
+                raise
+        else:
+            if answer.status_code not in BUSY or not waited(attempt, after(answer.headers)):
+                return answer
+            answer.close()
 
 
 def read(answer: httpx.Response, limit: int) -> bytes:

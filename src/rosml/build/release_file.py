@@ -46,7 +46,7 @@ def fetched(url: str, limit: int, variable: str) -> bytes:
     """
     try:
         with web.client(timeout=SECONDS) as client:
-            answer = web.followed(client, client.build_request("GET", url), elsewhere=True)
+            answer = web.asked(client, url)
             content = web.excerpt(answer, limit)
     except (httpx.HTTPError, httpx.InvalidURL, ValueError) as error:
         reason = str(error) or type(error).__name__

@@ -20,7 +20,7 @@ from rosml.base.file_lock import turn
 from rosml.machine import trust
 from rosml.machine.progress import TAIL_LINES, BuildProgress, Step
 from rosml.machine.services import Services
-from rosml.registry import failures, login, oci
+from rosml.registry import failures, oci
 
 _LOGIN = "docker login, with an account that may push there; then run it again"
 _REFUSED = (
@@ -230,7 +230,7 @@ def _pause(services: Services, error: Unanswered, attempt: int) -> float | None:
     """
     status = int(error.said[:3]) if error.said[:3].isdecimal() else 0
     transient = failures.Transient(error.said)
-    if status in login.BUSY:
+    if status in web.BUSY:
         return failures.pause(transient, attempt)
     if not error.pushing or status not in (0, 403, 404, 409):
         return None

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import email.utils
-import time
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import httpx
@@ -66,17 +63,6 @@ def reason(answer: Answer) -> str:
 def codes(answer: Answer) -> set[str]:
     """The codes of the errors of an answer."""
     return {error.code for error in _errors(answer).errors}
-
-
-def after(headers: Mapping[str, str]) -> float:
-    """Seconds that a registry asks to wait: `Retry-After` has them, or a date. 0 if it asks for nothing that can be read."""
-    text = headers.get("retry-after", "")[:64]
-    if text.isdecimal():
-        return float(text)
-    try:
-        return email.utils.parsedate_to_datetime(text).timestamp() - time.time()
-    except (TypeError, ValueError, IndexError, OverflowError):
-        return 0.0
 
 
 def misfit(content: object, shape: type[BaseModel]) -> str:

@@ -37,9 +37,6 @@ DENIED_SECONDS = 5.0
 """How long a scope that the token server denied is not asked for again, if it only reads. A registry that is empty has thousands
 of reads denied at once. Another machine may make the repository at any time."""
 
-BUSY = (429, 500, 502, 503, 504)
-"""Answers that may be other ones a moment later."""
-
 
 class Login:
     """Who asks one registry. Safe to share among threads.
@@ -173,8 +170,8 @@ class Login:
             sent = self._client.send(request, stream=True, auth=password, follow_redirects=False)
             answer = answers.whole(sent, TOKEN_BYTES)
         said = f"asking for a token: {answer.status_code}"
-        if answer.status_code in BUSY:
-            raise Transient(said, answers.after(answer.headers))
+        if answer.status_code in web.BUSY:
+            raise Transient(said, web.after(answer.headers))
         if answer.status_code == 403 and known and scopes:
             with self._turn(frozenset()):
                 if not self._logged_in:  # without a repository, it is the log-in alone that can be refused

@@ -29,7 +29,7 @@ from rosml.base.problems import first_of
 from rosml.base.units import size as in_words
 from rosml.registry import answers, certificates, documents, failures, login
 from rosml.registry import credentials as docker
-from rosml.registry.answers import Answer, after, codes, reason
+from rosml.registry.answers import Answer, codes, reason
 from rosml.registry.credentials import DOCKER_HUB, Credentials
 from rosml.registry.documents import DIGEST, MEDIA_TYPE, TAG, Descriptor
 from rosml.registry.failures import Busy, Denied, Refused, Transient, Untrusted, named, transport, unfit
@@ -65,7 +65,7 @@ PAGES = 1000
 LIST_BYTES = 64 << 20
 """Largest list, of all its pages together."""
 
-_SETTLED = frozenset(range(300, 600)).difference(login.BUSY)
+_SETTLED = frozenset(range(300, 600)).difference(web.BUSY)
 _UNKNOWN = {"BLOB_UNKNOWN", "MANIFEST_BLOB_UNKNOWN", "MANIFEST_UNKNOWN"}
 _BLOCK = 1 << 20
 _HOST = r"(?:[A-Za-z0-9](?:[A-Za-z0-9.-]*[A-Za-z0-9])?|\[[0-9A-Fa-f:]+\])(?::[0-9]{1,5})?"
@@ -467,7 +467,7 @@ class Registry:
         if repository in self._keeping:
             return
         try:  # 404 may also be how a registry says that it knows no such request; nobody waits for one that is busy
-            answer = self._deletion(repository, digest, (404, 405, *login.BUSY))
+            answer = self._deletion(repository, digest, (404, 405, *web.BUSY))
             gone = answer.is_success or not self.head(repository, digest)
         except RosmlError:
             gone = False
@@ -975,8 +975,8 @@ class Registry:
             return answer
         own = web.origin(answer.url) == web.origin(self.base)
         said = f"{answer.method} {answer.url.path if own else named(answer.url)}: {code}{reason(answer)}"
-        if code in login.BUSY:
-            raise Transient(said, after(answer.headers), final=Busy)
+        if code in web.BUSY:
+            raise Transient(said, web.after(answer.headers), final=Busy)
         if answer.redirect and not push:
             raise Transient(f"{said}: a redirect to {answer.redirect}")
         if code in (401, 403):
