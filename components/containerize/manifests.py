@@ -82,8 +82,8 @@ def packages(folder: Path, left_out: Path) -> list[tuple[Path, Any]]:
     found = all_packages(folder)
     names = left_out.read_text().split()
     for name in names:
-        if name not in found:
-            fail(f"no package is called {name}, which is to be left out", f"there are: {', '.join(sorted(found))}")
+        if name not in found:  # a list may be older than the sources
+            print(f"warning: no package is called {name}, which is to be left out", file=sys.stderr)
     counting = [found[name] for name in found if name not in names]
     if not any(place.parts[:1] != ("downstream",) for place, _package in counting):
         fail("there is no package left to build", "leave fewer out")

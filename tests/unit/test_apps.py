@@ -507,6 +507,27 @@ def test_images_are_joined_after_the_report_is_read(
     assert dev["dockerfile-inline"].startswith("FROM workspace\n")
 
 
+def test_a_name_to_leave_out_that_no_package_has_is_a_warning(
+    repository: Path, services: Services, calls: list[dict[str, Any]]
+) -> None:
+    """Unless a script may make such a package."""
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    (repository / "docker").mkdir()
+    (repository / "docker/blacklisted-packages.txt").write_text("robott # once\nrobot\nof_another_time\n")
+    values = inputs.values({"base-image": "ros:jazzy", "command": "true", "target": "run"}, repository, {})
+    said: list[str] = []
+    build.App(repository, values, {}, services, said.append).build()
+    told = "no package is called {}, which is to be left out; {}"
+    assert [line for line in said if "left out" in line] == [
+        told.format("robott", "did you mean 'robot'?"),
+        told.format("of_another_time", "known: robot"),
+    ]
+    (repository / "docker/before_dependency_identification.sh").write_text("true\n")
+    said.clear()
+    build.App(repository, values, {}, services, said.append).build()
+    assert not [line for line in said if "left out" in line]
+
+
 def test_submodules_that_nobody_fetched_are_named(
     repository: Path, services: Services, calls: list[dict[str, Any]]
 ) -> None:

@@ -111,6 +111,19 @@ def test_keys_with_rules_elsewhere_can_be_left_out_by_a_line_to_copy(
     assert many.count("error: rosdep does not know") == 12 and "and 18 keys more\n" in many
 
 
+def test_a_list_of_packages_to_leave_out_may_be_older_than_the_sources(
+    identify: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name in ("arm", "leg"):
+        (tmp_path / "src/target" / name).mkdir(parents=True)
+        (tmp_path / "src/target" / name / "package.xml").touch()
+    monkeypatch.setattr(identify.manifests, "parse_package", lambda path: SimpleNamespace(name=Path(path).parent.name))
+    (tmp_path / "list").write_text("leg\nmessage_tf_frame_transformer\n")
+    found = identify.manifests.packages(tmp_path / "src", tmp_path / "list")
+    assert [package.name for _, package in found] == ["arm"]
+    assert "warning: no package is called message_tf_frame_transformer" in capsys.readouterr().err
+
+
 def test_all_hosts_that_fail_are_named(identify: Any) -> None:
     """As rosdep says it: each at once, and all again at the end."""
     error = "ERROR: unable to process source [https://{0}/base.yaml]:\n\t<urlopen error {1}> (https://{0}/base.yaml)\n"

@@ -509,6 +509,8 @@ class App:
                 " reaches what listens here"
             )
         hooked = (requests / "identification.sh").stat().st_size > 0
+        for warning in () if hooked else workspace.stale(requests, manifests):  # a script may make such packages
+            self._say(warning)
         commit = git.commit(folder, self._say) or git.Commit("", TIME)
         return bake_file.Inputs(base, distribution, values, contexts, empty, hooked, commit.hash, commit.time, slim)
 

@@ -15,6 +15,10 @@ from rosml.apps import inputs, within
 from rosml.apps.within import SECRET
 from rosml.base import files
 from rosml.base.errors import RosmlError
+from rosml.base.problems import near
+
+BLACKLIST = "blacklist"
+"""The request that names packages to leave out."""
 
 IGNORED = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
 """Files that keep colcon from looking for packages in a folder."""
@@ -150,6 +154,20 @@ def _listed(folder: Path) -> Iterator[os.DirEntry[str]]:
         return
 
 
+def stale(requests: Path, manifests: Path) -> Iterator[str]:
+    """A sentence for each name among the packages to leave out that no package has: a list may be older than the sources.
+
+    Args:
+        requests, manifests: as `write_requests` and `write_manifests` wrote them.
+    """
+    known = sorted(names(manifests))
+    for name in (requests / BLACKLIST).read_text().split():
+        if name not in known:
+            yield f"no package is called {name}, which is to be left out" + (
+                f"; {text}" if (text := near(name, known)) else ""
+            )
+
+
 def additional_files(name: str, folder: Path) -> Path | None:
     """The folder of the repository that an image gets; None if it has none.
 
@@ -200,7 +218,7 @@ def write_requests(
     texts = {
         "apt": "".join(f"{line}\n" for line in debs),
         "pip": said("additional-pip-file", "enable-recursive-additional-pip"),
-        "blacklist": "".join(
+        BLACKLIST: "".join(
             f"{line}\n"
             for line in inputs.lines_of(said("blacklisted-packages-file", "enable-recursive-blacklisted-packages"))
         ),
