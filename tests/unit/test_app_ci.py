@@ -339,3 +339,23 @@ def test_a_failed_test_is_told_and_its_reports_are_kept(
 
 def refuse(folder: Path) -> Services:
     raise RosmlError("docker buildx does not answer", "install Docker")
+
+
+def test_no_tag_of_ci_loses_a_platform(stand_in: StandIn, services: Services, tmp_path: Path) -> None:
+    """Of a job, nor of the index of several: all are looked at before the first one moves."""
+    given: dict[str, Any] = {"image_tag": "v1", "enable_push_as_latest": "true"}
+    for platform in ("amd64", "arm64"):
+        left(job(services, tmp_path, platform=platform, **given), services, tmp_path)
+    with oci.Registries() as registries:
+        job(services, tmp_path, platform="amd64,arm64", **given).index(tmp_path / "made", registries)
+        before = tags(services, stand_in)
+        for image_tag in ("v1", "v2"):
+            given["image_tag"] = image_tag
+            one = job(services, tmp_path, platform="amd64", **given)
+            with pytest.raises(RosmlError, match="is for linux/amd64, linux/arm64, and would be for linux/amd64 alone"):
+                one.build(tmp_path, services, tmp_path / "out", False)
+        assert tags(services, stand_in) == before
+        left(job(services, tmp_path, platform="amd64", **given), services, tmp_path)
+        with pytest.raises(RosmlError, match=":latest is for linux/amd64, linux/arm64, and would be"):
+            job(services, tmp_path, platform="amd64", **given).index(tmp_path / "made", registries)
+    assert all(tags(services, stand_in)[name] == before[name] for name in ("v1", "latest"))

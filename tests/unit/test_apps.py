@@ -158,6 +158,35 @@ def test_an_image_that_docker_alone_has(services: Services, tmp_path: Path, monk
         base.find(name, services, ("linux/amd64",))
 
 
+def test_a_tag_loses_no_platform(repository: Path, services: Services, calls: list[dict[str, Any]]) -> None:
+    """Whoever pulls it on the other one would get nothing."""
+    native, other = "linux/amd64", "linux/arm64"
+    for name in ("rosml/ros:jazzy", "me/robot:both"):
+        put(services, name, native, other, ROS_DISTRO="jazzy")
+    put(services, "me/robot:one", native)
+    local = f"{services.registry}/me/robot"
+    given = {"base_image": "ros:jazzy", "command": "x", "image_name": local, "target": "run", "push": "true"}
+    with pytest.raises(RosmlError) as caught:
+        app(repository, services, **given, image_tag="both", platform="amd64").build()
+    assert caught.value.message.startswith(
+        f"{local}:both is for linux/amd64, linux/arm64, and would be for linux/amd64 alone"
+    )
+    assert (
+        "--platform linux/amd64,linux/arm64" in caught.value.remedy and "--image-tag both-amd64" in caught.value.remedy
+    )
+    assert caught.value.exit_code == 2 and not calls
+    for tag, platform in (("one", "amd64"), ("new", "arm64")):
+        app(repository, services, **given, image_tag=tag, platform=platform).build()
+    with oci.Registries() as registries:
+        base.require_kept(registries, [f"{local}:both", f"{local}:one", f"{local}:none"], (other, native))
+        with pytest.raises(RosmlError, match="robot:one is for linux/amd64, and would be for linux/arm64 alone"):
+            base.require_kept(registries, [f"{local}:one"], (other,))
+    with pytest.raises(RosmlError, match=r"robot:latest is for"):
+        latest = {"image_tag": "new", "platform": "amd64"}
+        put(services, "me/robot:latest", native, other)
+        app(repository, services, **given, **latest, enable_push_as_latest="true").build()
+
+
 # ---- Sources ---------------------------------------------------------------------------------------------------------
 
 
@@ -793,10 +822,11 @@ def test_names_and_tags_are_those_of_docker_ros(
     repository: Path, services: Services, calls: list[dict[str, Any]]
 ) -> None:
     put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
-    given = {"base_image": "ros:jazzy", "command": "true", "image_name": "ghcr.io/me/robot", "image_tag": "v1"}
+    name = f"{services.registry}/me/robot"
+    given = {"base_image": "ros:jazzy", "command": "true", "image_name": name, "image_tag": "v1"}
     app(repository, services, **given, push="true", enable_push_as_latest="true").build()
-    assert calls[1]["tags"] == ["ghcr.io/me/robot:v1", "ghcr.io/me/robot:latest"]
-    assert calls[2]["tags"] == ["ghcr.io/me/robot:v1-dev", "ghcr.io/me/robot:latest-dev"]
+    assert calls[1]["tags"] == [f"{name}:v1", f"{name}:latest"]
+    assert calls[2]["tags"] == [f"{name}:v1-dev", f"{name}:latest-dev"]
 
 
 def test_a_package_that_apt_lacks_is_told_with_the_rule_that_names_it(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
 import subprocess
 from collections.abc import Iterable, Mapping
@@ -174,6 +175,39 @@ def _read(registry: oci.Registry, place: oci.Reference, found: oci.Manifest, pla
         raise RosmlError(text, "name another base image, or other platforms", exit_code=2)
     config = configs[platforms[0]] if platforms else next(iter(configs.values()))
     return Base(str(place), found.digest, _variables(config.environment), config.labels)
+
+
+def require_kept(registries: oci.Registries, references: Iterable[str], platforms: tuple[str, ...]) -> None:
+    """Checks that tags lose no platform by an image for some.
+
+    Raises:
+        RosmlError: the image of one is for others as well (exit code 2), or a registry does not answer.
+    """
+    for reference in references:
+        place = oci.parse(reference)
+        registry = registries(place.host)
+        found = registry.manifest(place.repository, place.reference)
+        there = _platforms(registry, place, found) if found else []
+        if not {name.replace("arm64/v8", "arm64") for name in platforms}.issuperset(there):
+            every = ",".join(dict.fromkeys([*there, *platforms]))
+            architecture = platforms[0].partition("/")[2].replace("/", "-")
+            raise RosmlError(
+                f"{reference} is for {', '.join(there)}, and would be for {', '.join(platforms)} alone; no tag was moved",
+                f"name all: --platform {every}; or give this image a tag of its own, such as --image-tag"
+                f" {place.reference}-{architecture}, as enable-singlearch-push does in CI",
+                exit_code=2,
+            )
+
+
+def _platforms(registry: oci.Registry, place: oci.Reference, found: oci.Manifest) -> list[str]:
+    """What an image is for; nothing if it is none."""
+    facts: list[Platform | Config] = [entry.platform for entry in found.members if entry.platform]
+    if not found.is_index:
+        with contextlib.suppress(RosmlError):
+            facts.append(registry.config(place.repository, found).facts)
+    known = [item for item in facts if item.architecture and item.os != "unknown"]
+    names = {f"{_platform(item)}{'/' + item.variant if item.variant else ''}" for item in known}
+    return sorted(name.replace("arm64/v8", "arm64") for name in names)
 
 
 def _platform(facts: Platform | Config) -> str:

@@ -218,6 +218,10 @@ class App:
         digest = locked.base_image.of(named) if locked else ""
         base = bases.find(named, self._services, self._names.platforms, digest)
         self._say(f"base image {base.name}")
+        if not self._names.loads:
+            with oci.Registries(self._services.ca_bundle) as registries:
+                tags = [tag for target in self._names.targets for tag in self._names.tags(target)]
+                bases.require_kept(registries, tags, self._names.platforms)
         if locked:
             self._say(f"{self._lock_file} says which versions")
             if missing := locked.lacks(self._names.platforms):

@@ -16,6 +16,7 @@ from typing import Any
 
 from pydantic import TypeAdapter, ValidationError
 
+from rosml.apps import base as bases
 from rosml.apps import inputs, junit
 from rosml.apps.build import App
 from rosml.apps.inputs import Input
@@ -262,6 +263,11 @@ class Job:
             "slim-image-tag": wanted["slim"][0] + end,
             "enable-push-as-latest": "false",
         }
+        if values["push"] == "true":  # all tags, before the first one moves
+            with oci.Registries(services.ca_bundle) as registries:
+                for target in {*listed(values["target"])} | ({SLIM} if values["enable-slim"] == "true" else set()):
+                    found = [f"{self._names[target]}:{tag}{end}" for tag in wanted.get(target, ())]
+                    bases.require_kept(registries, found, platforms)
         app = App(folder, values, self._environment, services, self._say)
         shutil.rmtree(app.report, ignore_errors=True)
         try:
@@ -320,6 +326,8 @@ class Job:
                 text = f"there is no {wanted[0]} image {wanted[1]}:{wanted[2][0]} for {', '.join(missing)}"
                 raise RosmlError(f"{text}; no tag was moved", "look at the jobs that build for these platforms")
             made.append(_join([there[name] for name in self._platforms], registries))
+        for image in made:
+            bases.require_kept(registries, [f"{image.name}:{tag}" for tag in image.tags], image.platforms)
         for image in made:
             _move(registries, image, 0)
         return made
