@@ -82,6 +82,7 @@ class NoWay(Exception):
 def read(folder: Path, left_out: Path) -> Packages:
     """What each package needs: its keys of rosdep by kind."""
     context = {name: os.environ.get(name, "") for name in ("ROS_DISTRO", "ROS_VERSION")}
+    context["ROS_DISTRO"] = os.environ.get("CONDITIONS") or context["ROS_DISTRO"]
     context["ROS_PYTHON_VERSION"] = os.environ.get("ROS_PYTHON_VERSION", "3")
     packages: Packages = {}
     for path, package in manifests.packages(folder, left_out):

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Finds out which packages the manifests in /run/manifests need, and writes them into a folder, as identify.py says.
 #   SKIP_KEYS    keys of rosdep that are left out, separated by blanks or commas
+#   CONDITIONS   the ROS that conditions in manifests compare with
 #   MANIFESTS    `changed` where the packages that are to be left out are gone already
 #   ROSDEP_DAY   the day on which rosdep's index was asked last; with another one the step runs again
 set -euo pipefail
@@ -9,7 +10,7 @@ here=$(dirname "${BASH_SOURCE[0]}")
 source "$here/../build/network.sh"
 
 mkdir -p "${WORKSPACE:=/docker-ros/ws}"
-# Which ROS it is: conditions in manifests ask for that.
+# Which ROS it is, 1 or 2: conditions in manifests ask for that.
 # shellcheck source=components/containerize/setup.sh
 source "$here/setup.sh"
 

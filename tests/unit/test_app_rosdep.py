@@ -201,16 +201,8 @@ class Rules:
         return ["by_source"]
 
 
-@pytest.mark.parametrize(
-    ("key", "says"),
-    [
-        ("by_source", r"rule for by_source, which arm, robot asks for, .* source: .*x\.rdmanifest"),
-        ("by_snap", r"rule for by_snap, which arm, robot asks for, .* snap: \[\"x\"\]; .*--skip-keys by_snap"),
-        ("above", r"rule for above, which arm, robot asks for, .* source: "),
-    ],
-)
-def test_a_rule_that_no_image_can_follow_is_named(key: str, says: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """One of sources asks the network as soon as rosdep looks at it."""
+def identify(monkeypatch: pytest.MonkeyPatch) -> types.ModuleType:
+    """The script, without what only a base image has."""
     for name in ("rosdep2", "rosdep2.lookup", "rosdep2.rospkg_loader", "rosdep2.sources_list", "manifests"):
         monkeypatch.setitem(sys.modules, name, types.ModuleType(name))
     for name, module in (
@@ -225,7 +217,36 @@ def test_a_rule_that_no_image_can_follow_is_named(key: str, says: str, monkeypat
     monkeypatch.setattr(
         sys.modules["manifests"], "fail", lambda text, remedy: sys.exit(f"{text}; {remedy}"), raising=False
     )
-    script = script_of_a_build("containerize/identify.py")
+    return script_of_a_build("containerize/identify.py")
+
+
+def test_conditions_compare_with_what_the_base_image_stands_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    script, asked = identify(monkeypatch), list[dict[str, str]]()
+    package = types.SimpleNamespace(name="robot", evaluate_conditions=asked.append)
+    for attributes in script.KINDS.values():
+        for attribute in attributes:
+            setattr(package, attribute, [])
+    monkeypatch.setattr(script.manifests, "packages", lambda *_: [(Path("target/robot"), package)], raising=False)
+    monkeypatch.setenv("ROS_DISTRO", "Debian")
+    for conditions in ("noetic", ""):
+        monkeypatch.setenv("CONDITIONS", conditions)
+        script.read(tmp_path, tmp_path)
+    assert [context["ROS_DISTRO"] for context in asked] == ["noetic", "Debian"]
+
+
+@pytest.mark.parametrize(
+    ("key", "says"),
+    [
+        ("by_source", r"rule for by_source, which arm, robot asks for, .* source: .*x\.rdmanifest"),
+        ("by_snap", r"rule for by_snap, which arm, robot asks for, .* snap: \[\"x\"\]; .*--skip-keys by_snap"),
+        ("above", r"rule for above, which arm, robot asks for, .* source: "),
+    ],
+)
+def test_a_rule_that_no_image_can_follow_is_named(key: str, says: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One of sources asks the network as soon as rosdep looks at it."""
+    script = identify(monkeypatch)
     rosdep = object.__new__(script.Rosdep)
     rosdep._view, rosdep._context, rosdep._platform, rosdep._may_ask, rosdep.failure = Rules(), Rules(), (), False, ""
     packages = {name: {"exec": {key}} for name in ("robot", "arm")}

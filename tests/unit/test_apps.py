@@ -887,6 +887,25 @@ def test_what_is_wrong_is_said_before_anything_is_built(
     assert calls == []
 
 
+@pytest.mark.parametrize(
+    ("base_has", "named", "compared"),
+    [
+        ("Debian", "", "noetic"),
+        ("Debian", "Debian", "noetic"),
+        ("Debian", "melodic", "melodic"),
+        ("jazzy", "humble", "jazzy"),
+    ],
+)
+def test_conditions_compare_with_a_release(
+    base_has: str, named: str, compared: str, repository: Path, services: Services, calls: list[dict[str, Any]]
+) -> None:
+    """No manifest compares with what Debian calls its own ROS."""
+    put(services, "rosml/ros:x", f"linux/{native_architecture()}", ROS_DISTRO=base_has)
+    app(repository, services, base_image="ros:x", command="true", ros_distro=named).build()
+    arguments = calls[0]["args"]
+    assert (arguments["ROS_DISTRO"], arguments["CONDITIONS"]) == (base_has, compared)
+
+
 def test_a_base_without_ros_is_asked_about(repository: Path, services: Services, calls: list[dict[str, Any]]) -> None:
     put(services, "rosml/plain:1", f"linux/{native_architecture()}")
     with pytest.raises(RosmlError, match="does not say which ROS it has") as caught:

@@ -55,6 +55,7 @@ class Inputs:
         contexts: folders with sources, manifests and requests, by the names of the Dockerfile. empty: one without files.
         hooked: a script changes the sources before their dependencies are read.
         rosdep: the digest of rosdep's lists, if a registry has them.
+        conditions: the ROS that conditions in manifests compare with.
         commit, time: of the sources, in seconds since 1970.
     """
 
@@ -68,6 +69,7 @@ class Inputs:
     time: int
     slim: Base | None = None
     rosdep: str = ""
+    conditions: str = ""
 
     @property
     def stages(self) -> tuple[str, ...]:
@@ -118,6 +120,7 @@ def render(
             "SKIP_KEYS": values["skip-keys"],
             "ROSDEP_DAY": f"{datetime.now(UTC):%F}",
             "ROS_DISTRO": inputs.distribution,
+            "CONDITIONS": inputs.conditions or inputs.distribution,
             "MANIFESTS": "changed" if inputs.hooked else "manifests",
             "DOWNSTREAM": "downstream-results" if values["downstream-workspace"] else "nothing",
         },

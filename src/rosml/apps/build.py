@@ -32,6 +32,9 @@ _LACKING = re.compile(
 )
 """How apt names a package that no source has."""
 
+DEBIAN, CALLED = "Debian", "noetic"
+"""What Debian's own ROS 1 calls itself, and the release that manifests mean: it has the packages of that one."""
+
 TIME = 1767225600
 """2026-01-01T00:00:00Z: of images whose sources are in no commit."""
 
@@ -466,7 +469,12 @@ class App:
         """What the build reads, written down for it."""
         values, folder, state = self._values, self._folder, self._state
         distribution = base.environment.get("ROS_DISTRO") or values["ros-distro"]
-        if values["ros-distro"] not in ("", distribution):
+        conditions = distribution
+        if distribution == DEBIAN:
+            conditions = values["ros-distro"].replace(DEBIAN, "") or CALLED
+            if conditions != CALLED:
+                self._say(f"conditions in package.xml compare $ROS_DISTRO with {conditions}, which --ros-distro names")
+        elif values["ros-distro"] not in ("", distribution):
             self._say(f"ROS_DISTRO={values['ros-distro']} is not used: the base image has {distribution}")
         if not distribution:
             text = f"{base.name} does not say which ROS it has"
@@ -516,7 +524,9 @@ class App:
         for warning in () if hooked else workspace.stale(requests, manifests):  # a script may make such packages
             self._say(warning)
         commit = git.commit(folder, self._say) or git.Commit("", TIME)
-        return bake_file.Inputs(base, distribution, values, contexts, empty, hooked, commit.hash, commit.time, slim)
+        return bake_file.Inputs(
+            base, distribution, values, contexts, empty, hooked, commit.hash, commit.time, slim, conditions=conditions
+        )
 
     def _with_lists(self, inputs: bake_file.Inputs, locked: lock.Lock | None) -> bake_file.Inputs:
         """The same with rosdep's lists, if there are some beside those of the image."""
@@ -541,7 +551,7 @@ class App:
         if inputs.slim:
             given["slim"] = inputs.slim.digest
         return caches.keys(
-            given | {"skip-keys": values["skip-keys"]},
+            given | {"skip-keys": values["skip-keys"], "conditions": inputs.conditions},
             [
                 *(contexts[name] for name in names),
                 *(bake_file.SCRIPTS / name for name in ("containerize", "build", "ros")),

@@ -92,7 +92,10 @@ TABLE = (
         flag=True,
         in_repository=UNPUSHED,
     ),
-    Input("ros-distro", "the ROS distribution, if the base image does not say it"),
+    Input(
+        "ros-distro",
+        "the ROS distribution, if the base image does not say it; on Debian's ROS 1, the one that conditions in package.xml compare with",
+    ),
     Input("rmw-implementation", "the middleware, such as rmw_cyclonedds_cpp: installs it and sets the variable"),
     Input("tests", "run the tests of your packages, and make no image if one fails", "true", flag=True),
     Input(
