@@ -1,15 +1,14 @@
 #!/usr/bin/env bash
 # NVIDIA's libraries, in a place that no Python version owns, linked into a default library path: the loader and the
 # linker find them without ldconfig, so nothing has to run after the part is joined to an image.
-# Their headers and libraries once more as links in one folder, as a toolkit has them, which /usr/local/cuda leads to: that
-# is where PyTorch's headers, CMake and people's own build files look. There is no compiler for GPU code in it. It is a link,
-# so that NVIDIA's own packages can turn it to the toolkit that they install.
+# Their headers and libraries once more as links in one folder, as a toolkit has them: our packages for CMake and pkg-config
+# name it. Nothing leads there from /usr/local/cuda: whoever finds that, such as PyTorch, takes it for a toolkit and builds for
+# the GPU, and no compiler for GPU code is there. NVIDIA's own packages make /usr/local/cuda.
 set -euo pipefail
 
 libraries=${OUT:?}/usr/lib/${TRIPLET:?}
 home=/usr/local/lib/rosml/cuda-home
 mkdir -p "$OUT$home/include" "$OUT$home/lib64"
-ln -s "$home" "$OUT/usr/local/cuda"
 
 # Links a file or folder of a package into a folder, once.
 only() {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A program that includes the headers of all CUDA libraries, and those that they include in turn, is built by the folders
-# that people's own commands have, and runs. There is no toolkit. cuRAND is there as far as PyTorch wants it (before 2.15).
+# A program that includes the headers of all CUDA libraries, and those that they include in turn, is built by the folder that
+# docs/cpp.md names, and by plain names of libraries, and runs. There is no toolkit. cuRAND is there as far as PyTorch wants it (before 2.15).
 set -euo pipefail
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -34,6 +34,10 @@ int main() {
 }
 END
 curand=()
-if [[ -e /usr/local/cuda/lib64/libcurand.so ]]; then curand=(-DCURAND -lcurand); fi
-g++ -std=c++17 -I /usr/local/cuda/include -o "$work/program" "$work/program.cpp" "${curand[@]}" -L /usr/local/cuda/lib64 -lcudart
+home=/usr/local/lib/rosml/cuda-home
+if [[ -e $home/lib64/libcurand.so ]]; then curand=(-DCURAND -lcurand); fi
+for folder in '' "-L$home/lib64"; do
+  # shellcheck disable=SC2086  # no folder is no word
+  g++ -std=c++17 -I $home/include -o "$work/program" "$work/program.cpp" "${curand[@]}" $folder -lcudart
+done
 "$work/program"
