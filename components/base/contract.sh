@@ -7,7 +7,7 @@ source "$here/../build/network.sh"
 
 share=/usr/local/share/rosml
 install -D --mode=644 --target-directory="$share" "$here"/{setup,shell}.bash
-install --mode=755 "$here/banner.sh" "$share/"
+install --mode=755 "$here"/{banner,job}.sh "$here/stop.py" "$share/"
 install --mode=755 "$here/entrypoint.sh" /entrypoint.sh
 install --mode=644 "$here/pip.conf" /etc/pip.conf
 install -D --mode=644 --target-directory=/etc/uv "$here/uv.toml"

@@ -1,5 +1,6 @@
 #!/bin/bash
-# Becomes the user DOCKER_UID:DOCKER_GID where both are given; then sources ROS and the workspaces, and becomes the command.
+# Becomes the user DOCKER_UID:DOCKER_GID where both are given; then sources ROS and the workspaces, and becomes the command. Below
+# tini, as the container's own, it does that in a child, and attends it: a stop reaches this process alone.
 # Runs before every command: nothing slow, no output, no fork that is not needed.
 
 fail() {
@@ -118,6 +119,68 @@ make_user() {
   fi
 }
 
+# attend COMMAND…: starts it, hands signals on to it, and ends as it does. SIGTERM and SIGINT go to all that runs, by stop.py; then
+# this ends after all of it has ended.
+attend() {
+  local child number asked=0 interrupted stopping="" status words=() command=("$0" "$@")
+  if [[ $PPID -eq 1 ]]; then words+=(all); fi
+  if has_terminal; then
+    words+=(terminal)
+    command=(/usr/local/share/rosml/job.sh "${command[@]}")
+  fi
+  (trap - INT QUIT && exec -- "${command[@]}") <&0 & # in the background, they would be ignored
+  child=$!
+  for number in {1..31} {34..64}; do
+    # shellcheck disable=SC2064  # that number
+    case $number in
+      9 | 17 | 19 | 21 | 22) ;; # KILL, CHLD, STOP, TTIN, TTOU
+      *) trap "interrupted=1; signalled $number" "$number" ;;
+    esac
+  done
+  exec 2>/dev/null # bash would say how the command ended
+  await "$child"
+  status=$?
+  if [[ -n $stopping ]]; then await "$stopping"; fi
+  exit "$status"
+}
+
+# signalled NUMBER: hands a signal on. Nobody gets a second SIGTERM while they save.
+signalled() {
+  local main=$child
+  case $1 in
+    2 | 15)
+      if [[ $asked -eq 15 ]]; then return; fi
+      if [[ -n $stopping ]]; then kill "$stopping"; fi
+      asked=$1
+      /usr/bin/python3 -I -S /usr/local/share/rosml/stop.py "$1" "$child" "${words[@]}" &
+      stopping=$!
+      ;;
+    *)
+      if [[ " ${words[*]} " == *" terminal "* ]]; then read -r main _ <"/proc/$child/task/$child/children"; fi
+      kill -s "$1" "$main"
+      ;;
+  esac
+}
+
+# await PROCESS: waits until it has ended, whatever signals come meanwhile; returns its status.
+await() {
+  local status
+  while
+    interrupted=
+    wait "$1"
+    status=$?
+    [[ -n $interrupted ]]
+  do :; done
+  return "$status"
+}
+
+# has_terminal: whether what is typed reaches us, with signals such as that of Ctrl-C.
+has_terminal() {
+  local group foreground
+  read -r _ _ _ _ group _ _ foreground _ <"/proc/$$/stat"
+  [[ $group -eq $foreground ]]
+}
+
 # ---- As root, for somebody else: nothing but the image's own files is read before the user is changed ----------------
 if [[ $EUID -eq 0 && -n $DOCKER_UID && -n $DOCKER_GID ]]; then
   for number in "$DOCKER_UID" "$DOCKER_GID"; do
@@ -138,14 +201,20 @@ if [[ $EUID -eq 0 && -n $DOCKER_UID && -n $DOCKER_GID ]]; then
     fi
     become "$@"
   fi
-elif [[ $EUID -eq 0 && -n $DOCKER_UID$DOCKER_GID ]]; then
+fi
+
+# ---- As whoever runs the command -------------------------------------------------------------------------------------
+if [[ -r /proc/$PPID/comm && -x /usr/bin/python3 ]] && read -r _rosml_parent </proc/$PPID/comm; then
+  case $_rosml_parent in tini* | docker-init | catatonit) attend "$@" ;; esac
+fi
+unset _rosml_parent
+if [[ $EUID -eq 0 && -n $DOCKER_UID$DOCKER_GID && (-z $DOCKER_UID || -z $DOCKER_GID) ]]; then
   echo "entrypoint: DOCKER_UID and DOCKER_GID only work together; running as root" >&2
 elif [[ $EUID -ne 0 && ! -w ${HOME:-/} && -w /tmp ]]; then
   # A user without an entry (--user 12345:0) has / for a home, where ROS cannot write its logs.
   export HOME=/tmp
 fi
 
-# ---- As whoever runs the command -------------------------------------------------------------------------------------
 # What is sourced may change our arguments and options, and may end this shell: that must not pass for the command.
 readonly _rosml_command=("$@") _rosml_folder=$PWD
 ended() {

@@ -1,0 +1,277 @@
+#!/usr/bin/python3 -IS
+"""Stops what runs in a container: each process gets the signal on which it saves, once. Ends when all of them have ended.
+
+The entrypoint calls it when a stop arrives: `stop.py SIGNAL CHILD`, with the process id of its child.
+
+An engine's stop reaches one process. If that is a shell, it ends at once and hands nothing on.
+
+- A shell gets SIGTERM: it starts nothing further, and a trap of its own runs. If it has one, its children have a second to get what
+  that sends. An interactive one ignores SIGTERM; it gets SIGHUP after all others have ended.
+- ROS's commands, and programs with ROS 2's client library, get SIGINT: `rosbag` and `ros2 launch` save nothing on SIGTERM.
+- Of all others, who handles SIGTERM gets it; who handles SIGINT alone (C++ nodes of ROS 1, Python) gets that.
+- Who handles SIGTERM stops its own children, as roslaunch does, and so does ros2 launch: they get nothing from here as long as it
+  lives. The children of others that get SIGINT get it too, as on Ctrl-C, which is what such programs expect.
+- Who reads the output of another one, such as `tee`, ends after it.
+"""
+
+import os
+import re
+import signal
+import sys
+import time
+from typing import Dict, Iterator, List, NamedTuple, Optional, Set, Tuple
+
+SHELLS = ("ash", "bash", "busybox", "dash", "fish", "ksh", "sh", "zsh")
+ROS = re.compile(r"(.*/)?ros[a-z0-9]+")
+TERMINALS = ("/dev/pts/", "/dev/tty", "/dev/console")
+CLIENT = "/librcl"
+"""How the path of ROS 2's client library goes on after its folder, also in wheels."""
+
+SECONDS = 0.05
+"""Between two looks."""
+
+TRAP = 1.0
+"""Seconds that a trap of a shell has: bash runs it at once if the script waits, and otherwise after what it waits for has ended."""
+
+Identity = Tuple[int, str]
+
+
+class Process(NamedTuple):
+    """A process. Attributes: started: with the pid it is unique. stdin, outputs: what its first file descriptors lead to; empty where
+    that is a secret. ignores, catches: sets of signals, bit by bit."""
+
+    pid: int
+    started: str
+    parent: int
+    group: int
+    program: str
+    words: Tuple[str, ...]
+    stdin: str
+    outputs: Tuple[str, str]
+    ignores: int
+    catches: int
+
+    @property
+    def identity(self) -> Identity:
+        return self.pid, self.started
+
+    def handles(self, number: int) -> bool:
+        """Whether it has a handler for a signal."""
+        return bool(self.catches >> (number - 1) & 1)
+
+    def passes_over(self, number: int) -> bool:
+        """Whether it ignores a signal."""
+        return bool(self.ignores >> (number - 1) & 1)
+
+    @property
+    def is_shell(self) -> bool:
+        return self.program in SHELLS
+
+    @property
+    def is_interactive(self) -> bool:
+        return self.is_shell and self.passes_over(signal.SIGTERM)
+
+    @property
+    def script(self) -> Tuple[str, ...]:
+        """Its words, without Python's own."""
+        return (self.words[1:] if self.program.startswith("python") else self.words) or ("",)
+
+    @property
+    def is_launch(self) -> bool:
+        """Whether it is `ros2 launch`."""
+        return os.path.basename(self.script[0]) == "ros2" and self.script[1:2] == ("launch",)
+
+    @property
+    def has_terminal(self) -> bool:
+        """Whether its standard input is a terminal, as far as it cares."""
+        return self.stdin.startswith(TERMINALS) and not (self.is_launch and {"-n", "--noninteractive"} & {*self.script})
+
+    @property
+    def is_ros(self) -> bool:
+        """Whether it is a command of ROS, or has ROS 2's client library."""
+        if ROS.fullmatch(self.script[0]):
+            return True
+        try:
+            with open(f"/proc/{self.pid}/maps", encoding="utf-8", errors="replace") as maps:
+                return any(CLIENT in line for line in maps)
+        except OSError:
+            return False
+
+
+class Told(NamedTuple):
+    """What a process got; 0 for nothing. Attributes: until: its children are its own affair until then, by the monotonic clock.
+    group: those of this group get SIGINT as well."""
+
+    number: int
+    until: float = 0
+    group: Optional[int] = None
+
+
+ALWAYS = float("inf")
+
+
+# ---- What runs -------------------------------------------------------------------------------------------------------
+
+
+def running() -> Dict[int, Process]:
+    """All processes that can be seen; not those that have ended and wait for their parent."""
+    found = (_process(int(name)) for name in os.listdir("/proc") if name.isdigit())
+    return {process.pid: process for process in found if process}
+
+
+def _process(pid: int) -> Optional[Process]:
+    place = f"/proc/{pid}"
+    try:
+        with open(f"{place}/stat", encoding="utf-8", errors="replace") as file:
+            name, _, rest = file.read().partition(" (")[2].rpartition(") ")
+        with open(f"{place}/status", encoding="utf-8", errors="replace") as file:
+            sets = dict(re.findall(r"^Sig(Ign|Cgt):\s*(\w+)$", file.read(), re.MULTILINE))
+        with open(f"{place}/cmdline", encoding="utf-8", errors="replace") as file:
+            words = tuple(file.read().split("\0"))
+        state, parent, group, *others = rest.split()
+        if state in "ZX":
+            return None
+        program = os.path.basename(_link(f"{place}/exe")) or name
+        outputs = _link(f"{place}/fd/1"), _link(f"{place}/fd/2")
+        stdin = _link(f"{place}/fd/0")
+        ignores, catches = (int(sets[key], 16) for key in ("Ign", "Cgt"))
+        return Process(pid, others[16], int(parent), int(group), program, words, stdin, outputs, ignores, catches)
+    except (OSError, ValueError, KeyError, IndexError):
+        return None  # it has ended
+
+
+def _link(path: str) -> str:
+    try:
+        return os.readlink(path)
+    except OSError:
+        return ""
+
+
+def ancestors(processes: Dict[int, Process], pid: int) -> Iterator[int]:
+    """A process, its parent, and so on."""
+    while pid in processes:
+        yield pid
+        pid = processes[pid].parent
+
+
+# ---- Who gets what ---------------------------------------------------------------------------------------------------
+
+
+def own(process: Process, asked: int, is_left: bool) -> Told:
+    """What a process gets that nobody else stops.
+
+    Args:
+        asked: the signal that the container got. is_left: the parent that should have stopped it is gone.
+    """
+    terminates, interrupts = (process.handles(number) for number in (signal.SIGTERM, signal.SIGINT))
+    if process.is_shell:
+        return Told(asked, time.monotonic() + TRAP if terminates else 0)
+    if interrupts and (asked == signal.SIGINT or not terminates or (process.is_ros and not is_left)):
+        # ros2 launch hands it on itself; but with a terminal, it takes it that Ctrl-C has reached its nodes.
+        hands_on = (terminates or process.is_launch) and not process.has_terminal
+        return Told(signal.SIGINT, ALWAYS) if hands_on else Told(signal.SIGINT, group=process.group)
+    return Told(signal.SIGTERM, ALWAYS) if terminates else Told(asked)
+
+
+class Stop:
+    """A stop. Attributes: asked: the signal that the container got."""
+
+    def __init__(self, asked: int) -> None:
+        self.asked = asked
+        self.told: Dict[Identity, Told] = {}
+        self.left: Set[Identity] = set()
+        """Those whose parent should stop them."""
+        self.others: Set[Identity] = set()
+        """Those that belong to another user."""
+
+    def step(self, scope: Dict[int, Process]) -> bool:
+        """Tells those that have not been told and can be by now. Returns whether somebody is still there.
+
+        Args:
+            scope: what runs of the container.
+        """
+        scope = {pid: process for pid, process in scope.items() if process.identity not in self.others}
+        for process, told in [*self.due(scope)]:
+            self.tell(process, told)
+        shells = [process for process in scope.values() if process.is_interactive]
+        if len(shells) < len(scope):
+            return True
+        if self.asked == signal.SIGINT:
+            return False
+        for process in shells:
+            if process.identity not in self.told:
+                self.tell(process, Told(signal.SIGHUP))
+        return bool(shells)
+
+    def tell(self, process: Process, told: Told) -> None:
+        """Sends a signal."""
+        self.told[process.identity] = told
+        try:
+            os.kill(process.pid, told.number)
+        except ProcessLookupError:
+            pass
+        except PermissionError:
+            self.others.add(process.identity)
+
+    def due(self, scope: Dict[int, Process]) -> Iterator[Tuple[Process, Told]]:
+        """Who is to be told now, and what."""
+        children: Dict[int, List[Process]] = {}
+        for process in scope.values():
+            children.setdefault(process.parent, []).append(process)
+        writes = {(output, process.pid) for process in scope.values() for output in process.outputs}
+        pending = [(process, Told(0)) for process in scope.values() if process.parent not in scope]
+        while pending:
+            process, above = pending.pop()
+            told = self.told.get(process.identity)
+            if told is None and (above.until > time.monotonic() or above.group not in (None, process.group)):
+                self.left.add(process.identity)
+                told = Told(0, ALWAYS)
+            elif told is None:
+                told = self.new(process, above)
+                reads = process.stdin.startswith("pipe:")
+                if reads and any(output == process.stdin and pid != process.pid for output, pid in writes):
+                    told = told._replace(number=0)  # after those that it reads from
+                if told.number:
+                    yield process, told
+            pending += [(child, told) for child in children.get(process.pid, [])]
+
+    def new(self, process: Process, above: Told) -> Told:
+        """What one gets that has got nothing.
+
+        Args:
+            above: what its parent got.
+        """
+        if process.is_interactive:
+            return Told(0)
+        if above.group is not None:
+            return Told(0 if process.passes_over(signal.SIGINT) else signal.SIGINT, group=above.group)
+        return own(process, self.asked, process.identity in self.left)
+
+
+# ---- The call --------------------------------------------------------------------------------------------------------
+
+
+def main(asked: int, child: int, *words: str) -> None:
+    """Stops all that runs.
+
+    Args:
+        asked: the signal that the container got. child: the entrypoint's. words: `terminal`, if the command is the child of that
+            child; `all`, if process 1 is the container's own, so that all processes are.
+    """
+    stop, known = Stop(asked), set()  # type: Stop, Set[Identity]
+    while True:
+        found = running()
+        apart = {1, *ancestors(found, os.getpid()), *([child] if "terminal" in words else [])}
+        scope = {
+            pid: process
+            for pid, process in found.items()
+            if pid not in apart and ("all" in words or process.identity in known or child in ancestors(found, pid))
+        }
+        known |= {process.identity for process in scope.values()}  # one whose parent ends is below it no longer
+        if not stop.step(scope):
+            return
+        time.sleep(SECONDS)
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]), int(sys.argv[2]), *sys.argv[3:])

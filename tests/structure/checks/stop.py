@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""A stop reaches every process of a command, and is over when all of them have ended."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+NODE = """
+import signal, sys, time
+log = open(sys.argv[1], "ab", buffering=0)
+def got(number, frame):
+    log.write(b" %d" % number)
+    time.sleep(0.5)
+    log.write(b" saved")
+    print("last words")
+    sys.exit()
+signal.signal(getattr(signal, sys.argv[2]), got)
+log.write(b"up")
+while True:
+    time.sleep(0.05)
+"""
+
+SCRIPT = 'python3 node "$0/a" SIGTERM | tee "$0/log" & python3 node "$0/b" SIGINT; touch "$0/further"'
+
+EXPECTED = {"a": "up 15 saved", "b": "up 2 saved", "log": "last words"}
+
+
+def read(folder: Path) -> dict[str, str]:
+    """What the nodes wrote."""
+    return {path.name: path.read_text().strip() for path in folder.iterdir() if path.name != "node"}
+
+
+def main() -> None:
+    """Starts two nodes behind a shell, and stops them as an engine does."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        (folder / "node").write_text(NODE)
+        command = ["/tini", "-s", "--", "/entrypoint.sh", "bash", "-c", SCRIPT, name]
+        process = subprocess.Popen(command, cwd=name)
+        end = time.monotonic() + 60
+        while not all(read(folder).get(node) == "up" for node in ("a", "b")):
+            assert time.monotonic() < end and process.poll() is None, read(folder)
+            time.sleep(0.05)
+        process.terminate()
+        process.wait(60)
+        found = read(folder)
+        if found != EXPECTED or process.returncode != 128 + 15:
+            sys.exit(f"{found}, exit code {process.returncode}; expected {EXPECTED}, {128 + 15}")
+
+
+if __name__ == "__main__":
+    main()
