@@ -396,11 +396,16 @@ def added(
     engine: Engine = ENGINE_OF_ROOT,
     caller: Person = PERSON,
     trusted: bool = True,
+    labels: dict[str, str] | None = None,
 ) -> list[str]:
     """What rosml adds to a command of somebody who is not root, and who trusts the image; the label is left out."""
     variables = dict(entry.partition("=")[::2] for entry in image)
     line = split([*words, "reg.test/me/ros:jazzy"], OWN)
-    argv = [*plugins.plan(Context(line, engine, caller, Image(environment=variables), BARE, trusted)).argv]
+    argv = [
+        *plugins.plan(
+            Context(line, engine, caller, Image(environment=variables, labels=labels or {}), BARE, trusted)
+        ).argv
+    ]
     assert argv[:2] == [engine.program, "run"]
     found = argv[2 : len(argv) - 1 - sum(len(given.words) for given in line.engine)]
     at = found.index("--label")
@@ -590,6 +595,16 @@ def test_what_is_added_by_default() -> None:
     everything = ["--no-name", "--no-rm", "--no-it", "--no-tz", "--no-user"]
     there = Person(1234, 5678, "jo", "/home/jo/robot", "UTC", {}, terminal=True, reads=True)
     assert added(*everything, caller=there) == []
+
+
+def test_time_to_save_when_it_is_stopped() -> None:
+    """Where a stop reaches what has to save: in an image of ours, with its own entrypoint."""
+    label = {"io.rosml.component": "base"}
+    assert added("--no-rm", "--no-tz", "--no-user", labels=label) == ["--stop-timeout", "30"]
+    assert added("--no-rm", "--no-tz", "--no-user") == []
+    for words in (["--stop-timeout", "5"], ["--entrypoint", "bash"]):
+        assert "30" not in added(*words, labels=label)
+    assert "30" not in added(labels=label, image=OTHER)
 
 
 @pytest.mark.parametrize("words", [["--rm"], ["--restart=always"], ["--rmi"], ["--rm=false"]])

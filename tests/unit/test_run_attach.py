@@ -87,6 +87,29 @@ def test_the_images_command_is_the_default(desk: Desk) -> None:
     assert desk.call().returncode == 0 and entered(desk) == ["dr", "sh"]
 
 
+@pytest.mark.parametrize(
+    "command",
+    [
+        ["roslaunch", "stop", "two.launch"],
+        ["bash", "-c", "exec bash -c roslaunch"],
+        ["/bin/bash", "start.sh"],
+        ["bash", "-lc", "x"],
+    ],
+)
+def test_an_app_that_runs_there_is_not_started_again(desk: Desk, command: list[str]) -> None:
+    """Neither by its container's folder, nor by its name, nor by `rosml run`."""
+    desk.engine(containers={"dr": facts(desk)}, images={"ours": OURS}, configs={"ours": {"Cmd": command}})
+    for words in ([], ["dr"]):
+        assert desk.call(*words).returncode == 0
+    assert [call[2:] for call in desk.calls if call[1] == "exec"] == [["dr", "/entrypoint.sh", "bash"]] * 2
+
+
+@pytest.mark.parametrize("command", [["zsh"], ["/bin/bash", "-l"], ["bash", "--login", "-i"]])
+def test_a_shell_of_the_image_is_the_shell(desk: Desk, command: list[str]) -> None:
+    desk.engine(containers={"dr": facts(desk)}, images={"ours": OURS}, configs={"ours": {"Cmd": command}})
+    assert desk.call().returncode == 0 and entered(desk) == ["dr", "/entrypoint.sh", *command]
+
+
 def test_what_would_run_is_shown(desk: Desk) -> None:
     desk.engine(containers={"dr": facts(desk)})
     wanted = ["docker", "exec", "dr", "/entrypoint.sh", "echo", "a  b"]

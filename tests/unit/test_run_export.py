@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shlex
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -36,10 +37,13 @@ def call(
     engine: Engine = DOCKER,
     host: Host = BARE,
     trusted: bool = True,
+    labels: Mapping[str, str] = {},
 ) -> export.Call:
     """What would run of a command line that has an image."""
     variables = dict(entry.partition("=")[::2] for entry in (OURS if ours else OTHER))
-    context = export.lasting(Context(split(line, OWN), engine, ME, Image(environment=variables), host, trusted))
+    context = export.lasting(
+        Context(split(line, OWN), engine, ME, Image(environment=variables, labels=labels), host, trusted)
+    )
     if kind == "devcontainer":
         context = devcontainer.bare(context)
     return export.call(context, plugins.plan(context).argv)
@@ -54,6 +58,13 @@ def service(*line: str, **facts: Any) -> dict[str, Any]:
 def container(*line: str, **facts: Any) -> dict[str, Any]:
     """The file for editors."""
     return dict(json.loads(devcontainer.text(call(*line, kind="devcontainer", **facts))))
+
+
+def test_time_to_save_is_in_the_file() -> None:
+    """An editor replaces the entrypoint, which would hand a stop on."""
+    label = {"io.rosml.component": "base"}
+    assert service(*QUIET, "me/ros", labels=label)["stop_grace_period"] == "30s"
+    assert "--stop-timeout=30" not in container(*QUIET, "me/ros", labels=label).get("runArgs", [])
 
 
 # ---- Compose ---------------------------------------------------------------------------------------------------------

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 
 from rosml.base.errors import RosmlError
 from rosml.run import places
-from rosml.run.concerns import FOLDER, streams, targets
+from rosml.run.concerns import FOLDER, OURS, streams, targets
 from rosml.run.context import Container, Image, Person
 from rosml.run.sockets import WHOLE_NETWORK
 from rosml.run.words import Line
@@ -17,13 +18,13 @@ HERE = "."
 ENTRYPOINT = "/entrypoint.sh"
 """What makes the user in an image of ours, and sources ROS (docs/contract.md)."""
 
-OURS = "io.rosml.component"
-"""A label that all our images have."""
-
 PASSED = frozenset(
     ("detach", "detach-keys", "env", "env-file", "interactive", "privileged", "tty", "user", "workdir"),
 )
 """The options of `run` that `exec` has as well."""
+
+SHELLS = ("ash", "bash", "dash", "fish", "ksh", "sh", "zsh")
+"""Programs to type commands into."""
 
 IDLE = ("created", "exited", "configured", "initialized", "stopped")
 """The states from which a container can be started."""
@@ -62,11 +63,17 @@ def is_ours(container: Container) -> bool:
 
 
 def default(container: Container, image: Image | None) -> Sequence[str]:
-    """The command where somebody names none: the image's own. In another image with an entrypoint, CMD is a program only
-    with that entrypoint, and bash is what people look for."""
-    if image is None or not image.command or (image.entrypoint and not is_ours(container)):
+    """The command where somebody names none: the image's own if that is a shell, and bash otherwise. An app that is the image's
+    command runs already. In another image with an entrypoint, CMD is a program only with that entrypoint."""
+    if image is None or not _is_shell(image.command) or (image.entrypoint and not is_ours(container)):
         return ["bash"]
     return image.command
+
+
+def _is_shell(command: Sequence[str]) -> bool:
+    """Whether a command is a shell, and no program of it: `bash -l`, not `bash -c …` or `bash start.sh`."""
+    program, *options = command or ("",)
+    return program.rpartition("/")[2] in SHELLS and all(re.fullmatch("--[a-z]+|-[il]+", word) for word in options)
 
 
 def of_folder(found: Sequence[Container], folder: str, command: str) -> Container:

@@ -12,10 +12,18 @@ from collections.abc import Mapping, Sequence
 from rosml.base.errors import RosmlError
 from rosml.run import paths
 from rosml.run.context import Context, Person
+from rosml.run.user import claims
 from rosml.run.words import Line
 
 TARGET = "src/target"
 """Where --mws mounts a folder, in the workspace."""
+
+OURS = "io.rosml.component"
+"""A label that all our images have."""
+
+GRACE = 30
+"""Seconds that a container has to stop. `ros2 launch` kills a node that hangs after 10, which is what the engines give a whole container,
+roslaunch after 17 (docs/stopping.md)."""
 
 FOLDER = "io.rosml.run.folder"
 """The label of a container that says from which folder it was started."""
@@ -43,6 +51,12 @@ def streams(line: Line, person: Person) -> Sequence[str]:
 def label(context: Context) -> Sequence[str]:
     """The folder to which the container belongs: `rosml attach` finds it by that."""
     return ["--label", f"{FOLDER}={context.person.folder}"]
+
+
+def grace(context: Context) -> Sequence[str]:
+    """Time to save, in an image of ours, where a stop reaches what has to save. Others may not listen to a stop at all."""
+    listens = OURS in context.image.labels and claims(context)
+    return ["--stop-timeout", str(GRACE)] if listens and not context.line.has("stop-timeout") else []
 
 
 def name_of(line: Line, person: Person) -> str:

@@ -20,6 +20,7 @@ OWN: tuple[Plugin, ...] = (
     Plugin("terminal", concerns.terminal, {"no-it": "neither a terminal nor standard input"}),
     Plugin("name", concerns.name, {"no-name": "do not name the container after the current folder"}),
     Plugin("label", concerns.label),
+    Plugin("grace", concerns.grace),
     Plugin("user", user, {"no-user": "the image's own user, and not you"}),
     Plugin("timezone", concerns.timezone, {"no-tz": "not your time zone"}),
     Plugin("locale", concerns.locale, {"loc": "your locale, which the image must have"}),

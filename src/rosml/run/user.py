@@ -27,7 +27,7 @@ def user(context: Context) -> Sequence[str]:
     line, engine = context.line, context.engine
     if line.asks("no-user") or line.has("user") or (engine.podman and line.has("userns")):
         return []
-    makes_users = _claims(context) and (context.trusted or not _gains(context))
+    makes_users = claims(context) and (context.trusted or not _gains(context))
     if engine.rootless and not engine.podman:
         return [] if makes_users else ["--user", "0:0"]
     kept = [KEPT] if engine.rootless else []
@@ -41,10 +41,10 @@ def needs_trust(context: Context) -> bool:
     person, and nobody says who runs."""
     line = context.line
     said = line.asks("no-user") or line.has("user") or (context.engine.podman and line.has("userns"))
-    return _claims(context) and _gains(context) and not said
+    return claims(context) and _gains(context) and not said
 
 
-def _claims(context: Context) -> bool:
+def claims(context: Context) -> bool:
     """Whether the image says that its entrypoint makes the user, and that entrypoint runs."""
     return VARIABLE in context.image.environment and not context.line.has("entrypoint")
 
