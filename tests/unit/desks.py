@@ -47,6 +47,8 @@ if first == "ps":
     print(*says["containers"], sep="\\n")
     sys.exit(says["complaint"] or 0)
 if first == "start":
+    if not says["started"]:
+        sys.exit("no such file or directory")
     says["containers"][last][0] = says["started"]
     with open(f"{{here}}/{{name}}.json", "w") as file:
         json.dump(says, file)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import shlex
 import shutil
@@ -15,9 +16,10 @@ from desks import OTHER, OURS, Desk
 
 from rosml.base.errors import RosmlError
 from rosml.cli import attach as cli
-from rosml.run import attach
+from rosml.run import attach, xauthority
 from rosml.run.context import Container, Image, Person
 from rosml.run.words import Line, split
+from rosml.run.xauthority import LOCAL, Entry
 
 FOLDER = "io.rosml.run.folder"
 ENTRYPOINT = ["/tini", "--", "/entrypoint.sh"]
@@ -125,6 +127,46 @@ def test_one_that_has_ended_is_started_first(desk: Desk) -> None:
     assert shown.stderr == "dr is exited: docker start dr comes first\n" and not desk.called("start")
     assert desk.call(".", "ls").returncode == 0
     assert [call[1] for call in desk.calls if call[1] in ("start", "exec")] == ["start", "exec"]
+
+
+COOKIE = Entry(LOCAL, b"x", b"0", b"k", b"secret")
+
+
+def kept(desk: Desk, source: str) -> list[Any]:
+    """A container that has ended, with the cookie of a display mounted."""
+    found = facts(desk, state="exited")
+    found[3]["Env"] = [*OURS, "DISPLAY=:0"]
+    found[4] = [{"Destination": "/run/rosml/xauth", "Source": source}]
+    return found
+
+
+def test_what_logging_out_has_removed_is_written_again(desk: Desk) -> None:
+    """The cookie of the display as it is now; without one, a file in its place, so that the container starts."""
+    session = desk.root / f"run/user/{os.geteuid()}"
+    session.mkdir(parents=True)
+    file = f"/run/user/{os.geteuid()}/rosml/xauth-0"
+    (desk.root / "c").write_bytes(xauthority.written([COOKIE]))
+    for cookies, secrets in (("/c", [b"secret"]), ("/none", [])):
+        desk.engine(containers={"dr": kept(desk, file)})
+        done = desk.call(XAUTHORITY=cookies, XDG_RUNTIME_DIR=f"/run/user/{os.geteuid()}")
+        assert (done.returncode, done.stderr) == (0, "")
+        assert [entry.secret for entry in xauthority.read((session / "rosml/xauth-0").read_bytes())] == secrets
+
+
+def test_no_other_file_is_written_for_a_container(desk: Desk) -> None:
+    """Whoever made the container said what is mounted there."""
+    (desk.root / f"run/user/{os.geteuid()}").mkdir(parents=True)
+    desk.engine(containers={"dr": kept(desk, "/home/me/rosml/xauth-0")})
+    assert desk.call(XDG_RUNTIME_DIR=f"/run/user/{os.geteuid()}").returncode == 0
+    assert not [*desk.root.rglob("xauth-0")]
+
+
+def test_a_remedy_says_what_is_lost(desk: Desk) -> None:
+    desk.engine(containers={"dr": kept(desk, "/run/user/7/gone")}, started="")
+    done = desk.call()
+    assert "error: docker cannot start dr: /run/user/7/gone, which is mounted in it, is gone\n" in done.stderr
+    lost = "docker rm dr removes it with all that was written in it; docker commit dr IMAGE keeps that"
+    assert f"remedy: make it again, and try once more; {lost}\n" in done.stderr
 
 
 def test_one_that_ends_again_at_once(desk: Desk) -> None:

@@ -160,7 +160,20 @@ def enter(program: str, line: words.Line, caller: Person, container: Container) 
         return
     if only_shown(line):
         terminal.echo(f"{container.name} is {container.state}: {program} start {container.name} comes first", err=True)
-    perform(line, argv, lambda: engine.start(program, container.name))
+
+    def begin() -> None:
+        from rosml.run import sockets
+        from rosml.run.context import is_here
+        from rosml.run.host import host, write
+
+        machine = host(os.environ)
+        here = is_here(engine.about(program), machine)
+        for file, content in sockets.files_again(machine, caller, container).items() if here else ():
+            with contextlib.suppress(OSError):  # then the engine says what is missing
+                write(machine.path(file), content)
+        engine.start(program, container, here)
+
+    perform(line, argv, begin)
 
 
 def enter_folder(line: words.Line, command: str) -> None:

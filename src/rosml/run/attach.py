@@ -123,7 +123,7 @@ def check_same(program: str, line: Line, person: Person, container: Container, i
     if container.state != "running":
         again = f"rosml attach {name} starts it again, " if container.state in IDLE else ""
         text = f"a container named {name} exists ({container.state})"
-        raise RosmlError(text, f"{again}{program} rm {name} removes it; {new}")
+        raise RosmlError(text, f"{again}{program} rm {name} removes it {container.loss(program)}; {new}")
     if container.labels.get(FOLDER) != person.folder:
         place = container.labels.get(FOLDER)
         whose = f"it belongs to the folder {place}" if place else "rosml run did not start it"
@@ -160,5 +160,8 @@ def check_state(program: str, container: Container) -> None:
     """
     if container.state != "running" and container.state not in IDLE:
         remedies = {"paused": f"{program} unpause {container.name}"}
-        remedy = remedies.get(container.state, f"wait, or {program} rm --force {container.name}")
+        remedy = remedies.get(
+            container.state,
+            f"wait, or {program} rm --force {container.name}, which removes it {container.loss(program)}",
+        )
         raise RosmlError(f"{container.name} cannot be entered: it is {container.state}", remedy)

@@ -74,6 +74,7 @@ class Container:
         user: who runs in it, as `--user` has it; empty where nobody said so.
         mounts: the places in it where something is mounted.
         network, ipc: as `--network` and `--ipc` have them.
+        sources: what of the engine's machine is mounted at these places; empty for what has no path there.
     """
 
     name: str
@@ -87,6 +88,11 @@ class Container:
     mounts: frozenset[str] = frozenset()
     network: str = ""
     ipc: str = ""
+    sources: Mapping[str, str] = field(default_factory=dict)
+
+    def loss(self, program: str) -> str:
+        """What removing it takes away, for remedies: somebody has kept it."""
+        return f"with all that was written in it; {program} commit {self.name} IMAGE keeps that"
 
 
 LIMIT = 1024 * 1024
@@ -176,7 +182,10 @@ class Context:
 
     @property
     def is_here(self) -> bool:
-        """Whether containers run on this machine, so that its devices and sockets are theirs. Docker Desktop has its own
-        machine; that for Windows hands in those of WSL."""
-        desktop = self.engine.machine == "docker-desktop" and self.host.has("/dev/dxg")
-        return desktop or self.engine.machine in ("", self.host.name)
+        """Whether containers run on this machine, so that its devices and sockets are theirs."""
+        return is_here(self.engine, self.host)
+
+
+def is_here(engine: Engine, host: Host) -> bool:
+    """Whether an engine runs containers on this machine. Docker Desktop has its own; that for Windows hands in what WSL has."""
+    return engine.machine in ("", host.name) or (engine.machine == "docker-desktop" and host.has("/dev/dxg"))

@@ -108,6 +108,11 @@ def ask(command: str, image: str, name: str) -> Facts:
     return Facts(engine or _guessed(command), found, next((x for x in taken if x.name == name), None))
 
 
+def about(command: str) -> Engine:
+    """What an engine is."""
+    return _engine(command, _ended(_begun(command, "info", "--format", INFO))) or _guessed(command)
+
+
 def image(command: str, identity: str) -> Image | None:
     """An image by its name or digest; None where the engine does not have it.
 
@@ -202,17 +207,25 @@ def _lines(command: str, what: str, form: str, *options: str) -> list[str]:
     return done.stdout.decode(errors="replace").split() if done.returncode == 0 else []
 
 
-def start(command: str, name: str) -> None:
+def start(command: str, kept: Container, here: bool) -> None:
     """Starts a container that has ended.
+
+    Args:
+        kept: the container. here: the engine runs on this machine.
 
     Raises:
         RosmlError: the engine cannot, or it ends at once.
     """
+    name, removal = kept.name, f"{command} rm {kept.name} removes it {kept.loss(command)}"
     if subprocess.run([command, "start", name], stdout=subprocess.DEVNULL, check=False).returncode:
-        raise RosmlError(f"{command} cannot start {name}", f"{command} rm {name} removes it")
+        gone = sorted({path for path in kept.sources.values() if here and path and not os.path.lexists(path)})
+        if gone:
+            text = f"{command} cannot start {name}: {gone[0]}, which is mounted in it, is gone"
+            raise RosmlError(text, f"make it again, and try once more; {removal}")
+        raise RosmlError(f"{command} cannot start {name}", removal)
     found = container(command, name)
     if found is None or found.state != "running":
-        remedy = f"{command} logs {name} shows why; {command} rm {name} removes it"
+        remedy = f"{command} logs {name} shows why; {removal}"
         raise RosmlError(f"{name} has ended at once: its command had nothing to wait for", remedy)
 
 
@@ -359,13 +372,14 @@ def _container(line: str) -> Container:
         ValueError: it is no such line.
     """
     name, state, image, config, mounts, settings = untrusted.json_values(line)
-    places = frozenset(str(_kind(dict, mount).get("Destination", "")) for mount in _kind(list, mounts or []))
+    kinds = [_kind(dict, mount) for mount in _kind(list, mounts or [])]
+    sources = {str(mount.get("Destination", "")): str(mount.get("Source") or "") for mount in kinds}
     variables, labels, entrypoint = _described(_kind(dict, config))
     named, user = str(config.get("Image") or ""), str(config.get("User") or "")
     given = _kind(str, name).removeprefix("/")  # docker's begin with it
     network, ipc = (str(_kind(dict, settings or {}).get(key) or "") for key in ("NetworkMode", "IpcMode"))
     seen = (_kind(str, state), named, _bare(image), user)
-    return Container(given, *seen, variables, labels, entrypoint, places, network, ipc)
+    return Container(given, *seen, variables, labels, entrypoint, frozenset(sources), network, ipc, sources)
 
 
 def _described(config: Mapping[str, Any]) -> tuple[Mapping[str, str], Mapping[str, str], tuple[str, ...]]:

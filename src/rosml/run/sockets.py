@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from rosml.base.errors import RosmlError
 from rosml.run import xauthority
-from rosml.run.context import Context
+from rosml.run.context import Container, Context, Host, Person
 from rosml.run.paths import bind
 from rosml.run.plugin import NOTHING, Added, Plugin
 
 OURS = "/run/rosml"
 """The folder of the container in which rosml mounts what has no place of its own there."""
+
+COOKIE = f"{OURS}/xauth"
+"""Where the cookie of X11 is in a container."""
 
 DISPLAY = re.compile(r"(?P<machine>[^:/]*)(?:/unix)?:(?P<number>[0-9]{1,4})(?:\.[0-9]+)?")
 """Such as `:0`, `localhost:10.0`, `robot:1`."""
@@ -27,12 +30,11 @@ WHOLE_NETWORK = "ros-network"
 """rosml's option that gives this machine's network to the container: the engines take it once."""
 
 
-def runtime(context: Context) -> str:
+def runtime(host: Host, person: Person) -> str:
     """The folder of the person's session; empty where they have none. It is removed at logout. sudo may leave that of
     somebody else in the environment."""
-    own = f"/run/user/{context.person.uid}"
-    places = (context.host.environment.get("XDG_RUNTIME_DIR", "").rstrip("/"), own)
-    return next((x for x in places if x.startswith("/") and context.host.owner(x)[0] == context.person.uid), "")
+    places = (host.environment.get("XDG_RUNTIME_DIR", "").rstrip("/"), f"/run/user/{person.uid}")
+    return next((x for x in places if x.startswith("/") and host.owner(x)[0] == person.uid), "")
 
 
 def mounted(source: str, target: str) -> list[str]:
@@ -101,18 +103,33 @@ def _x11(context: Context) -> Added:
         given = context.line.has(*NETWORK) or context.line.asks(WHOLE_NETWORK)
         words = [*(["--network", "host"] if local and not given else []), *variables(DISPLAY=display)]
     words += variables(QT_X11_NO_MITSHM="1")  # the container shares no memory with the display
-    place = host.environment.get("XAUTHORITY") or f"{host.environment.get('HOME', '')}/.Xauthority"
-    remote = "" if machine in ("", "unix", *LOCALHOST) else machine
-    cookie = xauthority.cookie(xauthority.read(host.content(place)), number, remote or host.name, host.name)
+    cookie = _cookie(host, machine, number)
     if not cookie:  # the display may let everybody of this uid in
         return Added(words)
-    folder = runtime(context)
+    folder = runtime(context.host, context.person)
     if not folder:
         remedy = "log in again, or name a folder of yours with XDG_RUNTIME_DIR; --no-x11 asks for none"
         return Added(notes=[("no windows: there is no place for the display's cookie", remedy)])
-    file, target = f"{folder}/rosml/xauth-{number}", f"{OURS}/xauth"
-    words += ["--mount", f"{bind(file, target)},readonly", *variables(XAUTHORITY=target)]
+    file = f"{folder}/rosml/xauth-{number}"
+    words += ["--mount", f"{bind(file, COOKIE)},readonly", *variables(XAUTHORITY=COOKIE)]
     return Added(words, {file: xauthority.written([cookie])})
+
+
+def _cookie(host: Host, machine: str, number: str) -> xauthority.Entry | None:
+    """The person's cookie for a display. Args: machine, number: of `DISPLAY`."""
+    place = host.environment.get("XAUTHORITY") or f"{host.environment.get('HOME', '')}/.Xauthority"
+    remote = "" if machine in ("", "unix", *LOCALHOST) else machine
+    return xauthority.cookie(xauthority.read(host.content(place)), number, remote or host.name, host.name)
+
+
+def files_again(host: Host, person: Person, kept: Container) -> Mapping[str, bytes]:
+    """The files of the session that a container has mounted, to be written before it starts again: logging out has removed them, and
+    the display has another cookie by now. Without one, the file has none, and the container starts without windows."""
+    source, named = kept.sources.get(COOKIE, ""), DISPLAY.fullmatch(kept.environment.get("DISPLAY", ""))
+    if not named or source != f"{runtime(host, person)}/rosml/xauth-{named['number']}":
+        return {}
+    cookie = _cookie(host, named["machine"], named["number"])
+    return {source: xauthority.written([cookie] if cookie else [])}
 
 
 def no_network(context: Context) -> str:
@@ -128,7 +145,7 @@ def no_network(context: Context) -> str:
 
 def _wayland(context: Context) -> list[str]:
     """Wayland's socket, and what Qt and GTK look at; nothing where none answers."""
-    name, folder = context.host.environment.get("WAYLAND_DISPLAY") or "wayland-0", runtime(context)
+    name, folder = context.host.environment.get("WAYLAND_DISPLAY") or "wayland-0", runtime(context.host, context.person)
     socket = name if name.startswith("/") else f"{folder}/{name}" if folder else ""
     if not socket or not context.host.answers(socket):
         return []
@@ -147,7 +164,7 @@ def sound(context: Context) -> Sequence[str]:
     Raises:
         RosmlError: neither answers.
     """
-    host, line, folder = context.host, context.line, runtime(context)
+    host, line, folder = context.host, context.line, runtime(context.host, context.person)
     if not context.is_here:
         return _elsewhere(context, "sound")
     if not line.asks("sound") or line.sets("PULSE_SERVER"):
