@@ -17,6 +17,7 @@ from test_run_attach import facts
 
 from rosml.base.errors import RosmlError
 from rosml.run import consent, defaults, host, paths, words
+from rosml.run.defaults import File, Files
 from rosml.run.plugins import OWN as OURS
 from rosml.run.words import split
 from tests.pages import blocks
@@ -62,7 +63,7 @@ def test_the_command_line_wins_over_the_project_and_that_over_the_person(desk: D
     project(desk, 'options = ["-e", "ROS_DOMAIN_ID=2", "--no-tz"]\n')
     assert desk.call("-e", "A=3", "ubuntu").returncode == 0
     config = Path(desk.environment["HOME"], ".config/rosml")
-    assert tail(desk) == ["-e", "A=1", "-v", f"{config}/x:/x", "-e", "ROS_DOMAIN_ID=2", "-e", "A=3", "ubuntu"]
+    assert tail(desk) == ["-v", f"{config}/x:/x", "-e", "ROS_DOMAIN_ID=2", "-e", "A=3", "ubuntu"]
     assert "--rm" not in desk.ran
 
 
@@ -81,6 +82,46 @@ def test_an_image_is_typed(desk: Desk) -> None:
     """The file's command belongs to the file's image."""
     person(desk, 'image = "ours"\ncommand = ["htop"]\n')
     assert desk.call("ubuntu").returncode == 0 and tail(desk) == ["ubuntu"]
+
+
+def test_a_command_belongs_to_the_image_of_its_own_file(desk: Desk) -> None:
+    person(desk, 'image = "ours"\ncommand = ["htop"]\noptions = ["-v", "/srv/old:/data"]\n')
+    project(desk, f'{IMAGE}options = ["-v", "./bags:/data"]\n')
+    assert shlex.split(desk.call("--dry-run").stdout)[-3:] == ["-v", f"{desk.folder}/bags:/data", "ubuntu"]
+    project(desk, 'command = ["echo"]\n')  # of the person's image
+    assert shlex.split(desk.call("--dry-run").stdout)[-2:] == ["ours", "echo"]
+
+
+@pytest.mark.parametrize(
+    ("below", "above", "left"),
+    [
+        (["-v", "/a:/data"], ["--volume=/b:/data/:ro"], []),
+        (["-v", "/a:/data"], ["--mount", "type=bind,src=/b,dst=/data"], []),
+        (["--mount", "type=bind,source=/a,target=/data"], ["--tmpfs", "/data:size=1m"], []),
+        (["-itv", "/a:/data"], ["-v", "/data"], ["-it"]),
+        (["-v", "/a:/data", "-v", "/a:/other"], ["-v", "/b:/data"], ["-v", "/a:/other"]),
+        (["--name", "a", "-e", "A=1", "-e", "B=1"], ["--name=b", "-e", "A"], ["-e", "B=1"]),
+        (["-p", "1:2"], ["-p", "1:2"], ["-p", "1:2"]),  # the engine says so
+    ],
+)
+def test_of_two_that_set_one_thing_the_upper_one_counts(below: list[str], above: list[str], left: list[str]) -> None:
+    file = File("/p", b"", 0, split([*below], ()))
+    for files, typed in (
+        (Files(file), split([*above, "x"], ())),
+        (Files(file, File("/q", b"", 0, split(above, ()))), split(["x"], ())),
+    ):
+        words = [word for given in files.under(typed).engine for word in given.words]
+        assert words == [*left, *above]
+
+
+def test_what_comes_from_which_file_is_said(desk: Desk) -> None:
+    person(desk, 'image = "ours"\ncommand = ["htop"]\noptions = ["-v", "/srv/old:/data", "--no-tz"]\n')
+    project(desk, f'{IMAGE}options = ["-v", "./bags:/data"]\n')
+    config, said = f"{desk.environment['HOME']}/.config/rosml", desk.call("--verbose", "--dry-run").stderr.splitlines()
+    assert said[:2] == [
+        f"from {config}/run.toml: --no-tz",
+        f"from {desk.folder}/.rosml.toml: -v {desk.folder}/bags:/data ubuntu",
+    ]
 
 
 def test_the_container_of_the_folder_is_entered_first(desk: Desk) -> None:

@@ -165,6 +165,9 @@ def start(program: str, line: words.Line, caller: Person, files: Files) -> None:
     from rosml.run import attach, concerns, engine
     from rosml.run.host import host, write
 
+    if line.asks("verbose"):
+        for text in files.said(line):
+            terminal.echo(text, err=True)
     typed, line = line, files.under(line)
     name = "" if line.has("replace") else concerns.name_of(line, caller)
     facts = engine.ask(program, line.image, name)

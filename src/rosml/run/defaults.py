@@ -9,7 +9,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
-from rosml.run import paths
+from rosml.run import paths, taken
 from rosml.run.words import Line, split
 
 PERSON = "rosml/run.toml"
@@ -59,14 +59,41 @@ class Files:
         """A command line with the defaults below it: of two options that set the same thing, the engines take the later one.
         Whoever types an image gets no default for the command, which belongs to another image; whoever asks for another
         container gets none for its name, which one may have already."""
-        lines = [file.line for file in (self.person, self.project) if file]
+        lines = [line for _, line in self.counting(typed)]
         image, command = typed.image, typed.command
         if image in ("", HERE):
-            image = next((line.image for line in reversed(lines) if line.image), "")
-            command = command or next((line.command for line in reversed(lines) if line.command), ())
+            image = next((line.image for line in lines if line.image), "")
+            command = command or next((line.command for line in lines if line.command), ())
         own = tuple(word for line in (*lines, typed) for word in line.own)
-        below = (given for line in lines for given in line.engine if not (typed.asks("new") and "name" in given.names))
-        return Line(own, (*below, *typed.engine), image, command)
+        return Line(own, (*(given for line in lines for given in line.engine), *typed.engine), image, command)
+
+    def counting(self, typed: Line) -> list[tuple[str, Line]]:
+        """The files, each with what counts of it: one image, with the command of its own file or of one above that names no image;
+        and the options that nobody above it replaces."""
+        found: list[tuple[str, Line]] = []
+        above, needs_image, needs_command = typed.engine, typed.image in ("", HERE), not typed.command
+        for file in filter(None, (self.project, self.person)):
+            line = file.line
+            kept = [given for given in line.engine if not (typed.asks("new") and "name" in given.names)]
+            engine = tuple(left for given in kept if (left := taken.without(given, above)))
+            image = line.image if needs_image else ""
+            command = line.command if needs_image and needs_command else ()
+            needs_image, needs_command = needs_image and not image, needs_command and not command
+            found.insert(0, (file.path, Line(line.own, engine, image, command)))
+            above = (*engine, *above)
+        return found
+
+    def said(self, typed: Line) -> list[str]:
+        """What counts of each file, for people."""
+        return [
+            f"from {shown(path)}: {' '.join(words)}"
+            for path, line in self.counting(typed)
+            if (words := [shown(word) for word in (*line.own, *_engine(line), line.image, *line.command) if word])
+        ]
+
+
+def _engine(line: Line) -> list[str]:
+    return [word for given in line.engine for word in given.words]
 
 
 def base(environment: Mapping[str, str], variable: str, usual: str) -> str:

@@ -1,0 +1,38 @@
+"""Which options of the engine set one thing, of which a container has one: a place, a variable, its name."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterable
+
+from rosml.run.words import Given
+
+
+def without(given: Given, later: Iterable[Given]) -> Given | None:
+    """An option without what later ones set: the engines refuse two mounts at a place. None where nothing is left of it."""
+    thing = _thing(given)
+    if not thing[0] or thing not in {_thing(other) for other in later}:
+        return given
+    *others, _ = given.names
+    return Given((given.words[0][: len(given.names)],), tuple(others)) if others else None  # `-it` of `-itv a:/b`
+
+
+def _thing(given: Given) -> tuple[str, str]:
+    """The kind and the name of what the last option of a word sets; empty where there may be several."""
+    name, value = given.names[-1], given.value or ""
+    if name == "name":
+        return name, ""
+    if name == "env":
+        return name, value.partition("=")[0]
+    if name == "volume":
+        return _place(value.split(":")[1] if ":" in value else value)
+    if name == "tmpfs":
+        return _place(value.partition(":")[0])
+    if name == "mount":
+        fields = dict(field.partition("=")[::2] for field in next(csv.reader([value]), []))
+        return _place(next((fields[key] for key in ("target", "dst", "destination") if key in fields), ""))
+    return "", ""
+
+
+def _place(path: str) -> tuple[str, str]:
+    return ("place", path.rstrip("/") or "/") if path else ("", "")
