@@ -18,7 +18,8 @@ any() {
   done
 }
 
-# The middleware of ROS 2: what RMW_IMPLEMENTATION asks for, or else ROS's default, which is there in any case.
+# The middleware of ROS 2: what RMW_IMPLEMENTATION asks for, or else what ROS takes: Fast DDS, or the first that is there if an
+# archive has none.
 rmw() {
   local path used names=()
   for path in "/opt/ros/${ROS_DISTRO}"/share/ament_index/resource_index/rmw_typesupport/*; do
@@ -26,7 +27,9 @@ rmw() {
     if [[ ${path##*/} != rmw_implementation ]]; then names+=("${path##*/}"); fi
   done
   [[ ${#names[@]} -gt 0 ]] || return
-  used=${RMW_IMPLEMENTATION:-rmw_fastrtps_cpp}
+  used=rmw_fastrtps_cpp
+  if [[ " ${names[*]} " != *" $used "* ]]; then used=${names[0]}; fi
+  used=${RMW_IMPLEMENTATION:-$used}
   if [[ " ${names[*]} " != *" $used "* ]]; then used+=", which is NOT INSTALLED"; fi
   echo "$used (installed: ${names[*]})"
 }

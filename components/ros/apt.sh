@@ -103,6 +103,7 @@ require_sync() {
 apt_install() {
   local pause why
   local unknown='check its name in matrix.yaml (past its end of life, a distribution is on the snapshot only: {channel: final})'
+  if [[ -n ${ROS_ARCHIVE:-} ]]; then unknown="check its name in matrix.yaml, and whether $ROS_ARCHIVE has it"; fi
   for pause in "${pauses[@]}"; do
     if logged apt-get install --yes "$@"; then return; fi
     if why=$(said 'Unable to locate package|has no installation candidate'); then

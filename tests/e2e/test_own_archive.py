@@ -200,7 +200,7 @@ FAULTS: dict[str, tuple[Callable[[Row], None], str, str]] = {
     "not signed": (unsigned, "has no valid signature", "check the mirror"),
     "signed by another key": (stranger, "which is not a pinned one", "components/archive-keys"),
     "another suite": (other_suite, "has the suite 'sid' in the place of 'bookworm'", "check the mirror"),
-    "empty": (empty, "no apt source has a package", "check its name in matrix.yaml"),
+    "empty": (empty, "no apt source has a package", "check its name in matrix.yaml, and whether http"),
     "without the metapackage": (no_metapackage, "no apt source has a package", "check its name in matrix.yaml"),
     "no key": (no_key, "components/archive-keys/ours.asc is no public key", "gpg --armor --export"),
     "a page in the place of the key": (no_public_key, "ours.asc is no public key", "gpg --armor --export"),

@@ -228,6 +228,14 @@ FAULTS: dict[str, tuple[dict[str, str], dict[str, str | None], tuple[str, ...], 
         ["the banner's RMW: rmw_fastrtps_cpp (installed: rmw_fastrtps_cpp), expected rmw_fastrtps_cpp, and installed: "
          "rmw_fastrtps_cpp rmw_cyclonedds_cpp"],
     ),
+    "an archive without Fast DDS": ({}, {}, ("rmw_cyclonedds_cpp", "rmw_implementation"), []),
+    "no middleware that is promised": (
+        {},
+        {},
+        ("rmw_zenoh_cpp",),
+        ["the banner's RMW: rmw_zenoh_cpp (installed: rmw_zenoh_cpp), expected rmw_zenoh_cpp, and installed: "
+         "rmw_zenoh_cpp rmw_cyclonedds_cpp"],
+    ),
     "middleware where ROS has its own": (
         {},
         {"ros": "1"},

@@ -180,7 +180,10 @@ def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator
     yield f"{image.distribution} (ROS {image.ros}) has the component {image.component} and stands on {image.os}"
     yield f"{image.os} has Python {image.python} and numpy{system.numpy}, and is built for {listed(system.architectures)}"
     if distribution.experimental:
-        yield f"{image.distribution} is experimental: docs/limits.md says what it has, and it never gets the tag latest"
+        page = (
+            "docs/limits.md says what it has, and " if distribution.wheels else ""
+        )  # the page is about ROS 2 from wheels
+        yield f"{image.distribution} is experimental: {page}it never gets the tag latest"
     stands_on = (
         image.os if image.parent.startswith("_") else image.parent
     )  # a stage of the Dockerfile, which has no image

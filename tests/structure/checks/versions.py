@@ -84,11 +84,12 @@ def _middleware(row: str, promised: Mapping[str, str]) -> tuple[bool, str, str]:
     """Whether the banner names the middleware of ROS 2, and all that the matrix promises; and what it should say."""
     if promised["ros"] == "1":
         return not row, row, "none: ROS 1 has one of its own"
-    needed = ["rmw_fastrtps_cpp", *filter(None, promised.get("rmw", "").split(","))]
-    told = re.fullmatch(r"rmw_fastrtps_cpp \(installed: (.*)\)", row)
-    names = told[1].split() if told else []
-    well = set(needed) <= set(names) and "rmw_implementation" not in names
-    return well, row, f"rmw_fastrtps_cpp, and installed: {' '.join(needed)}"
+    told = re.fullmatch(r"(rmw_\w+) \(installed: (.*)\)", row)
+    names = told[2].split() if told else []
+    default = names[0] if names and "rmw_fastrtps_cpp" not in names else "rmw_fastrtps_cpp"
+    needed = [default, *filter(None, promised.get("rmw", "").split(","))]
+    well = bool(told and told[1] == default) and set(needed) <= set(names) and "rmw_implementation" not in names
+    return well, row, f"{default}, and installed: {' '.join(needed)}"
 
 
 def main() -> None:
