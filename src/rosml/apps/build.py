@@ -17,6 +17,7 @@ from rosml.apps import base as bases
 from rosml.apps import cache as caches
 from rosml.apps.cache import IDENTIFIED
 from rosml.apps.git import Access
+from rosml.apps.left_out import LeftOut
 from rosml.apps.names import SLIM, Names
 from rosml.base import files
 from rosml.base.errors import RosmlError
@@ -481,7 +482,7 @@ class App:
             raise RosmlError(text, "add --ros-distro, such as jazzy", exit_code=2)
         names = ("upstream", "downstream", "manifests", "requests", "empty")
         upstream, downstream, manifests, requests, empty = (state / name for name in names)
-        workspace.stage(folder, state / "staged" / "target", without=self._lock_file)
+        workspace.stage(folder, state / "staged" / "target", self._lock_file, LeftOut(folder))
         empty.mkdir(parents=True, exist_ok=True)
         roots = {"target": folder, "upstream": upstream, "downstream": downstream}
         named = bake_file.mirrors_with_a_password(self._environment)

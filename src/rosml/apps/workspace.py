@@ -12,6 +12,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 from rosml.apps import inputs, within
+from rosml.apps.left_out import LeftOut
 from rosml.apps.within import SECRET
 from rosml.base import files
 from rosml.base.errors import RosmlError
@@ -24,13 +25,13 @@ IGNORED = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
 """Files that keep colcon from looking for packages in a folder."""
 
 
-def manifests(root: Path, beyond: list[Path] | None = None) -> Iterator[Path]:
+def manifests(root: Path, beyond: list[Path] | None = None, left: LeftOut | None = None) -> Iterator[Path]:
     """The package.xml of the packages below a folder, as colcon finds them, and the files that hide others.
 
     A folder behind a link is one of them, once, unless the link leads out of the root, or to what is secret.
 
     Args:
-        beyond: gets such links.
+        beyond: gets such links. left: says what is not sent to the builder; there is no package in it.
     """
     seen: set[str] = set()
     for folder, folders, names in os.walk(root, followlinks=True):
@@ -45,6 +46,9 @@ def manifests(root: Path, beyond: list[Path] | None = None) -> Iterator[Path]:
         if beyond is not None:
             beyond += [Path(folder, name) for name in out]
         folders[:] = sorted(name for name in folders if not name.startswith(".") and name not in out)
+        if left:
+            folders[:] = [name for name in folders if not left.whole(Path(folder, name))]
+            names = [name for name in names if not left(Path(folder, name))]
         hidden = [name for name in IGNORED if name in names]
         if hidden:
             yield Path(folder, hidden[0])
@@ -79,7 +83,8 @@ def write_manifests(
     for name, root in roots.items():
         (out / name).mkdir()
         beyond: list[Path] = []
-        for path in manifests(root, beyond):
+        left = LeftOut(root) if name == "target" else None
+        for path in manifests(root, beyond, left):
             target = out / name / path.relative_to(root)
             target.parent.mkdir(parents=True, exist_ok=True)
             if path.name in IGNORED:
@@ -94,31 +99,40 @@ def write_manifests(
         for path in beyond:
             say(f"{path} leads to {os.readlink(path)}, out of {root}: packages there are not yours, and are not built")
     if not count["target"] + count.get("upstream", 0):
+        hides = next(manifests(roots["target"]), None) is not None
         raise RosmlError(
-            f"there is no package.xml in {roots['target']}",
-            "call it in a folder with ROS packages, or name one",
+            f"there is no package.xml in {roots['target']}"
+            + (", but for what .dockerignore leaves out" if hides else ""),
+            "call it in a folder with ROS packages, or name one"
+            + ("; bring packages back with lines such as !src" if hides else ""),
             exit_code=2,
         )
     return count
 
 
-def stage(folder: Path, out: Path, without: Path | None = None) -> None:
-    """Makes a folder of links to the files of a repository, without git's folder and files of secrets, and without one file
-    more: what the builder gets. A link with a whole path that leads to another place of the folder becomes one that does so anywhere.
+def stage(folder: Path, out: Path, without: Path | None = None, left: LeftOut | None = None) -> None:
+    """Makes a folder of links to the files of a repository, without git's folder and files of secrets, without what is left out,
+    and without one file more: what the builder gets. A link with a whole path that leads to another place of the folder becomes one that does so anywhere.
 
-    It is one level deeper than the context of the build, so that a `.dockerignore` of the repository, which is about another
-    build, hides nothing.
+    It is one level deeper than the context of the build, so that the builder does not read `.dockerignore` once more.
+
+    Args:
+        without: one file that stays. left: says what else does.
     """
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
     for path, folders, names in os.walk(folder):
         place = out / os.path.relpath(path, folder)
         links = [name for name in folders if Path(path, name).is_symlink()]
-        folders[:] = [name for name in folders if name not in SECRET and name not in links]
+        folders[:] = [
+            name
+            for name in folders
+            if name not in SECRET and name not in links and not (left and left.whole(Path(path, name)))
+        ]
         for name in folders:
             (place / name).mkdir(mode=0o755)
         for name in [*names, *links]:
-            if name not in SECRET and Path(path, name) != without:
+            if name not in SECRET and Path(path, name) != without and not (left and left(Path(path, name))):
                 _link(Path(path, name), place / name, folder)
 
 
