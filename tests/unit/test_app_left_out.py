@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import os
+import subprocess
 import time
 from pathlib import Path
 
 import pytest
 
+from rosml import ROOT
 from rosml.apps import workspace
 from rosml.apps.left_out import LeftOut
 from rosml.base.errors import RosmlError
@@ -96,6 +98,25 @@ def test_a_dockerignore_is_a_file_of_the_folder(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "robot/.dockerignore")
     with pytest.raises(RosmlError, match="neither a file nor a folder"):
         LeftOut(tmp_path / "robot")
+
+
+def test_what_is_about_a_repository_is_not_built_from(tmp_path: Path) -> None:
+    """A package's own files are its own, and what a build names stays, wherever it is."""
+    kept = {
+        "target/src/a/package.xml", "target/src/a/README.md", "target/src/a/.hidden", "target/src/plain/CMakeLists.txt",
+        "target/src/plain/README", "target/LICENSE", "target/shared/a.h", "target/CONTRIBUTING.md", "upstream/whole/package.xml",
+        "upstream/whole/README.md",
+    }  # fmt: skip
+    gone = {
+        "target/README.md",
+        "target/src/CHANGELOG.rst",
+        "target/.github/workflows/ci.yml",
+        "upstream/two/readme.txt",
+    }
+    write(tmp_path, *kept, *gone)
+    (tmp_path / "target/src/plain/CMakeLists.txt").write_text("file(READ ../../CONTRIBUTING.md text)\n")
+    subprocess.run([ROOT / "components/containerize/packages.sh", tmp_path], check=True)
+    assert {str(path.relative_to(tmp_path)) for path in tmp_path.rglob("*") if path.is_file()} == kept
 
 
 def test_no_pattern_takes_long(tmp_path: Path) -> None:
