@@ -113,7 +113,8 @@ make_user() {
     home=/home/$user
     ! getent passwd "$user" >/dev/null || fail "the user name $user is taken" "choose another one with DOCKER_USER" 64
     if [[ -e $home ]]; then create=--no-create-home; fi
-    useradd --uid "$uid" --gid "$gid" --groups sudo,video --shell /bin/bash --home-dir "$home" $create "$user" ||
+    useradd --uid "$uid" --gid "$gid" --groups sudo,video --shell /bin/bash --home-dir "$home" $create \
+      --key UID_MIN=1 --key UID_MAX=4294967294 "$user" || # it warns of others than those that it gives by itself
       fail "cannot make the user $user with the uid $uid" "the line above says why" 71
     give_home
   fi

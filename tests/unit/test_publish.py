@@ -158,6 +158,8 @@ def test_the_screen(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
         *("structure tests", "time"),
     ]
     assert "structure tests  5 passed, 0 failed" in lines
+    (builds,) = [line for line in lines if line.startswith("build on it")]
+    assert "/mine,push=true,oci-mediatypes=true ." in builds
 
 
 def test_another_architecture_is_built_and_tested_and_gets_no_tag(

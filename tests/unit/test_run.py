@@ -263,6 +263,32 @@ def test_an_image_that_is_not_there_is_pulled_first(desk: Desk) -> None:
     assert f"DOCKER_UID={UID}" in desk.ran
 
 
+@pytest.mark.parametrize(
+    ("image", "words", "pulled"),
+    [
+        ("127.0.0.1:5000/me/ros:a", [], ["--tls-verify=false"]),
+        ("localhost/me", [], ["--tls-verify=false"]),
+        ("localhost:5000/me", ["--tls-verify"], ["--tls-verify"]),
+        ("127.0.0.1.example.com/me", [], []),
+        ("me/ros", [], []),
+    ],
+)
+def test_podman_takes_a_registry_of_this_machine_without_tls(
+    desk: Desk, image: str, words: list[str], pulled: list[str]
+) -> None:
+    desk.engine("podman", info=PODMAN, images={}, registry={image: OTHER})
+    assert desk.call(*words, image, ROSML_ENGINE="podman").returncode == 0
+    assert ["podman", "pull", *pulled, image] in desk.calls
+    desk.engine(images={}, registry={image: OTHER})
+    assert desk.call(*words, image).returncode == 0 and ["docker", "pull", *words, image] in desk.calls
+
+
+def test_podman_is_told_of_a_registry_without_tls(desk: Desk) -> None:
+    desk.engine("podman", info=PODMAN)
+    said = desk.call("reg.local/me", ROSML_ENGINE="podman").stderr
+    assert "where its registry has no TLS: rosml run --tls-verify=false reg.local/me" in said
+
+
 def test_an_image_that_nobody_has(desk: Desk) -> None:
     done = desk.call("no/such:image")
     assert done.returncode == 125 and not [call for call in desk.calls if call[1] == "run"]
@@ -479,7 +505,7 @@ def test_podman_takes_one_user_namespace() -> None:
     assert without_others(words=["--userns=host"], engine=Engine("podman", podman=True, rootless=True)) == []
 
 
-@pytest.mark.parametrize("name", ["", "DOMAIN\\jo", "jo smith", "1jo", "x" * 33])
+@pytest.mark.parametrize("name", ["", "DOMAIN\\jo", "jo smith", "1jo", "x" * 33, "backup", "www-data"])
 def test_a_name_that_the_image_would_refuse(name: str) -> None:
     assert without_others(caller=Person(1234, 5678, name, "/")) == CONTRACT[:4]
 

@@ -176,9 +176,11 @@ def environment(services: Services, bake: Bake) -> dict[str, str]:
 
 
 def command_on_it(services: Services) -> str:
-    """What a person types to build a Dockerfile of their own with the builder that was set up."""
+    """What a person types to build a Dockerfile of their own with the builder that was set up, into its registry. Layers of a base
+    image in zstd have no media type of Docker's that podman 4 would take."""
     config = f"BUILDX_CONFIG={shlex.quote(str(services.buildx_config))} " if services.buildx_config else ""
-    return f"{config}{shlex.join(services.buildx)} build --builder {services.builder} ."
+    output = f"type=image,name={services.registry}/mine,push=true,oci-mediatypes=true"
+    return f"{config}{shlex.join(services.buildx)} build --builder {services.builder} --output {output} ."
 
 
 def turn_file(services: Services) -> Path:

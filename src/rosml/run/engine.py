@@ -32,6 +32,10 @@ FOR_PULL = (
 """The options of `run` that say how an image is pulled; `pull` has them as well."""
 
 
+HERE = re.compile(r"(localhost|127(\.[0-9]+){3})(:[0-9]+)?/")
+"""Images of a registry on this machine. Docker asks it without TLS; podman has to be told."""
+
+
 def program(environment: Mapping[str, str]) -> str:
     """The engine's command.
 
@@ -239,9 +243,13 @@ def pull(command: str, line: Line) -> None:
         raise RosmlError(f"no image {line.image} here, and --pull=never", f"{command} pull {line.image}")
     alone = [given for given in line.engine if len(given.names) == 1]  # `pull` does not know -i and -t of -itq
     options = [word for given in alone if given.names[0] in FOR_PULL for word in given.words]
+    plain = "" if line.has("tls-verify") or not about(command).podman else "--tls-verify=false"
+    if plain and HERE.match(line.image):
+        options.append(plain)
     argv = [command, "pull", *options, line.image]
     if subprocess.run(argv, stdout=2, check=False).returncode:
         remedy = f"look at its name; where it is private: {command} login REGISTRY"
+        remedy += f"; where its registry has no TLS: rosml run {plain} {line.image}" if plain else ""
         raise RosmlError(f"no image {line.image} here, and {command} cannot pull it", remedy)
 
 

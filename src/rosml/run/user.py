@@ -10,6 +10,33 @@ from rosml.run.context import Context
 NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.-]{0,31}")
 """The names that an image's entrypoint takes for DOCKER_USER."""
 
+SYSTEM = frozenset(
+    [
+        "_apt",
+        "backup",
+        "bin",
+        "daemon",
+        "games",
+        "gnats",
+        "irc",
+        "list",
+        "lp",
+        "mail",
+        "man",
+        "messagebus",
+        "news",
+        "nobody",
+        "proxy",
+        "root",
+        "sshd",
+        "sync",
+        "sys",
+        "uucp",
+        "www-data",
+    ]
+)
+"""Names that users of the image's system have, with uids of their own: an entrypoint makes no second one."""
+
 KEPT = "--userns=keep-id"
 """podman without root: the person has the same uid in the container."""
 
@@ -71,5 +98,6 @@ def _contract(context: Context) -> Sequence[str]:
     """What an entrypoint makes the user from. A name that it would refuse is left out: the image has one."""
     person = context.person
     facts = {VARIABLE: person.uid, "DOCKER_GID": person.gid}
-    named = {"DOCKER_USER": person.name} if NAME.fullmatch(person.name) else {}
+    fits = NAME.fullmatch(person.name) and person.name not in SYSTEM
+    named = {"DOCKER_USER": person.name} if fits else {}
     return [word for key, value in {**facts, **named}.items() for word in ("-e", f"{key}={value}")]

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import tempfile
@@ -40,7 +41,8 @@ def main() -> None:
         folder = Path(name)
         (folder / "node").write_text(NODE)
         command = ["/tini", "-s", "--", "/entrypoint.sh", "bash", "-c", SCRIPT, name]
-        process = subprocess.Popen(command, cwd=name)
+        environment = {key: value for key, value in os.environ.items() if not key.startswith("DOCKER_")}
+        process = subprocess.Popen(command, cwd=name, env=environment)
         end = time.monotonic() + 60
         while not all(read(folder).get(node) == "up" for node in ("a", "b")):
             assert time.monotonic() < end and process.poll() is None, read(folder)
