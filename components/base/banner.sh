@@ -57,4 +57,7 @@ row cuDNN "$(any nvidia-cudnn-cu12 nvidia-cudnn-cu13)"
 row PyTorch "$(any torch)"
 row TensorFlow "$(any tensorflow tensorflow-cpu)"
 row GPUs "$(gpus)"
+if [[ -e /usr/local/share/rosml/only-runs.sh ]]; then
+  row Builds "nothing: this image only runs programs; the one without -run has compilers and headers"
+fi
 echo

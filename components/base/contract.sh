@@ -13,6 +13,15 @@ install --mode=644 "$here/pip.conf" /etc/pip.conf
 install -D --mode=644 --target-directory=/etc/uv "$here/uv.toml"
 install --mode=755 "$here/unpinned.sh" /usr/local/bin/unpinned
 
+# An image that only runs programs says so where somebody builds.
+if [[ -e /etc/dpkg/dpkg.cfg.d/rosml-runtime ]]; then
+  install --mode=755 "$here/only-runs.sh" "$share/"
+  cat >/etc/apt/apt.conf.d/rosml-runtime <<EOF
+DPkg::Pre-Install-Pkgs {"$share/only-runs.sh";};
+DPkg::Tools::Options::$share/only-runs.sh::Version "2";
+EOF
+fi
+
 # /tini is where users of the predecessor expect it.
 ln -s /usr/bin/tini /tini
 

@@ -235,4 +235,7 @@ builtin unset -f exec cd
 unset IFS
 if [[ $PWD != "$_rosml_folder" ]]; then cd -- "$_rosml_folder" || exit 70; fi
 if [[ ${#_rosml_command[@]} -eq 0 ]]; then exec bash; fi
+if [[ -x /usr/local/share/rosml/only-runs.sh ]] && ! type -P -- "${_rosml_command[0]}" >/dev/null; then
+  /usr/local/share/rosml/only-runs.sh "${_rosml_command[0]}"
+fi
 exec -- "${_rosml_command[@]}"

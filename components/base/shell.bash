@@ -29,6 +29,14 @@ if [[ $- == *i* ]]; then
   }
   complete -F _rosml_complete ros2 rosidl colcon vcs
 
+  if [[ -x /usr/local/share/rosml/only-runs.sh ]] && ! declare -F command_not_found_handle >/dev/null; then
+    command_not_found_handle() {
+      printf '%s: %s: command not found\n' "$BASH" "$1" >&2
+      /usr/local/share/rosml/only-runs.sh "$1"
+      return 127
+    }
+  fi
+
   case ${ROSML_BANNER-} in
     off | no | false | 0) ;;
     *) if [[ -t 1 && ${SHLVL-1} -le 1 ]]; then /usr/local/share/rosml/banner.sh; fi ;;

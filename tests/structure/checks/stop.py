@@ -25,7 +25,7 @@ while True:
     time.sleep(0.05)
 """
 
-SCRIPT = 'python3 node "$0/a" SIGTERM | tee "$0/log" & python3 node "$0/b" SIGINT; touch "$0/further"'
+SCRIPT = 'python3 node "$1/a" SIGTERM | tee "$1/log" & python3 node "$1/b" SIGINT; touch "$1/further"'
 
 EXPECTED = {"a": "up 15 saved", "b": "up 2 saved", "log": "last words"}
 
@@ -40,7 +40,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "node").write_text(NODE)
-        command = ["/tini", "-s", "--", "/entrypoint.sh", "bash", "-c", SCRIPT, name]
+        command = ["/tini", "-s", "--", "/entrypoint.sh", "bash", "-c", SCRIPT, "bash", name]
         environment = {key: value for key, value in os.environ.items() if not key.startswith("DOCKER_")}
         process = subprocess.Popen(command, cwd=name, env=environment)
         end = time.monotonic() + 60
