@@ -69,8 +69,8 @@ def test_explain_says_where_ros_comes_from(wheels: ImageSet) -> None:
     assert f"  - it is ubuntu-24.04 with ROS from wheels: {wanted}, and what they need, by {LOCK}" in said
     assert "experimental" not in explained(wheels, "alpha-core").text
     own = parse(changed("    apt: {channel: live}", "    apt: {channel: live}\n    experimental: true"))
-    said = explained(own, "alpha-core").text
-    assert "\n  - alpha is experimental: it never gets the tag latest\n" in said, "the page is about ROS 2 from wheels"
+    text = explained(own, "alpha-core").text
+    assert "\n  - alpha is experimental: it never gets the tag latest\n" in text, "the page is about ROS 2 from wheels"
 
 
 def test_no_other_channel(wheels: ImageSet) -> None:
