@@ -24,8 +24,8 @@ if [[ -s /run/requests/blacklist ]]; then "$here/manifests.py" src /run/requests
 find /docker-ros -mindepth 1 -maxdepth 1 ! -name ws -exec rm -rf {} +
 find $workspace -mindepth 1 -maxdepth 1 ! -name src -exec rm -rf {} +
 # What packages are built from: the same files, without what is about the repository.
-cp --archive --link $workspace/src /packages
-"$here/packages.sh" /packages
-find /packages -type d -exec touch --date=@1767225600 {} +
+cp --archive --link $workspace/src /rosml-packages
+"$here/packages.sh" /rosml-packages
+find /rosml-packages -type d -exec touch --date=@1767225600 {} +
 # Of no moment: the same sources make the same layer of the dev image. The time is that of all parts.
 find $workspace -exec touch --no-dereference --date=@1767225600 {} +
