@@ -66,6 +66,44 @@ require_locked() {
     "the archive has other versions now, or your packages need others: write the lock file anew with --lock"
 }
 
+# Archives of apt that earlier builds left on this builder, each by its sha256, in a folder that is in no layer. Any build may have
+# written there, so only an archive counts that has the hash which signed lists say; apt itself would look at its size alone.
+kept=/run/debs
+archives=$scratch/archives
+if [[ -d $kept ]]; then
+  chmod 711 "$scratch" # apt downloads as a user of its own
+  mkdir -p "$archives/partial"
+  echo "Dir::Cache::Archives \"$archives\";" >>"$APT_CONFIG"
+fi
+
+# take_kept PACKAGE…: gives apt the archives of these packages, and of what they need, that are kept.
+take_kept() {
+  local _address name _size hash
+  if [[ ! -d $kept ]] || ! apt-get install --yes --print-uris "$@" >"$scratch/wanted" 2>/dev/null; then
+    return # in the second case, apt_install says why
+  fi
+  while read -r _address name _size hash; do
+    hash=${hash#SHA256:}
+    if [[ $hash =~ ^[0-9a-f]{64}$ && -f $kept/$hash && ! -L $kept/$hash ]] && cp "$kept/$hash" "$archives/$name"; then
+      touch "$kept/$hash" 2>/dev/null || true # used now
+      sha256sum --check --status <<<"$hash  $archives/$name" || rm -f "$archives/$name" "$kept/$hash"
+    fi
+  done <"$scratch/wanted"
+}
+
+# keep: leaves archives for builds to come, and takes away what none used for a month. Others may do so at the same time.
+keep() {
+  local file hash
+  [[ -d $kept ]] || return 0
+  find "$kept" -type f -mtime +30 -delete
+  for file in "$archives"/*.deb; do
+    [[ -f $file ]] || continue
+    hash=$(sha256sum <"$file")
+    hash=${hash%% *}
+    if [[ ! -e $kept/$hash ]]; then cp "$file" "$kept/.$hash.$BASHPID" && mv "$kept/.$hash.$BASHPID" "$kept/$hash"; fi
+  done
+}
+
 # script FILE NAME: runs a script of the repository.
 script() {
   [[ -s $requests/$1 ]] || return 0
@@ -124,7 +162,9 @@ for name in "${debs[@]}"; do
 done
 if [[ ${#missing[@]} -gt 0 ]]; then
   update_once
+  take_kept "${missing[@]}"
   apt_install "${missing[@]}"
+  keep
 fi
 export PIP_BREAK_SYSTEM_PACKAGES=1 PIP_NO_CACHE_DIR=1 PIP_ROOT_USER_ACTION=ignore PIP_DISABLE_PIP_VERSION_CHECK=1
 if [[ ${#requirements[@]} -gt 0 || -s $requests/pip ]]; then
