@@ -4,7 +4,7 @@
 exec {shown}>&2 2>/dev/null # bash would say how the command ended
 "$@" 2>&"$shown" {shown}>&-
 status=$?
-while [[ -n $(jobs -s) ]]; do # Ctrl-Z: there is no shell that could continue it
+while stopped=$(jobs -s) && [[ -n $stopped ]]; do # Ctrl-Z: there is no shell that could continue it
   fg >/dev/null
   status=$?
 done

@@ -309,7 +309,12 @@ def test_where_nothing_is_pulled(desk: Desk, words: list[str]) -> None:
     ("state", "found", "refused", "remedy"),
     [
         ("running", "/x1", True, "rosml attach x1 enters it; another --name starts another container"),
-        ("exited", "/x1", True, "rosml attach x1 starts it again, docker rm x1 removes it; another --name"),
+        (
+            "exited",
+            "/x1",
+            True,
+            "rosml attach x1 starts it again, docker rm x1 removes it with all that was written in it",
+        ),
         ("dead", "/x1", True, "remedy: docker rm x1"),
         ("running", "x1", True, "rosml attach x1"),  # podman writes no slash
         ("running", "/brave_bell", False, ""),  # its id begins with x1

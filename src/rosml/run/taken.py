@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Iterable
 
 from rosml.run.words import Given
@@ -29,6 +28,8 @@ def _thing(given: Given) -> tuple[str, str]:
     if name == "tmpfs":
         return _place(value.partition(":")[0])
     if name == "mount":
+        import csv  # few write mounts so
+
         fields = dict(field.partition("=")[::2] for field in next(csv.reader([value]), []))
         return _place(next((fields[key] for key in ("target", "dst", "destination") if key in fields), ""))
     return "", ""
