@@ -409,7 +409,7 @@ def everything(tmp_path: Path) -> Path:
     docker = folder / "docker"
     (docker / "additional-files").mkdir(parents=True)
     (docker / "additional-files/hello").write_text("from a file\n")
-    (folder / ".dockerignore").write_text("*\n")  # it is about another build
+    (folder / ".dockerignore").write_text("*.bag\n")
     (docker / "additional-debs.txt").write_text("# to look around\ntree  # and count\nlibcap2-bin\niputils-ping\n")
     (docker / "additional-pip-requirements.txt").write_text("toolz  # small\n")
     (docker / "blacklisted-packages.txt").write_text("unwanted  # needs what nobody has\n")
