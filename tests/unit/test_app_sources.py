@@ -346,7 +346,7 @@ def test_what_is_refused(place: Place, text: str, said: str) -> None:
 
 
 def test_a_file_may_extend_others(place: Place) -> None:
-    """As in vcs2l 1.1: the later one counts, and the file itself counts before them. Those that it extends do not count alone."""
+    """As in vcs2l: the later one counts, and the file itself counts before them. Those that it extends do not count alone."""
     for name in ("a", "b", "c", "d"):
         commit(place.root / name, {"f": name})
         git(place.root / name, "tag", "v1")

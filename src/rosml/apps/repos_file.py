@@ -1,6 +1,6 @@
 """`.repos` files, as vcstool and vcs2l read them: where they are, and which repositories they name.
 
-vcs2l 1.1 has `extends`: a file, or a list of files, beside this one. Of two that name one path the later one counts, and what the
+Newer releases of vcs2l have `extends`: a file, or a list of files, beside this one. Of two that name one path the later one counts, and what the
 file itself names counts before all of them.
 """
 
