@@ -74,12 +74,14 @@ if [[ -d $kept ]]; then
   chmod 711 "$scratch" # apt downloads as a user of its own
   mkdir -p "$archives/partial"
   echo "Dir::Cache::Archives \"$archives\";" >>"$APT_CONFIG"
+  # The settings of images say no; what is for one program goes before them.
+  echo 'Binary::apt-get::APT::Keep-Downloaded-Packages "true";' >>"$APT_CONFIG"
 fi
 
 # take_kept PACKAGE…: gives apt the archives of these packages, and of what they need, that are kept.
 take_kept() {
   local _address name _size hash
-  if [[ ! -d $kept ]] || ! apt-get install --yes --print-uris "$@" >"$scratch/wanted" 2>/dev/null; then
+  if [[ ! -d $kept ]] || ! apt-get install --yes --print-uris -o Acquire::ForceHash=SHA256 "$@" >"$scratch/wanted" 2>/dev/null; then
     return # in the second case, apt_install says why
   fi
   while read -r _address name _size hash; do

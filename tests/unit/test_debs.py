@@ -24,7 +24,10 @@ def run(tmp_path: Path, calls: str) -> str:
         "/run/debs", f"{tmp_path}/kept"
     )
     said = f"Reading package lists...\n'http://x/liba.deb' liba_1%3a2_amd64.deb {len(DEB)} SHA256:{SHA256}"
-    executable(tmp_path / "apt-get", f'[ "$*" = "install --yes --print-uris liba" ] && echo "{said}"')
+    executable(
+        tmp_path / "apt-get",
+        f'[ "$*" = "install --yes --print-uris -o Acquire::ForceHash=SHA256 liba" ] && echo "{said}"',
+    )
     (tmp_path / "scratch").mkdir(exist_ok=True)
     env = {
         "PATH": f"{tmp_path}:{os.environ['PATH']}",
@@ -48,7 +51,7 @@ def test_an_archive_counts_if_it_has_the_hash_of_the_lists(
     """apt itself looks at the size of what it finds."""
     (kept / SHA256).write_bytes(content)
     settings = run(tmp_path, "take_kept liba")
-    assert settings == f'Dir::Cache::Archives "{tmp_path}/scratch/archives";\n'
+    assert settings.startswith(f'Dir::Cache::Archives "{tmp_path}/scratch/archives";\n')
     assert (tmp_path / "scratch/archives/liba_1%3a2_amd64.deb").exists() == taken == (kept / SHA256).exists()
 
 
