@@ -125,6 +125,33 @@ def test_signals_reach_the_process(container: Container, environment: dict[str, 
         container.docker.docker("rm", "--force", identity)
 
 
+@pytest.mark.parametrize(
+    "options", [(), ("--tty", *env({"DOCKER_UID": "70000", "DOCKER_GID": "70000"}))], ids=["root", "user"]
+)
+def test_a_stop_reaches_what_is_behind_a_shell(container: Container, options: tuple[str, ...]) -> None:
+    """`docker stop` waits for a node in a pipe and for one behind `&`, and a shell with a terminal ends at once."""
+    node = "import signal, time; signal.signal(15, lambda *_: (time.sleep(1), print('saved'), exit()))\nwhile True: time.sleep(1)"
+    script = f'python3 -c "{node}" | cat & python3 -c "{node}"; echo further'
+    docker = container.docker.docker
+    for command, said in ((("bash", "-c", script), ["saved", "saved"]), (("bash",), [])):
+        if not said and not options:
+            continue  # a shell without a terminal reads nothing, and ends by itself
+        given = ("--interactive", *options) if not said else options
+        started = docker(
+            "run", "--detach", "--network", "none", *given, "--env", "ROSML_BANNER=off", container.image, *command
+        )
+        identity = started.out.strip()
+        try:
+            time.sleep(5)
+            begin = time.monotonic()
+            assert docker("stop", "--time", "30", identity).code == 0
+            assert time.monotonic() - begin < 20
+            logged = docker("logs", identity)
+            assert not said or (logged.out.split(), logged.err) == (said, ""), logged
+        finally:
+            docker("rm", "--force", identity)
+
+
 # ---- The user --------------------------------------------------------------------------------------------------------
 
 USER = {"DOCKER_UID": "1000", "DOCKER_GID": "1001"}
