@@ -129,7 +129,8 @@ attend() {
     words+=(terminal)
     command=(/usr/local/share/rosml/job.sh "${command[@]}")
   fi
-  (trap - INT QUIT && exec -- "${command[@]}") <&0 & # in the background, they would be ignored
+  # In the background, they would be ignored. SHLVL counts the shells that somebody opens: not this one.
+  (trap - INT QUIT && SHLVL=$((SHLVL - 1)) && exec -- "${command[@]}") <&0 &
   child=$!
   for number in {1..31} {34..64}; do
     # shellcheck disable=SC2064  # that number

@@ -266,6 +266,13 @@ def test_exit_codes_pass(tmp_path: Path, terminal: bool, command: tuple[str, ...
 
 
 @BOTH
+def test_a_command_does_not_see_the_shells_that_wait_for_it(tmp_path: Path, terminal: bool) -> None:
+    """The first shell that somebody opens has the banner."""
+    done = Started(tmp_path, terminal, "bash", "-c", "echo level $SHLVL; env | grep -c _rosml; exit 0").ended()
+    assert done.said.split() == ["level", "1", "0"]
+
+
+@BOTH
 def test_no_second_signal_comes_while_somebody_saves(tmp_path: Path, terminal: bool) -> None:
     started = Started(tmp_path, terminal, "bash", "-c", "node a INT,TERM 1; true")
     started.up("a")
