@@ -26,6 +26,7 @@ ARG NUMPY RUNTIME SOURCE_DATE_EPOCH
 RUN --mount=type=tmpfs,target=/run \
     --mount=type=bind,source=components/build,target=/run/components/build \
     --mount=type=bind,source=components/base/install.sh,target=/run/components/base/install.sh \
+    --mount=type=bind,source=components/base/constraints.sh,target=/run/components/base/constraints.sh \
     --mount=type=bind,source=components/base/pip.sh,target=/run/components/base/pip.sh \
     --mount=type=bind,source=components/base/pip.txt,target=/run/components/base/pip.txt \
     --mount=type=bind,from=upstream,target=/run/upstream \

@@ -58,19 +58,9 @@ if [[ -e /etc/gitconfig ]]; then
   while IFS='=' read -r name value; do git config --system "$name" "$value"; done <<<"$settings"
 fi
 
-# What pip keeps to (pip.conf): newer ones break what the distribution's packages and ROS's tools were built with.
-# numpy: cv_bridge's ABI, vision_opencv#535; setuptools: colcon --symlink-install, colcon-core#696 (where the
-# distribution's own is older); empy: message generation, rosidl#779.
 constraints=/usr/local/share/rosml/constraints.txt
 mkdir -p "$(dirname $constraints)"
-{
-  echo "numpy${NUMPY:?}"
-  setuptools=$(dpkg-query --show --showformat '${Version}' python3-setuptools)
-  if dpkg --compare-versions "$setuptools" lt 80; then echo 'setuptools<80'; fi
-  echo 'empy<4'
-  # These want numpy 2 from 4.12 on: a pip that sees that in wheels alone would download a handful of 70 MB each.
-  if [[ $NUMPY == '<2' ]]; then printf '%s<4.12\n' opencv{,-contrib}-python{,-headless}; fi
-} >$constraints
+SETUPTOOLS=$(dpkg-query --show --showformat '${Version}' python3-setuptools) "$here/constraints.sh" >$constraints
 
 # What pip.conf and UV_CONSTRAINT name: these, and a slot for every part that there may be. A part fills its own; empty
 # ones are there from the start, because pip and uv fail where a file is missing.

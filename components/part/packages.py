@@ -2,8 +2,11 @@
 """What pip and uv know of a part's packages.
 
   packages.py SLOT [LOCK...]
-      shows Python the packages of other parts, by their locks (<part>.txt), and writes what it has then to the slot: pip
-      and uv keep to that, and install no other release over it (components/base/pip.conf)
+      shows Python the packages of other parts, by their locks (<part>.txt), and writes to the slot what pip and uv keep to
+      (components/base/pip.conf)
+
+Packages that match a line of the part's pins.txt keep their version; all do where there is no such file. Every other package
+may move as far as the part's own packages ask for it, so that `pip check` finds nothing.
 
 Other parts are those for any Python, below /usr/local/lib/rosml, which are not here. uv looks at folders in the folder of
 Python's packages and follows neither a link to one nor a .pth file: so each package has a folder, with links in it.
@@ -14,28 +17,61 @@ from __future__ import annotations
 import os
 import re
 import sys
+from collections.abc import Iterator
+from email.parser import HeaderParser
 from pathlib import Path
 
-OUT = Path(os.environ["OUT"])
-SITE = OUT / os.environ["SITE"].lstrip("/")
+import records  # beside this script
 
 SHOWN = ("INSTALLER", "METADATA", "RECORD", "WHEEL")
 """What every package has that uv installed. RECORD: whoever removes it removes its files, by way of the part's links."""
+
+REQUIREMENT = re.compile(
+    r"(?P<name>[A-Za-z0-9][\w.-]*) *(?:\[[^]]*\])? *\(?(?P<range>[^;()]*)\)? *(?:; *(?P<marker>.*))?"
+)
+"""As `Requires-Dist` has it: jinja2[i18n] (>=3,<4) ; python_version < "3.9"."""
+
+
+def normal(name: str) -> str:
+    """A package's name as pip compares it."""
+    return re.sub(r"[-_.]+", "-", name).lower()
 
 
 def show(lock: Path) -> None:
     """Gives the packages of a lock folders whose files are those of the part that the lock is of."""
     for name, version in re.findall(r"^([A-Za-z0-9._-]+)==([^ \\\n]+)", lock.read_text(), re.MULTILINE):
-        folder = SITE / "{}-{}.dist-info".format(re.sub(r"[-.]+", "_", name), version)
+        folder = records.SITE / "{}-{}.dist-info".format(re.sub(r"[-.]+", "_", name), version)
         folder.mkdir()
         for file in SHOWN:
             (folder / file).symlink_to(f"/usr/local/lib/rosml/{lock.stem}/{folder.name}/{file}")
 
 
-def pins() -> list[str]:
-    """What Python finds, as constraints: torch==2.10.0+cpu."""
-    found = (folder.stem.rsplit("-", 1) for folder in SITE.glob("*.dist-info"))
-    return sorted("{}=={}".format(re.sub(r"[-_.]+", "-", name).lower(), version) for name, version in found)
+def required(metadata: Path) -> Iterator[tuple[str, str, str]]:
+    """What a package asks for, whatever its extras: name, range of versions, and the marker of when."""
+    for line in HeaderParser().parsestr(metadata.read_text(encoding="utf-8")).get_all("Requires-Dist", ()):
+        found = REQUIREMENT.fullmatch(line.strip())
+        if found is None:
+            sys.exit(f"packages: {metadata.parent.name} has a requirement that nobody can read: {line}")
+        marker = found["marker"] or ""
+        if found["range"].strip() and not re.search(r"\bextra\b", marker):
+            yield normal(found["name"]), re.sub(r"\s", "", found["range"]), marker
+
+
+def constraints() -> list[str]:
+    """The slot's lines: packages that keep their version (torch==2.10.0+cpu), then what others are held to."""
+    kept, wanted = records.patterns("pins.txt") or ["*"], set()
+    pinned: dict[str, str] = {}
+    for folder in records.SITE.glob("*.dist-info"):
+        name, version = folder.stem.rsplit("-", 1)
+        if records.matching(normal(name), kept):
+            pinned[normal(name)] = version
+        if (folder / "METADATA").exists():  # a link leads to a part that is not here
+            wanted |= set(required(folder / "METADATA"))
+    held = sorted(item for item in wanted if item[0] not in pinned)
+    return [
+        *(f"{name}=={version}" for name, version in sorted(pinned.items())),
+        *(f"{name}{bounds}{marker and f'; {marker}'}" for name, bounds, marker in held),
+    ]
 
 
 def main(slot: str, *locks: str) -> None:
@@ -43,9 +79,9 @@ def main(slot: str, *locks: str) -> None:
     for lock in locks:
         if Path(lock).exists():  # the shell leaves a pattern as it is that nothing matches
             show(Path(lock))
-    file = OUT / "usr/local/share/rosml/constraints.d" / f"{slot}.txt"
+    file = records.OUT / "usr/local/share/rosml/constraints.d" / f"{slot}.txt"
     file.parent.mkdir(parents=True, exist_ok=True)
-    file.write_text("\n".join([f"# What the part {os.environ['PART']} holds", *pins(), ""]))
+    file.write_text("\n".join([f"# What the part {os.environ['PART']} holds and asks for", *constraints(), ""]))
 
 
 if __name__ == "__main__":

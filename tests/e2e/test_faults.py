@@ -49,7 +49,7 @@ BROKEN = {
     "rm /etc/ros/rosdep/sources.list.d/20-default.list": "rosdep is not initialised",
     "sed -i '/^Package: ros-core$/,/^$/s/ok installed/ok unpacked/' /var/lib/dpkg/status": "ros-core: unpacked",
     # pip_install.py: numpy is no longer kept to its range
-    "sed -i '/constraint/d' /etc/pip.conf": "AssertionError: 999.0",
+    "sed -i '/constraint/d' /etc/pip.conf": "AssertionError: 9999.0",
     "echo index-url = http://index.example.org >>/etc/pip.conf": "install.index-url='http://index.example.org'",
 }
 """What breaks a whole image, and what names it. Checks of single files: tests/unit/test_checks.py."""

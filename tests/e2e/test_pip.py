@@ -43,9 +43,9 @@ def test_everyday_packages_leave_what_is_installed_as_it_is(
 
 def test_another_release_for_who_says_so(services: Services, published: Publish, tmp_path: Path) -> None:
     """By pip and by uv: refused as it stands, installed with the word, and TensorFlow still computes."""
-    steps = ["online /everyday/unpinned.sh keras 3.13.2 3.14.0", "python3 /everyday/computes.py tensorflow"]
+    steps = ["online /everyday/unpinned.sh h5py 3.13.0 3.12.1", "python3 /everyday/computes.py tensorflow"]
     said = build_on(services, published("ros1-bookworm-core-tensorflow-cpu"), tmp_path, steps, "everyday")
-    assert "unpinned: keras 3.14.0" in said and "computes: tensorflow" in said
+    assert "unpinned: h5py 3.12.1" in said and "computes: tensorflow" in said
 
 
 @pytest.mark.full(proof="everyday")

@@ -121,15 +121,23 @@ def recorded_files(root: Root) -> None:
     root.file("usr/local/share/rosml/expected.d/tensorflow-cc", f"{hashlib.sha256(row.encode()).hexdigest()}\n")
 
 
+TORCH_ALONE = "torch==2.10.0+cpu\npillow!=8.3.*,>=5.3.0; python_version > '3'\n"
+
+
 def pinned(root: Root) -> None:
     constraints = "usr/local/share/rosml/constraints.d/all.txt"
     root.env["UV_CONSTRAINT"] = f"/{constraints}"
     root.file("etc/pip.conf", f"[install]\nconstraint = /{constraints}\n")
     root.file("usr/local/share/rosml/constraints.txt", "numpy<2\nempy<4\n")
     root.file(constraints, "-c ../constraints.txt\n-c 01.txt\n-c 02.txt\n")
-    root.file("usr/local/share/rosml/constraints.d/01.txt", "# What the part torch holds\ntorch==2.10.0+cpu\n")
+    root.file("usr/local/share/rosml/constraints.d/01.txt", f"# What the part torch holds\n{TORCH_ALONE}")
     root.file("usr/local/share/rosml/constraints.d/02.txt")
-    root.file(f"{SITE}/torch-2.10.0+cpu.dist-info/METADATA", "Name: Torch\nVersion: 2.10.0+cpu\n")
+    root.file(
+        f"{SITE}/torch-2.10.0+cpu.dist-info/METADATA",
+        "Name: Torch\nVersion: 2.10.0+cpu\n"
+        "Requires-Dist: pillow[x] (!=8.3.*,>=5.3.0) ; python_version > '3'\nRequires-Dist: x>1; extra == 'x'\n",
+    )
+    root.file(f"{SITE}/pillow-13.dist-info/METADATA", "Name: Pillow\nVersion: 13\n")
 
 
 def pip(root: Root) -> None:
@@ -388,6 +396,11 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
         "pins.py",
         text("usr/local/share/rosml/constraints.d/01.txt", "torch==2.10.0\n"),
         "torch==2.10.0 is pinned, and not there",
+    ),
+    "a package that may go where PyTorch does not follow": (
+        "pins.py",
+        text("usr/local/share/rosml/constraints.d/01.txt", TORCH_ALONE.replace("!=8.3.*,", "")),
+        "a part asks for pillow!=8.3.*, and nothing holds it to that",
     ),
     "a slot that is missing": ("pins.py", gone("usr/local/share/rosml/constraints.d/02.txt"), "02.txt"),
     "a pip that keeps to something else": (

@@ -35,6 +35,12 @@ if TYPE_CHECKING:
 @click.option(
     "--upstream", is_flag=True, help="Say what the index has that the matrix has not, since when, and what holds it."
 )
+@click.option(
+    "--installs",
+    is_flag=True,
+    help="Say which releases people get of packages that they install into images, and write that to docs/installs.md;"
+    " exit 1 if constraints take older ones than they need.",
+)
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 if a lock or a base image would change.")
 @click.option("--stack", "stacks", multiple=True, metavar="NAME", help="Only the locks of this stack or row of wheels.")
 @options.MATRIX
@@ -46,6 +52,7 @@ def main(
     upgrade: bool,
     bases: bool,
     upstream: bool,
+    installs: bool,
     check: bool,
     stacks: tuple[str, ...],
     matrix: Path,
@@ -65,6 +72,7 @@ def main(
       rosml locks --check --json   what would move, for machines
       rosml locks --bases      take base images that their makers renewed
       rosml locks --upstream   releases of PyTorch and TensorFlow that no stack has yet
+      rosml locks --installs   what people get who install gradio, jax or vllm
     """
     from rosml.cli import tables
     from rosml.images import load, locked
@@ -72,13 +80,12 @@ def main(
     from rosml.matrix import source
 
     image_set = load.image_set(source.read(matrix))
-    if upstream and (upgrade or bases or check):
-        raise click.UsageError("--upstream writes no lock; leave --upgrade, --bases and --check out")
-    if bases and (upgrade or stacks):
-        raise click.UsageError("--bases is about base images alone; leave --upgrade and --stack out")
+    require_alone(
+        upstream, installs, bases, {"--upgrade": upgrade, "--bases": bases, "--check": check, "--stack": stacks}
+    )
     require_known(image_set, stacks)
-    if upstream:
-        tell_upstream(image_set, stacks, report, as_json)
+    if installs or upstream:
+        tell_installs(matrix) if installs else tell_upstream(image_set, stacks, report, as_json)
         return
     pinned = base_images(matrix, check, as_json) if bases or (upgrade and not stacks) else None
     if bases and pinned:
@@ -125,6 +132,20 @@ def say(line: str) -> None:
     terminal.echo(line, err=True)
 
 
+def require_alone(upstream: bool, installs: bool, bases: bool, given: Mapping[str, object]) -> None:
+    """Refuses options that are about different things.
+
+    Args:
+        upstream: and the next two: what was asked for. given: options that may not go with it, and their values.
+    """
+    if upstream and (given["--upgrade"] or given["--bases"] or given["--check"]):
+        raise click.UsageError("--upstream writes no lock; leave --upgrade, --bases and --check out")
+    if bases and (given["--upgrade"] or given["--stack"]):
+        raise click.UsageError("--bases is about base images alone; leave --upgrade and --stack out")
+    if installs and (upstream or any(given.values())):
+        raise click.UsageError("--installs is about all stacks, and writes no lock; give no other option")
+
+
 def require_known(image_set: ImageSet, stacks: Sequence[str]) -> None:
     """Refuses a stack that there is not."""
     from rosml.base.problems import listed, unknown
@@ -133,6 +154,24 @@ def require_known(image_set: ImageSet, stacks: Sequence[str]) -> None:
     for name in stacks:
         if name not in known:
             raise RosmlError(unknown("stack", name, known), f"there is {listed(known)}", exit_code=2)
+
+
+def tell_installs(matrix: Path) -> None:
+    """Says what people get of packages that they install, and writes the data and the page.
+
+    Raises:
+        RosmlError: constraints take older releases than they need.
+    """
+    from rosml.images import load
+    from rosml.locks import installs
+
+    found = installs.look(load.load(matrix, ROOT), ROOT, say=say)
+    files.write(ROOT / installs.FILE, installs.to_json(found), within=ROOT)
+    files.write(ROOT / installs.PAGE, installs.render(files.text(ROOT / installs.PAGE), found), within=ROOT)
+    wrong = installs.too_old(found)
+    if wrong:
+        raise RosmlError("\n".join(wrong), "correct components/*/pins.txt or components/base/constraints.sh")
+    terminal.echo(f"{installs.FILE}, {installs.PAGE}: written")
 
 
 UPSTREAM = ("stack", "package", "ours", "newest", "since", "held by")

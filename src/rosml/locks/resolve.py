@@ -287,7 +287,13 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
         output = base / "out.txt"
         if previous and not upgrade:
             output.write_text(previous)
-        command = [*compile_command(request), "--generate-hashes", "--no-header", "--annotation-style", "split"]
+        command = [
+            *compile_command(request.python, request.wheels),
+            "--generate-hashes",
+            "--no-header",
+            "--annotation-style",
+            "split",
+        ]
         command += ["--no-emit-index-url", "--constraint", "constraints.txt", "in.txt", "--output-file", "out.txt"]
         if request.asks_pytorch:
             command += ["--torch-backend", "cpu"]
@@ -309,14 +315,14 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
     return pins if request.asks_pytorch else _with_known_wheels(request, pins)
 
 
-def compile_command(request: Request) -> list[str]:
-    """What every resolution for a Python and an architecture begins with.
+def compile_command(python: str, wheels: str) -> list[str]:
+    """What every resolution for a version of Python and a platform of wheels begins with.
 
     With this process' own interpreter, of whatever version: nothing is built with it. Otherwise uv downloads one of each
     version that is asked for, or tries to for ten seconds each time.
     """
     quiet = ["pip", "compile", "--quiet", "--no-config", "--python", sys.executable, "--only-binary", ":all:"]
-    return [*quiet, "--python-version", request.python, "--python-platform", request.wheels]
+    return [*quiet, "--python-version", python, "--python-platform", wheels]
 
 
 def _environment() -> dict[str, str]:

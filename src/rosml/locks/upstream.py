@@ -109,7 +109,7 @@ def _newest(request: Request, packages: Iterable[str], uv: Uv) -> Mapping[str, t
     with tempfile.TemporaryDirectory() as folder:
         base = Path(folder)
         (base / "in.txt").write_text("\n".join(packages) + "\n")
-        command = [*compile_command(request), "--no-deps", "--format", "pylock.toml"]
+        command = [*compile_command(request.python, request.wheels), "--no-deps", "--format", "pylock.toml"]
         status, said = uv([*command, "in.txt", "--output-file", "pylock.toml"], base)
         if status != 0:
             raise RosmlError(f"{request}: nobody says what is newest:\n{said.strip()}", "check that the index answers")

@@ -3,7 +3,7 @@
 
   check.py PACKAGE...   installs them, upgrades them, installs and upgrades them with uv
 
-No package of the image's parts changes, no command downloads more than 500 MB, and all of it is imported in one process
+No package that the image's parts pin changes, no command downloads more than 500 MB, and all of it is imported in one process
 with rospy and cv_bridge.
 """
 
@@ -53,9 +53,9 @@ def versions() -> dict[str, str]:
 
 
 def pinned() -> dict[str, str]:
-    """What the parts hold, as they say."""
+    """What keeps its version, as the parts say."""
     lines = [line for slot in SLOTS.glob("[0-9]*.txt") for line in slot.read_text().splitlines()]
-    return dict(line.split("==") for line in lines if not line.startswith("#"))
+    return dict(match.groups() for line in lines if (match := re.fullmatch(r"([a-z0-9-]+)==([^;]+)", line)))
 
 
 def downloaded(said: str) -> float:

@@ -5,7 +5,8 @@ Nothing is downloaded: the packages are made here, newer than anything that exis
 
 - `pip install -U numpy` stays within the range that ROS's packages were compiled for, and so does what asks for numpy;
   nor does anything bring an empy or setuptools that ROS's tools do not work with;
-- a package that needs torch or tensorflow takes the one that is there, and `-U` leaves all that parts hold as it is;
+- a package that needs torch or tensorflow takes the one that is there, and `-U` leaves frameworks, CUDA and what they were
+  compiled with as they are; other packages of the parts move as far as the parts ask for them, and `pip check` stays content;
 - what contradicts that, or what the index lacks, is refused with pip's reason, and nothing is half-installed;
 - a user, an environment of one's own and `--target` keep to the same; `unpinned` lets them have another release;
 - a new version of a Debian package goes beside it, into /usr/local, and uninstalling it brings Debian's back; a newer
@@ -26,9 +27,13 @@ import zipfile
 from collections.abc import Sequence
 from pathlib import Path
 
+from packaging.requirements import Requirement
+from packaging.specifiers import SpecifierSet
+
 FOLDER = Path(tempfile.mkdtemp())
 FOLDER.chmod(0o755)
-FAR = "999.0"
+FAR = "9999.0"
+"""Newer than packages whose versions begin with a year."""
 CONSTRAINTS = Path("/usr/local/share/rosml/constraints.txt")
 
 
@@ -75,15 +80,37 @@ def versions(by: Sequence[str] = (sys.executable,)) -> dict[str, str]:
     return dict(json.loads(subprocess.run([*by, "-c", code], stdout=subprocess.PIPE, check=True).stdout))
 
 
+LINES = [line for slot in CONSTRAINTS.parent.glob("constraints.d/[0-9]*.txt") for line in slot.read_text().splitlines()]
+
+
 def pinned() -> dict[str, str]:
-    """What the slots of the image's parts say."""
-    lines = (line for slot in CONSTRAINTS.parent.glob("constraints.d/[0-9]*.txt") for line in slot.open())
-    return dict(line.strip().split("==") for line in lines if not line.startswith("#"))
+    """What keeps its version, by the slots of the image's parts."""
+    found = (re.fullmatch(r"([a-z0-9-]+)==([^;]+)", line) for line in LINES)
+    return {match[1]: match[2] for match in found if match}
+
+
+def movable() -> dict[str, bool]:
+    """All else that the parts hold, and whether it may go as far as there is anything."""
+    held = {
+        line.split()[0] for file in CONSTRAINTS.parent.glob("versions.d/*") for line in file.read_text().splitlines()
+    }
+    names = (held & {re.sub(r"[-_.]+", "-", name) for name in versions()}) - pins.keys()
+    asked = {name: SpecifierSet() for name in names}
+    for requirement in map(Requirement, filter(lambda line: line[:1] not in ("", "#"), LINES)):
+        if requirement.name in asked and (requirement.marker is None or requirement.marker.evaluate()):
+            asked[requirement.name] &= requirement.specifier
+    return {name: FAR in bounds for name, bounds in asked.items()}
+
+
+def checked(by: Sequence[str]) -> str:
+    """What `pip check` says of a Python's packages."""
+    return subprocess.run([*by, "-m", "pip", "check"], stdout=subprocess.PIPE, text=True).stdout
 
 
 before = versions()
 pins = pinned()
-for name in {"numpy", "cffi", "torch", "tensorflow", "empy", "setuptools", *pins}:
+leaves = movable()
+for name in {"numpy", "cffi", "torch", "tensorflow", "empy", "setuptools", *pins, *leaves}:
     wheel(name.replace("-", "_"), FAR)
 # The newest numpy that could be within the range, where there is none yet.
 if "numpy" not in before:
@@ -114,7 +141,7 @@ for name in too_far:
     said = install(f"wantsfar{name}", expect=1)
     assert REASON.search(said), said
 
-# All that parts hold stays, whatever asks for something else; what fits neither is refused as a whole.
+# Frameworks and what they were compiled with stay, whatever asks for something else; what fits neither is refused as a whole.
 install("--upgrade", *pins, "wantsframeworks")
 assert versions() == {**before, "wantsframeworks": "1.0", "numpy": numpy}
 pip("uninstall", "--yes", "wantsframeworks", *([] if "numpy" in before else ["numpy"]))
@@ -158,6 +185,16 @@ for option in ("--system-site-packages", "--clear"):
     install("wantsframeworks", by=inside)
     found = versions(inside)
     assert {name: found[name] for name in (*carried, "numpy")} == {**own, "numpy": numpy}, found
+    if leaves and option == "--system-site-packages":
+        complaints = checked(inside)
+        install("--upgrade", *leaves, by=inside)
+        now: dict[str, str] = {}
+        for name, version in versions(inside).items():
+            now.setdefault(re.sub(r"[-_.]+", "-", name), version)
+        moved = {name: now[name] == FAR for name in leaves}
+        assert moved == leaves, set(moved.items()) ^ set(leaves.items())
+        assert checked(inside) == complaints, checked(inside)
+        pip("uninstall", "--yes", *(name for name, far in leaves.items() if far), by=inside)
     shown = [path.name for name in carried for path in environment.glob(f"lib/python3*/site-packages/{name}-*")]
     assert bool(shown) == (bool(carried) and option == "--clear"), shown
     for name in ("numpy", *carried):
