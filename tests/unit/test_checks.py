@@ -154,6 +154,10 @@ def part(root: Root) -> None:
     root.file(f"{SITE}/torch-2.10.0.dist-info/RECORD")
     root.file(f"{SITE}/torch/__init__.py")
     root.file(f"{SITE}/numpy/__init__.py")
+    for folder, programs in ((SITE, "usr/local/bin"), (DEBIAN, "usr/bin")):  # the base's own
+        root.file(f"{folder}/pip/__init__.py")
+        root.file(f"{programs}/pip", "#!/usr/bin/python3.11\nimport sys\nfrom pip._internal.cli.main import main\n")
+    root.file("usr/local/share/rosml/versions.d/torch", "torch 2.10.0\n")
     root.file(f"{DEBIAN}/numpy/__init__.py")
     root.file(f"{DEBIAN}/yaml/__init__.py")
     root.file(f"{DEBIAN}/rospkg.py")
@@ -426,6 +430,11 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
     ),
     "another Python": ("python.sh", says("python3", "echo 3.12"), "Python 3.12, expected 3.11"),
     "what ROS's tools import": ("replaces_nothing.py", text(f"{SITE}/setuptools/x.py"), "never: ['setuptools']"),
+    "a pip of a part": (
+        "replaces_nothing.py",
+        text("usr/local/share/rosml/versions.d/torch", "torch 2.10.0\npip 26.0\n"),
+        "never: ['pip']\ncommands hidden: ['pip']",
+    ),
     "a module of Debian's": ("replaces_nothing.py", text(f"{SITE}/rospkg.py"), "without a reason: ['rospkg']"),
     "a module of ROS's": ("replaces_nothing.py", text(f"{SITE}/rclpy/x.py"), "without a reason: ['rclpy']"),
     "a module in ROS's other folder": (

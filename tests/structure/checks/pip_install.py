@@ -11,6 +11,7 @@ Nothing is downloaded: the packages are made here, newer than anything that exis
 - a user, an environment of one's own and `--target` keep to the same; `unpinned` lets them have another release;
 - a new version of a Debian package goes beside it, into /usr/local, and uninstalling it brings Debian's back; a newer
   pip refuses that and says who installed it, unless it is told to ignore what is there;
+- pip asks the index for metadata, and downloads no wheel to see whether it fits: from 23.2 on it does;
 - everything is gone afterwards: nothing of it is part of the image.
 """
 
@@ -29,6 +30,7 @@ from pathlib import Path
 
 from packaging.requirements import Requirement
 from packaging.specifiers import SpecifierSet
+from packaging.version import Version
 
 FOLDER = Path(tempfile.mkdtemp())
 FOLDER.chmod(0o755)
@@ -107,6 +109,8 @@ def checked(by: Sequence[str]) -> str:
     return subprocess.run([*by, "-m", "pip", "check"], stdout=subprocess.PIPE, text=True).stdout
 
 
+own_pip = pip("--version").split()[1]
+assert Version(own_pip) >= Version("23.2"), own_pip
 before = versions()
 pins = pinned()
 leaves = movable()

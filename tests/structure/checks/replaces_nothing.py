@@ -37,7 +37,7 @@ SHADOWED = {
     "werkzeug": "tensorboard needs it",
 }
 NEVER = {"setuptools", "pkg_resources", "em", "empy", "yaml", "packaging", "catkin_pkg", "lark", "six", "wheel", "pip"}
-"""What ROS's own tools import."""
+"""What ROS's own tools import. pip is the base's, if a part has none (components/base/pip.sh)."""
 
 ROOT = Path(os.environ.get("CHECK_ROOT", "/"))
 LOCAL = ROOT / "usr/local"
@@ -82,10 +82,12 @@ assert sites, "no part is here"
 # Debian's own, and ROS's, which the entrypoint puts before all others.
 theirs = [ROOT / "usr/lib/python3/dist-packages", *ROOT.glob("opt/ros/*/lib/python3*/*-packages")]
 theirs += ROOT.glob("opt/ros/*/local/lib/python3*/*-packages")
-wanted = NEVER.union(*map(modules, theirs))
+versions = [file.read_text() for file in (LOCAL / "share/rosml/versions.d").glob("*")]
+of_base = {"pip"} - {line.split()[0] for text in versions for line in text.splitlines()}
+wanted = NEVER.union(*map(modules, theirs)) - of_base
 shadowed = {name for site in sites for name in modules(site) & wanted}
 unexplained = sorted(shadowed - SHADOWED.keys())
-hidden = {name: imports for name, imports in hidden_commands().items() if not imports & SHADOWED.keys()}
+hidden = {name: imports for name, imports in hidden_commands().items() if not imports & (SHADOWED.keys() | of_base)}
 print("shadowed:", *sorted(shadowed))
 if replaced() or unexplained or shadowed & NEVER or hidden:
     sys.exit(
