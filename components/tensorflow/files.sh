@@ -20,6 +20,12 @@ for library in "$OUT$SITE"/tensorflow*.libs/*.so*; do
   if [[ -e $library ]]; then ln -s "${library#"$OUT"}" "$libraries/"; fi
 done
 
+# What Python's extensions need. A program that takes one of these by a link of its own (tensorflow_ros_cpp) would look for it
+# beside that link.
+for library in "$tensorflow"/python/lib_pywrap_*.so; do
+  if [[ -e $library ]]; then ln -s "${library#"$OUT"}" "$libraries/"; fi
+done
+
 # <name>-<version>.dist-info: tensorflow, tensorflow_cpu or tensorflow_cpu_aws, whichever has the library.
 wheel=$(basename "$(dirname "$(grep -l '^tensorflow/libtensorflow_cc\.so' "$OUT$SITE"/*.dist-info/RECORD)")")
 version=${wheel%.dist-info}

@@ -18,7 +18,14 @@ plain_c() { gcc -o "$work/plain_c" "$here/c_api.c" -ltensorflow; }
 found() {
   g++ -std=c++17 -I /usr/local/include/tensorflow -o "$work/found" "$here/found.cpp" -ltensorflow_cc -ltensorflow_framework -lprotobuf
 }
+# By a link to a library of Python's, as tensorflow_ros_cpp has it.
+# shellcheck disable=SC2046  # python3-config prints words
+by_link() {
+  ln -s /usr/local/lib/python3*/dist-packages/tensorflow/python/_pywrap_tensorflow_internal.so "$work/libby_link.so"
+  gcc -o "$work/by_link" "$here/c_api.c" -Wl,--no-as-needed "$work/libby_link.so" -ltensorflow $(python3-config --ldflags --embed)
+}
 side save_model & jobs=($!)
+side by_link & jobs+=($!)
 side plain_c & jobs+=($!)
 side found & jobs+=($!)
 side c_api & jobs+=($!)
@@ -37,7 +44,7 @@ for header in google/protobuf/message.h absl/strings/cord.h Eigen/Core; do
 done
 # The constants of the program are Python's.
 if "$work/found" | grep '=' | grep -vxFf "$work/side.save_model.log" >&2; then echo 'which Python has not' >&2 && exit 1; fi
-programs=("$work/installed/bin/tensorflow_graph" "$work/plain" "$work/c_api" "$work/plain_c" "$work/found")
+programs=("$work/installed/bin/tensorflow_graph" "$work/plain" "$work/c_api" "$work/plain_c" "$work/found" "$work/by_link")
 if readelf --dynamic "${programs[@]}" | grep -E 'RPATH|RUNPATH'; then exit 1; fi
 for program in "${programs[@]}"; do
   env -u LD_LIBRARY_PATH TF_CPP_MIN_LOG_LEVEL=3 HOME=/ \
