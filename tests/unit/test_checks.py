@@ -267,6 +267,7 @@ GOOD: dict[str, Callable[[Root], None]] = {
 ELSEWHERE = {
     "apt_source.sh": "tests/e2e/test_apt_source.py",
     "pip_install.py": "tests/e2e/test_faults.py",
+    "stop.py": "tests/unit/test_stop.py",
     "user.sh": "tests/e2e/test_faults.py",
     "versions.py": "tests/unit/test_structure_programs.py",
 }

@@ -124,16 +124,22 @@ class Ended:
     files: Mapping[str, str]
 
 
+def shared(folder: Path) -> Path:
+    """A folder with the entrypoint, and with what it calls."""
+    share = folder / "share"
+    share.mkdir()
+    for file in ("entrypoint.sh", "setup.bash", "stop.py", "job.sh"):
+        text = (BASE / file).read_text().replace("/usr/local/share/rosml", str(share))
+        (share / file).write_text(text)
+        (share / file).chmod(0o755)
+    return share
+
+
 class Started:
     """A command that the entrypoint has started, as in a container."""
 
     def __init__(self, folder: Path, terminal: bool, *command: str) -> None:
-        share = folder / "share"
-        share.mkdir()
-        for file in ("entrypoint.sh", "setup.bash", "stop.py", "job.sh"):
-            text = (BASE / file).read_text().replace("/usr/local/share/rosml", str(share))
-            (share / file).write_text(text)
-            (share / file).chmod(0o755)
+        share = shared(folder)
         for name, text in PROGRAMS.items():
             (share / name).write_text(text)
             (share / name).chmod(0o755)
@@ -331,3 +337,22 @@ def test_ctrl_z_stops_nothing_that_nobody_could_continue(tmp_path: Path) -> None
     time.sleep(0.3)
     started.type("\x03")
     assert started.ended().files == {"a": "up INT saved"}
+
+
+@pytest.mark.parametrize("reaches", ["every process", "a shell alone"])
+def test_the_structure_test_sees_whom_a_stop_reaches(tmp_path: Path, reaches: str) -> None:
+    share = shared(tmp_path)
+    if reaches == "a shell alone":
+        (share / "entrypoint.sh").write_text('#!/bin/bash\nexec "$@"\n')
+    text = (ROOT / "tests/structure/checks/stop.py").read_text()
+    words = '"/tini", "-s", "--", "/entrypoint.sh"'
+    assert words in text
+    init = f"{sys.executable!r}, '-c', {INIT!r}, {str(share / 'entrypoint.sh')!r}"
+    (share / "check.py").write_text(text.replace(words, init))
+    environment = {"PATH": os.environ["PATH"], "HOME": str(tmp_path), "WORKSPACE": str(tmp_path)}
+    with (tmp_path / "said").open("w") as said:  # no pipe: a node that is left holds it
+        command = ["setsid", sys.executable, str(share / "check.py")]
+        done = subprocess.run(command, env=environment, stdout=said, stderr=said, check=False, timeout=60)
+    printed = (tmp_path / "said").read_text()
+    assert (done.returncode == 0) == (reaches == "every process"), printed
+    assert reaches == "every process" or "'a': 'up'" in printed, printed
