@@ -71,6 +71,8 @@ PART = """\
 set -euo pipefail
 mkdir -p /out/opt/mini-part
 echo "$PART $STACK $PYTHON {mark}" >"/out/opt/mini-part/$PART"
+mkdir -p "/out/opt/mini-part/$PART.dist-info"
+printf 'Name: %s\nVersion: 1\n' "$PART" >"/out/opt/mini-part/$PART.dist-info/METADATA"
 find /out -exec touch --no-dereference --date=@"${{SOURCE_DATE_EPOCH:-0}}" {{}} +
 """
 

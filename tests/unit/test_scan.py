@@ -192,7 +192,7 @@ def test_a_ros_image_without_packages_is_not_clean(
 def test_a_part_without_packages_is_not_clean(world: World) -> None:
     found = scanned(world, image("a", world.part("a", "bash", ros=True), world.part("torch"))).images[0]
     assert found.outcome is Outcome.SCANNER_FAILED
-    assert found.reason == "torch: trivy found no package in it, and a part is made of wheels"
+    assert found.reason == "torch: its SBOM names no package, and a part is made of wheels"
 
 
 def test_a_system_without_advisories_is_noted(world: World) -> None:

@@ -139,14 +139,14 @@ class Sbom:
         """
         if not ros and not self.packages:
             raise ScannerFailed(
-                f"{name}: trivy found no package in it, and a part is made of wheels",
-                "the part may lack the dist-info of its wheels, or the pinned trivy may not know their form",
+                f"{name}: its SBOM names no package, and a part is made of wheels",
+                "see whether the part has the dist-info of its wheels",
             )
         debian = sum(item.purl.startswith("pkg:deb/") for item in self.packages)
         if ros and not (self.system and debian):
             raise ScannerFailed(
-                f"{name}: trivy found {'no operating system' if not self.system else 'no Debian package'} in it",
-                "the pinned trivy may not know this operating system, or the image lacks /var/lib/dpkg/status",
+                f"{name}: its SBOM names {'no operating system' if not self.system else 'no Debian package'}",
+                "see whether the image has /usr/lib/os-release and /var/lib/dpkg/status",
             )
 
 
