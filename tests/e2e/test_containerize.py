@@ -155,7 +155,7 @@ def test_the_example(published: Publish, services: Services, tmp_path: Path) -> 
         assert (ros["name"], ros["licenses"]) == ("compass", [{"license": {"name": "Apache-2.0"}}])
     (tmp_path / "chk/Dockerfile").write_text(
         f"""FROM {run_image} AS run
-RUN bash -c '(timeout --signal=INT 20 /tini -s -- /entrypoint.sh bash -c "exec bash -c \\"$DEFAULT_CMD\\"" & \\
+RUN bash -c '(timeout 20 /tini -s -- /entrypoint.sh bash -c "exec bash -c \\"$DEFAULT_CMD\\"" & \\
       for try in {{1..200}}; do /entrypoint.sh timeout 5 rostopic echo -n 4 /direction && break; done >/said; wait) 2>&1' && \\
     sort -u /said && test "$(grep -c -E "east|north|west|south" /said)" -ge 4
 RUN test -e /var/lib/dpkg/status.d/python3-angles && ! grep -q libangles /var/lib/dpkg/status && \\
@@ -164,7 +164,7 @@ RUN test -e /var/lib/dpkg/status.d/python3-angles && ! grep -q libangles /var/li
 FROM {slim_image} AS slim
 # After the other one: builders may run both steps at once, on one network.
 COPY --from=run /said /said
-RUN bash -c '(timeout --signal=INT 20 /tini -s -- /entrypoint.sh bash -c "exec bash -c \\"$DEFAULT_CMD\\"" & \\
+RUN bash -c '(timeout 20 /tini -s -- /entrypoint.sh bash -c "exec bash -c \\"$DEFAULT_CMD\\"" & \\
       for try in {{1..200}}; do /entrypoint.sh timeout 5 rostopic echo -n 1 /direction && break; done >/slim; wait) 2>&1' && \\
     grep -E "east|north|west|south" /slim && ! command -v g++ && ! find /usr/include -type f | grep . && test -e /var/lib/dpkg/status.d/python3-angles && \\
     ! test -e /var/lib/dpkg/status.d/libangles-dev

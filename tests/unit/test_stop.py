@@ -246,6 +246,17 @@ def test_each_process_gets_the_signal_on_which_it_saves_once(
     assert started.ended(signal.SIGTERM).files == expected
 
 
+def test_a_stop_that_comes_with_a_continue_is_not_lost(tmp_path: Path) -> None:
+    """As timeout and systemd send it: both wait for a process, and reach it at once."""
+    started = Started(tmp_path, False, "node", "a", "TERM", "0.2")
+    started.up("a")
+    init = started.process.pid
+    entrypoint = int(Path(f"/proc/{init}/task/{init}/children").read_text())
+    for number in (signal.SIGSTOP, signal.SIGTERM, signal.SIGCONT):
+        os.kill(entrypoint, number)
+    assert started.ended(within=10).files == {"a": "up TERM saved"}
+
+
 @BOTH
 def test_a_recorder_behind_its_wrapper_saves(tmp_path: Path, terminal: bool) -> None:
     """rosbag ends its recorder unsaved on SIGTERM, and with a terminal both get SIGINT, as on Ctrl-C."""
