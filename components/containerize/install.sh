@@ -10,7 +10,7 @@ here=$(dirname "${BASH_SOURCE[0]}")
 source "$here/../build/network.sh"
 # shellcheck source=components/ros/apt.sh
 source "$here/../ros/apt.sh"
-export NOT_FOUND='docker/additional-debs.txt names it, or a rule of rosdep'
+export NOT_FOUND='check its name in docker/additional-debs.txt, or in the rule of rosdep that has it'
 
 if [[ " $* " == *" build "* && -e /etc/dpkg/dpkg.cfg.d/rosml-runtime ]]; then
   fail "the base image is only for programs that are built" "name the one without -run"

@@ -7,7 +7,7 @@ here=$(dirname "${BASH_SOURCE[0]}")
 source "$here/../build/network.sh"
 # shellcheck source=components/ros/apt.sh
 source "$here/../ros/apt.sh"
-export NOT_FOUND='docker/additional-debs.txt names it, or a rule of rosdep'
+export NOT_FOUND='check its name in docker/additional-debs.txt, or in the rule of rosdep that has it'
 
 use_mirror "$(sed -n 's/^ros-source //p' /usr/local/share/rosml/versions.d/ros 2>/dev/null)"
 apt_update

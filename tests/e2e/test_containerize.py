@@ -697,7 +697,6 @@ def test_lines_of_a_build_are_no_commands(
         ("a/package.xml", PACKAGE.format("a", "").replace('"2"', '"4"'), "error: a/package.xml is no manifest"),
         ("a/package.xml", PACKAGE.format("a", "<!-- \xfc -->").encode("latin-1"), "error: a/package.xml is not UTF-8"),
         ("b/package.xml", PACKAGE.format("a", ""), "two packages are called a: a and b"),
-        ("docker/blacklisted-packages.txt", "c", "no package is called c"),
         ("docker/custom.sh", "echo before; false; echo after", "the script after the installation of dependencies ended with 1"),
         ("docker/additional-debs.txt", "no-such-package", "Unable to locate package no-such-package); check its name in docker/additional-debs.txt"),
         ("docker/before_dependency_identification.sh", "#!/bin/sh\nexit 3", "identification of dependencies ended with 3"),

@@ -127,7 +127,7 @@ def test_two_parts_that_carry_the_same_file(mini: Mini) -> None:
     listed = client.manifest(repository, entry["digest"])
     assert listed
     names = file_lists.unpacked(client.blob(repository, listed.content["layers"][0]["digest"])).decode().split()
-    assert names == ["opt/mini-part/common"]
+    assert "opt/mini-part/common" in names
 
     other = {**manifest.content, "annotations": {"another": "one"}}
     digest = client.put_manifest(repository, "", oci.encoded(other), oci.IMAGE)

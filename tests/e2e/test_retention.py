@@ -27,6 +27,7 @@ from rosml.records import store
 from rosml.records.store import Records
 from rosml.records.tag_moves import UNDO
 from rosml.registry import oci
+from rosml.scan import sbom
 from tests.e2e import mini as minis
 from tests.e2e import secure
 from tests.e2e.conftest import Run, run
@@ -64,8 +65,12 @@ def night(mini: Mini, date: str) -> None:
         assert isinstance(image, Image)
         said = labels.named(image.distribution, image.component, "1", "none", None, [])
         said |= {f"org.opencontainers.image.{name}": text for name, text in FACTS.items()}
-        digest, size = Tiny(said, salt=date).put_manifest(client, book.path(item.repository), f"linux/{HERE}")
+        path = book.path(item.repository)
+        digest, size = Tiny(said, salt=date).put_manifest(client, path, f"linux/{HERE}")
+        subject = {"mediaType": oci.IMAGE, "digest": digest, "size": size}
+        described = client.attach(path, subject, sbom.MEDIA_TYPE, SBOM, sbom.MEDIA_TYPE, sbom.FORMAT)
         facts = {"inputs": plan.inputs.digest(*item.key), "repository": item.repository, "size": size, "date": date}
+        facts |= {"sbom": described}
         facts |= {"parts": {target: plan.known[target, HERE].digest for target in item.needs}, "changed": date}
         facts |= {"upstream": plan.upstream.get(image.distribution, ""), "tested": plan.tests_digest(item), "passed": 5}
         before = plan.known.get(item.key) or store.Entry(*item.key)
@@ -76,6 +81,7 @@ def night(mini: Mini, date: str) -> None:
         assert done.code == 0 and '"waits"' not in done.out, done.out + done.err
 
 
+SBOM = b'{"bomFormat": "CycloneDX"}'
 FACTS = {
     "created": CREATED,
     "licenses": "Apache-2.0",
