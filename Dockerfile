@@ -22,7 +22,7 @@ FROM scratch AS upstream
 # Steps mount just the files they use: a change elsewhere does not run them again. They do it below a tmpfs, for the
 # builder leaves the time of day on a folder where it made, and removed, the places of mounts.
 FROM os AS base
-ARG NUMPY RUNTIME SOURCE_DATE_EPOCH
+ARG NUMPY RUNTIME ADOPTED SOURCE_DATE_EPOCH
 RUN --mount=type=tmpfs,target=/run \
     --mount=type=bind,source=components/build,target=/run/components/build \
     --mount=type=bind,source=components/base/install.sh,target=/run/components/base/install.sh \

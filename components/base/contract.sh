@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # What every image promises at run time besides packages: entrypoint, workspace, users, shells, banner.
+#   ADOPTED  not empty: the image is somebody else's, and what it has stays as it is
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
 # shellcheck source=components/build/network.sh
@@ -8,9 +9,15 @@ source "$here/../build/network.sh"
 share=/usr/local/share/rosml
 install -D --mode=644 --target-directory="$share" "$here"/{setup,shell}.bash
 install --mode=755 "$here"/{banner,job}.sh "$here/stop.py" "$share/"
+pip_conf=/etc/pip.conf
+if [[ -n ${ADOPTED:-} ]]; then
+  if [[ -e /entrypoint.sh ]]; then mv /entrypoint.sh /usr/local/lib/rosml/entrypoint.sh; fi
+  # pip reads both, and takes from its own what both say.
+  if [[ -e $pip_conf ]]; then pip_conf=/etc/xdg/pip/pip.conf; fi
+fi
 install --mode=755 "$here/entrypoint.sh" /entrypoint.sh
-install --mode=644 "$here/pip.conf" /etc/pip.conf
-install -D --mode=644 --target-directory=/etc/uv "$here/uv.toml"
+install -D --mode=644 "$here/pip.conf" $pip_conf
+if [[ ! -e /etc/uv/uv.toml ]]; then install -D --mode=644 --target-directory=/etc/uv "$here/uv.toml"; fi
 install --mode=755 "$here/unpinned.sh" /usr/local/bin/unpinned
 
 # An image that only runs programs says so where somebody builds.
@@ -23,10 +30,10 @@ EOF
 fi
 
 # /tini is where users of the predecessor expect it.
-ln -s /usr/bin/tini /tini
+if [[ ! -e /tini ]]; then ln -s /usr/bin/tini /tini; fi
 
 # uid 1000 belongs to the user that the entrypoint creates; Ubuntu 24.04 and later ship a user `ubuntu` there.
-if owner=$(getent passwd 1000); then userdel --remove "${owner%%:*}"; fi
+if [[ -z ${ADOPTED:-} ]] && owner=$(getent passwd 1000); then userdel --remove "${owner%%:*}"; fi
 
 # For the group 0 too, to which arbitrary users belong (--user 12345:0, OpenShift).
 install --directory --mode=775 /docker-ros/ws

@@ -2,6 +2,7 @@
 # Essentials that every image has, whatever its ROS distribution.
 #   NUMPY    range of numpy versions that ROS's packages work with, such as <2
 #   RUNTIME  not empty: only what programs need that are built already, without compilers and headers
+#   ADOPTED  not empty: the image is somebody else's, and what it has stays as it is
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
 # shellcheck source=components/build/network.sh
@@ -45,11 +46,20 @@ else
     x11-apps
   )
 fi
-apt-get update
+if [[ -n ${ADOPTED:-} ]]; then
+  # PATH begins with this folder: steps and nodes find the Python that ROS is for, whichever others the image has.
+  mkdir -p /usr/local/lib/rosml/bin
+  ln -s /usr/bin/python3 /usr/local/lib/rosml/bin/python3
+  own_pip=$(compgen -G '/usr/local/bin/pip*' || true)
+fi
+apt-get update -o APT::Update::Error-Mode=any -o Acquire::Retries=2 || { # apt of Ubuntu 20.04 does not know it, and goes on with what it has
+  echo "error: apt cannot read all of its sources, which the lines above name; mend or remove them in an image of your own" >&2
+  exit 1
+}
 # What was mended since the base image was made, whose digest moves with a pull request alone.
-apt-get upgrade --yes
+if [[ -z ${ADOPTED:-} ]]; then apt-get upgrade --yes; fi
 apt-get install --yes "${packages[@]}"
-if [[ -z ${RUNTIME:-} ]]; then "$here/pip.sh"; fi
+if [[ -z ${RUNTIME:-}${own_pip:-} ]]; then "$here/pip.sh"; fi
 
 # git-lfs writes its settings in an order of its own every time.
 if [[ -e /etc/gitconfig ]]; then

@@ -5,10 +5,14 @@
 #   SOURCE_DATE_EPOCH  the time that what was made since then gets, in seconds since 1970
 set -euo pipefail
 
-rm -rf /var/lib/apt/lists/* /var/log/* /var/cache/apt/* \
+rm -rf /var/lib/apt/lists/* /var/cache/apt/* \
   /var/cache/debconf/*-old /var/lib/dpkg/*-old /var/cache/ldconfig/aux-cache \
-  /etc/passwd- /etc/group- /etc/shadow- /etc/gshadow- \
-  /root/.cache /tmp/* /var/tmp/*
+  /etc/passwd- /etc/group- /etc/shadow- /etc/gshadow-
+# Of these the step's own alone: an image of somebody else may keep models in a cache.
+for folder in /var/log /root/.cache /tmp /var/tmp; do
+  if [[ -d $folder ]]; then find $folder -depth -xdev ! -path $folder -newerct "${STEP_STARTED:?}" \( ! -type d -o -empty \) -delete; fi
+done
+rmdir --ignore-fail-on-non-empty /root/.cache 2>/dev/null || true # there may be none
 
 # systemd's and dbus' packages make up a machine's identity: another one in every build, and the same one in every
 # container of it.

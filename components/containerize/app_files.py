@@ -44,7 +44,7 @@ EMPTIED = re.compile(r"var/(cache|log)/.*")
 FOUND_ALONE = re.compile(r"/(usr/)?lib(32|64|x32)?/[^/]+|/(usr/)?lib/[^/]+-linux-gnu[^/]*/[^/]+")
 """Libraries that glibc finds without ld.so.cache."""
 
-WORKING = re.compile(r"docker-ros/ws(/.*)?|root/\.(ros|colcon|cache|ccache)(/.*)?|.*/__pycache__(/.*)?|.*\.pyc")
+WORKING = re.compile(r"docker-ros(/ws(/.*)?)?|root/\.(ros|colcon|cache|ccache)(/.*)?|.*/__pycache__(/.*)?|.*\.pyc")
 """What building a workspace leaves, and no package installs."""
 
 CAPABILITY = "security.capability"

@@ -134,7 +134,11 @@ mapfile -t -O "${#debs[@]}" debs <"$requests/apt"
 mapfile -t requirements <"$scratch/pip"
 if [[ " $* " == *" build "* ]]; then
   if ! command -v g++ >/dev/null || ! command -v cmake >/dev/null; then debs+=(build-essential cmake); fi
-  if ! command -v colcon >/dev/null; then debs+=(python3-colcon-common-extensions); fi
+  if ! command -v colcon >/dev/null; then
+    update_once
+    colcon=$(apt-cache madison python3-colcon-common-extensions) # of ROS's own apt source; Debian has its parts
+    if [[ -n $colcon ]]; then debs+=(python3-colcon-common-extensions); else debs+=(colcon); fi
+  fi
   # What the build and the tests call colcon for: without some of these it builds nothing, or leaves no setup.bash.
   for extension in bash cmake output package_information package_selection ros; do
     if ! python3 -c "import colcon_$extension" 2>/dev/null; then debs+=("python3-colcon-${extension//_/-}"); fi

@@ -8,6 +8,10 @@ for _setup in "/opt/ros/${ROS_DISTRO:-}/setup.bash" /opt/ws_base_image/install/s
 done
 unset _setup
 set -u
+# An image with a ROS of its own making may not say which it is.
+if [[ -z ${ROS_VERSION:-} ]]; then
+  case ${ROS_DISTRO:-} in Debian | melodic | noetic | one) export ROS_VERSION=1 ;; *) export ROS_VERSION=2 ;; esac
+fi
 cd "${WORKSPACE:-/docker-ros/ws}" || exit
 
 # What somebody said of the number of jobs; empty if nobody did.

@@ -29,6 +29,7 @@ from test_report import APP, DEPENDENCIES
 from rosml import ROOT
 from rosml.apps import bake_file, base, build, cache, inputs, junit, lock, names, rosdep_index, sources, workspace
 from rosml.base.errors import RosmlError
+from rosml.build import variables
 from rosml.machine import buildx
 from rosml.machine.base_images import native_architecture
 from rosml.machine.services import Services
@@ -493,6 +494,10 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
     def run(services: Services, bake: buildx.Bake) -> tuple[None, dict[str, str]]:
         content = json.loads(bake.file.read_text())
         wanted = content["target"]
+        if bake.target == "system":
+            seen.append({"name": bake.target, **wanted["system"]})
+            archives.write(Path(wanted["system"]["output"][0].partition("dest=")[2]), NOBLE)
+            return None, {}
         seen.append({"name": bake.target, "variables": bake.variables, **wanted.get(bake.target, wanted["report"])})
         if bake.target == "packages":
             said = {"dependencies.json": DEPENDENCIES, "app.json": APP, "slim.json": SLIM}
@@ -906,13 +911,47 @@ def test_conditions_compare_with_a_release(
     assert (arguments["ROS_DISTRO"], arguments["CONDITIONS"]) == (base_has, compared)
 
 
-def test_a_base_without_ros_is_asked_about(repository: Path, services: Services, calls: list[dict[str, Any]]) -> None:
+NOBLE = {"etc/os-release": "ID=ubuntu\nVERSION_ID=24.04\n", "bin/bash": "", "bin/apt-get": ""}
+"""What is copied out of an image of Ubuntu."""
+
+
+def test_ros_is_installed_on_a_base_that_has_none(
+    repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """By the steps of our own images, on it by its digest, and kept as a stage of its own. An image is looked at once."""
+    digest = put(services, "rosml/plain:1", f"linux/{native_architecture()}", LANG="de")
+    monkeypatch.setattr(variables, "sync_date", lambda *_: "2026-11-20T21:14:09Z")
+    given = {"base_image": "plain:1", "command": "true", "cache": f"{services.registry}/me/cache"}
+    for _ in range(2):
+        app(repository, services, **given).build()
+    assert [call["name"] for call in calls].count("system") == 1
+    [file] = services.state.rglob("bake.json")
+    targets = json.loads(file.read_text())["target"]
+    assert targets["report"]["contexts"]["base"] == targets["run"]["contexts"]["base"] == "target:base"
+    names = [found := "base"]
+    while found := targets[found]["contexts"][next(iter(targets[found]["contexts"]))].partition("target:")[2]:
+        names.append(found)
+    assert names == ["base", "base-jazzy-core", "base-os-ubuntu-24-04", "base-system"]
+    reference = f"docker-image://{services.registry}/rosml/plain@{digest}"
+    assert targets["base-system"]["contexts"] == {"os": reference}
+    assert targets["base-jazzy-core"]["args"]["ROS_SYNC_DATE"] == "2026-11-20T21:14:09Z"
+    assert targets["base"]["args"] == {"KEPT_LANG": "de"}
+    kept = targets["keep-base"]["output"][0]
+    monkeypatch.setattr(variables, "sync_date", lambda *_: "2026-11-27T21:14:09Z")
+    app(repository, services, **given).build()
+    assert json.loads(file.read_text())["target"]["keep-base"]["output"][0] != kept, "ROS has other packages"
+
+
+def test_a_base_without_ros_stays_without_if_somebody_says_so(
+    repository: Path, services: Services, calls: list[dict[str, Any]]
+) -> None:
     put(services, "rosml/plain:1", f"linux/{native_architecture()}")
+    given = {"base_image": "plain:1", "command": "true", "disable_ros_installation": "true"}
     with pytest.raises(RosmlError, match="does not say which ROS it has") as caught:
-        app(repository, services, base_image="plain:1", command="true").build()
+        app(repository, services, **given).build()
     assert "--ros-distro" in caught.value.remedy
-    app(repository, services, base_image="plain:1", command="true", ros_distro="jazzy").build()
-    assert calls[-1]["args"]["APP_ROS_DISTRO"] == "jazzy"
+    app(repository, services, **given, ros_distro="jazzy").build()
+    assert calls[-1]["args"]["APP_ROS_DISTRO"] == "jazzy" and calls[0]["name"] == "packages"
 
 
 def test_each_script_that_a_build_calls_decides_what_a_cache_has(

@@ -11,10 +11,13 @@ from typing import Any
 
 from rosml import ROOT
 from rosml.apps.base import Base
+from rosml.apps.cache import BASE
 from rosml.apps.names import SLIM, Names
+from rosml.build import adopted
 from rosml.build.push import COMPRESSION
 from rosml.images.labels import APP, PREFIX, REVISION, TITLE
 from rosml.machine import buildx, exported
+from rosml.machine.base_images import native_architecture
 from rosml.machine.services import Services
 
 SCRIPTS = ROOT / "components"
@@ -103,16 +106,19 @@ def render(
         secrets.append("type=env,id=parallel-jobs,env=PARALLEL_JOBS")
     if services.ca_bundle:
         secrets.append(f"type=file,id=ca-bundle,src={services.ca_bundle}")
-    base = {"base": f"docker-image://{inputs.base.reference}"}
+    stages = {name: f"docker-image://{reference}" for name, reference in known.items()}
+    onto = inputs.base.adopted if BASE not in known else None
+    base = {BASE: f"target:{BASE}" if onto else stages.pop(BASE, f"docker-image://{inputs.base.reference}")}
     if inputs.slim:
         base["slim"] = f"docker-image://{inputs.slim.reference}"
     contexts = {name: str(path) for name, path in inputs.contexts.items()}
-    stages = {name: f"docker-image://{reference}" for name, reference in known.items()}
-    common: dict[str, Any] = {
+    steps: dict[str, Any] = {"platforms": list(names.platforms), "secret": secrets}
+    if buildx.local_servers(services):
+        steps["network"] = "host"
+    common = {
+        **steps,
         "context": str(inputs.empty),
         "dockerfile": str(SCRIPTS / "containerize/Dockerfile"),
-        "platforms": list(names.platforms),
-        "secret": secrets,
         "contexts": {**base, "scripts": str(SCRIPTS), **contexts, **stages},
         "args": {
             "CMAKE_ARGS": values["cmake-args"],
@@ -125,8 +131,6 @@ def render(
             "DOWNSTREAM": "downstream-results" if values["downstream-workspace"] else "nothing",
         },
     }
-    if buildx.local_servers(services):
-        common["network"] = "host"
     before, tested = "slim-" if inputs.slim else "", values["tests"] == "true"
     targets: dict[str, Any] = {
         REPORT: {**common, "target": f"{before}{REPORT}", "output": [exported.output(left[REPORT])]}
@@ -139,9 +143,14 @@ def render(
     targets[ASKED] = {**common, "target": ASKED, "output": [exported.output(left[ASKED])]}
     for stage in inputs.stages:
         targets[stage] = {**common, "target": stage}
+    if onto:
+        # Some stages run on the builder's own platform, for whichever one the app is.
+        every = [*dict.fromkeys([*names.platforms, f"linux/{native_architecture()}"])]
+        targets |= adopted.base_targets(onto, BASE, {**steps, "platforms": every}, inputs.empty)
     for stage, reference in kept.items():
         output = f"type=image,name={reference},push=true,{COMPRESSION}"
-        targets[f"keep-{stage}"] = {**common, "target": stage, "output": [output]}
+        own = targets[BASE] if stage == BASE else {**common, "target": stage}
+        targets[f"keep-{stage}"] = {**own, "output": [output]}
     for target in names.targets:
         targets[target] = {
             "context": str(inputs.empty),

@@ -4,17 +4,24 @@ from __future__ import annotations
 
 import contextlib
 import re
+import shlex
 import subprocess
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
 
 from pydantic import BaseModel, TypeAdapter
 
+from rosml import ROOT
 from rosml.apps import lock
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import unknown
+from rosml.build import adopted, variables
+from rosml.build.adopted import Adopted
+from rosml.images import system
 from rosml.images.labels import PREFIX, RUNTIME, VERSION
+from rosml.images.load import load
+from rosml.machine import base_images
 from rosml.machine.services import NAMESPACE, Services
 from rosml.matrix.names import DATED, main_tag
 from rosml.registry import oci
@@ -29,14 +36,19 @@ class Base:
     Attributes:
         name: as people write it, with its registry and tag. digest: of its index, or of its manifest.
         environment: its variables, of the first platform that was asked for. labels: those of its configuration.
+        user, entrypoint: as whom it starts, and what before a command.
         local: whether it is in the user's Docker, and in no registry that answers.
+        adopted: what is installed on it, if it has no ROS.
     """
 
     name: str
     digest: str
     environment: Mapping[str, str]
     labels: Mapping[str, str] = field(default_factory=dict)
+    user: str = ""
+    entrypoint: tuple[str, ...] = ()
     local: bool = False
+    adopted: Adopted | None = None
 
     @property
     def reference(self) -> str:
@@ -137,8 +149,7 @@ def _in_docker(text: str, digest: str) -> Base | None:
     known = [facts.Id, *(name.partition("@")[2] for name in facts.RepoDigests or [])]
     if digest and digest not in known:
         return None
-    config = facts.Config or Settings()
-    return Base(text, facts.Id, _variables(config.Env), config.Labels or {}, local=True)
+    return _base(text, facts.Id, facts.Config, local=True)
 
 
 class _Inspected(BaseModel):
@@ -152,9 +163,56 @@ class _Inspected(BaseModel):
 _INSPECTED = TypeAdapter(list[_Inspected])
 
 
-def _variables(environment: Iterable[str] | None) -> dict[str, str]:
-    """The variables that the configuration of an image sets."""
-    return {name: value for name, _, value in (item.partition("=") for item in environment or ())}
+def _base(name: str, digest: str, settings: Settings | None, local: bool = False) -> Base:
+    """A base image of what its configuration says."""
+    said = settings or Settings()
+    variables = {name: value for name, _, value in (item.partition("=") for item in said.Env or ())}
+    return Base(name, digest, variables, said.Labels or {}, said.User or "", tuple(said.Entrypoint or ()), local)
+
+
+def with_ros(
+    base: Base,
+    services: Services,
+    values: Mapping[str, str],
+    platforms: tuple[str, ...],
+    say: Callable[[str], None],
+) -> Base:
+    """The base image itself if it has ROS; else the same with what is to be installed on it.
+
+    Args:
+        values: of all inputs. platforms: that the app is for.
+
+    Raises:
+        RosmlError: no ROS can be installed on it, or not the one that is named (exit code 2).
+    """
+    if base.environment.get("ROS_DISTRO") or values["disable-ros-installation"] == "true":
+        return base
+    image_set = load(ROOT / "matrix.yaml")
+    known = {facts.ros_distro or name for name, facts in image_set.matrix.distributions.items()}
+    found = adopted.look(services, base.reference, platforms[0], known)
+    if found.ros:
+        if values["ros-distro"]:
+            return base
+        text = f"{base.name} has {' and '.join(found.ros)} in /opt/ros, and does not say which ROS it is"
+        raise RosmlError(text, f"add --ros-distro {found.ros[0]}", exit_code=2)
+    architectures = [platform.split("/")[1] for platform in platforms]
+    named = values["ros-distro"]
+    image = system.choose(image_set, found, base.name, named, values["ros-component"], architectures)
+    lasting = image_set.matrix.distributions[image.distribution].lts
+    kind = "the newest long-term release" if lasting else "the first choice"
+    why = "" if named else f", {kind} for {found.title or found.id}; --ros-distro names another"
+    say(f"it has no ROS: {image.distribution}-{image.component} is installed on it{why}")
+    if base.entrypoint:
+        words = adopted.called(base.entrypoint)
+        said = (
+            f"its entrypoint runs before each command: {shlex.join(words)}" if words else "its entrypoint is left out"
+        )
+        say(said + ("" if words else f", for it takes no command: {shlex.join(base.entrypoint)}"))
+    sync = variables.sync_date(services, image_set, image.distribution, say)
+    own = base_images.reference(services, image_set.matrix.operating_systems, image.os) if image.wheels else ""
+    onto = Adopted(base.reference, image_set, image, base.environment, base.user, base.entrypoint, sync or "", own)
+    ours = {"ROS_DISTRO": image.ros_distro, "ROS_VERSION": str(image.ros)}
+    return replace(base, environment={**base.environment, **ours}, adopted=onto)
 
 
 def _read(registry: oci.Registry, place: oci.Reference, found: oci.Manifest, platforms: tuple[str, ...]) -> Base:
@@ -174,7 +232,7 @@ def _read(registry: oci.Registry, place: oci.Reference, found: oci.Manifest, pla
         text = f"{place} is not for {', '.join(missing)}" if missing else f"{place} has no image for any platform"
         raise RosmlError(text, "name another base image, or other platforms", exit_code=2)
     config = configs[platforms[0]] if platforms else next(iter(configs.values()))
-    return Base(str(place), found.digest, _variables(config.environment), config.labels)
+    return _base(str(place), found.digest, config.facts.config)
 
 
 def require_kept(registries: oci.Registries, references: Iterable[str], platforms: tuple[str, ...]) -> None:

@@ -24,6 +24,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.base.problems import SHOWN
 from rosml.base.units import duration
+from rosml.images.system import CALLED, DEBIAN
 from rosml.machine import buildx, git
 from rosml.machine.services import Services
 from rosml.registry import oci
@@ -32,9 +33,6 @@ _LACKING = re.compile(
     r"Unable to locate package ([a-z0-9][a-z0-9.+-]*)|Package '([^' ]+)' has no installation candidate"
 )
 """How apt names a package that no source has."""
-
-DEBIAN, CALLED = "Debian", "noetic"
-"""What Debian's own ROS 1 calls itself, and the release that manifests mean: it has the packages of that one."""
 
 TIME = 1767225600
 """2026-01-01T00:00:00Z: of images whose sources are in no commit."""
@@ -222,6 +220,7 @@ class App:
         digest = locked.base_image.of(named) if locked else ""
         base = bases.find(named, self._services, self._names.platforms, digest)
         self._say(f"base image {base.name}")
+        base = bases.with_ros(base, self._services, self._values, self._names.platforms, self._say)
         if not self._names.loads:
             with oci.Registries(self._services.ca_bundle) as registries:
                 tags = [tag for target in self._names.targets for tag in self._names.tags(target)]
@@ -472,7 +471,8 @@ class App:
         distribution = base.environment.get("ROS_DISTRO") or values["ros-distro"]
         conditions = distribution
         if distribution == DEBIAN:
-            conditions = values["ros-distro"].replace(DEBIAN, "") or CALLED
+            row = {base.adopted.image.distribution, DEBIAN} if base.adopted else {DEBIAN}
+            conditions = CALLED if values["ros-distro"] in row else values["ros-distro"] or CALLED
             if conditions != CALLED:
                 self._say(f"conditions in package.xml compare $ROS_DISTRO with {conditions}, which --ros-distro names")
         elif values["ros-distro"] not in ("", distribution):
@@ -549,6 +549,8 @@ class App:
         if values["rosdep-index"]:  # others are the newest, and change every day for nothing
             names.append("rosdep")
         given = {"base": inputs.base.digest, "platforms": self._names.platforms, "ros": inputs.distribution}
+        if inputs.base.adopted:
+            given[caches.ADOPTED] = inputs.base.adopted.inputs
         if inputs.slim:
             given["slim"] = inputs.slim.digest
         return caches.keys(

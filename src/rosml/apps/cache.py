@@ -29,6 +29,12 @@ from rosml.registry.documents import Descriptor
 IDENTIFIED = "identified"
 """The stage that says which packages the sources need."""
 
+BASE = "base"
+"""The stage that is ROS on an image that has none."""
+
+ADOPTED = "adopted"
+"""The value that decides it."""
+
 REPORT = "report"
 """The tag of what a build came to begins with this."""
 
@@ -47,18 +53,21 @@ class Keys:
     Attributes:
         environment: of the installed dependencies. upstream: of the upstream packages, built. app: of all.
         slim: there are the stages of a slim image.
+        base: of a base on which ROS was installed; empty if it had ROS.
     """
 
     environment: str
     upstream: str
     app: str
     slim: bool
+    base: str = ""
 
     @property
     def stages(self) -> Mapping[str, str]:
         """The tag of each stage, by its name in the Dockerfile."""
         environment = (IDENTIFIED, "environment", "runtime", *(["slim-runtime"] if self.slim else []))
         return {
+            **({BASE: f"{BASE}-{self.base}"} if self.base else {}),
             **{name: f"{name}-{self.environment}" for name in environment},
             "upstream-built": f"upstream-{self.upstream}",
             **{name: f"{name}-{self.app}" for name in ("app", "workspace", *(["slim-app"] if self.slim else []))},
@@ -88,7 +97,8 @@ def keys(
     environment = _digest(given, [tree(folder) for folder in dependencies], sources if hooked else [])
     built = _digest(environment, sources[0], arguments, sources[1] if hooked else "")
     app = _digest(built, sources[1], tree(downstream, SECRET), tests)
-    return Keys(environment, built, app, bool(given.get("slim")))
+    parts = [given.get(name) for name in ("base", "platforms", ADOPTED)]
+    return Keys(environment, built, app, bool(given.get("slim")), _digest(parts) if given.get(ADOPTED) else "")
 
 
 def tree(folder: Path, without: Container[str] = ()) -> str:

@@ -96,6 +96,17 @@ TABLE = (
         "ros-distro",
         "the ROS distribution, if the base image does not say it; on Debian's ROS 1, the one that conditions in package.xml compare with",
     ),
+    Input(
+        "ros-component",
+        "what is installed if the base image has no ROS: core, base and others of its distribution",
+        "core",
+    ),
+    Input(
+        "disable-ros-installation",
+        "install no ROS on a base image that seems to have none, such as one with a ROS built from its sources",
+        "false",
+        flag=True,
+    ),
     Input("rmw-implementation", "the middleware, such as rmw_cyclonedds_cpp: installs it and sets the variable"),
     Input("tests", "run the tests of your packages, and make no image if one fails", "true", flag=True),
     Input(
@@ -175,7 +186,6 @@ TABLE = (
     Input("git-https-password", "password or token on it; name it in the environment, not on the command line"),
     Input("git-ssh-private-key", "key for private repositories over ssh; name it in the environment"),
     Input("git-ssh-known-host-keys", "what ssh-keyscan says of their servers", in_repository=WITH_SECRET),
-    _gone("disable-ros-installation", "nothing is installed besides what your packages ask for"),
     _gone("custom-script-file", "it is after-dependency-installation-script"),
     _gone("slim-build-args", "no program is watched to find out what an image needs"),
     _gone("additional-slim-build-args", "no program is watched to find out what an image needs"),

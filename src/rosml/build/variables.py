@@ -44,7 +44,8 @@ def variables(
     for name in sorted(wanted):
         reference = base_images.reference(services, systems, name, architecture)
         found[names.os_variable(name)] = f"docker-image://{reference}"
-    return found | _sync_date(services, image_set, image, say, moment)
+    date = sync_date(services, image_set, image.distribution, say, moment)
+    return found | ({"ROS_SYNC_DATES": json.dumps({image.distribution: date})} if date is not None else {})
 
 
 def base(image: Image, variables: dict[str, str]) -> str:
@@ -52,13 +53,20 @@ def base(image: Image, variables: dict[str, str]) -> str:
     return variables[names.os_variable(image.os)].removeprefix("docker-image://")
 
 
-def _sync_date(
-    services: Services, image_set: ImageSet, image: Image, say: Callable[[str], None], moment: str
-) -> dict[str, str]:
-    """The variable that says of when ROS's apt repository is: a new state of it is installed anew."""
-    source = apt_source.source(image_set.matrix, image.distribution)
+def sync_date(
+    services: Services, image_set: ImageSet, distribution: str, say: Callable[[str], None], moment: str = ""
+) -> str | None:
+    """Of when ROS's apt repository is, that a distribution's packages come from: a new state of it is installed anew.
+
+    Returns:
+        The moment; empty if nobody knows it; None if its packages come from elsewhere.
+
+    Raises:
+        RosmlError: there is no such channel of the repository (exit code 2).
+    """
+    source = apt_source.source(image_set.matrix, distribution)
     if source is None:
-        return {}
+        return None
     if not moment:
         try:
             moment = sync.published(source)
@@ -69,4 +77,4 @@ def _sync_date(
             moment = sync.remembered(services.state, source)
             say(f"{error.message}; taken for as it was last time: {moment or 'never asked'}")
         say(f"ROS's apt repository {source.address}, published {moment or 'nobody knows when'}")
-    return {"ROS_SYNC_DATES": json.dumps({image.distribution: moment})}
+    return moment

@@ -96,6 +96,8 @@ class Settings(_Shape):
 
     Env: list[str] | None = None
     Labels: dict[str, str] | None = None
+    User: str | None = None
+    Entrypoint: list[str] | None = None
 
 
 class RootFs(_Shape):
