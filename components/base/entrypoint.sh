@@ -19,7 +19,7 @@ become() {
   for fd in 0 1 2; do
     if [[ -p /proc/self/fd/$fd || -t $fd ]]; then chown "$uid" "/proc/self/fd/$fd"; fi
   done
-  export HOME=$home
+  export HOME=$home USER=$user LOGNAME=$user
   exec setpriv "${ids[@]}" -- "$0" "$@"
 }
 
@@ -217,6 +217,15 @@ if [[ $EUID -eq 0 && -n $DOCKER_UID$DOCKER_GID && (-z $DOCKER_UID || -z $DOCKER_
 elif [[ $EUID -ne 0 && ! -w ${HOME:-/} && -w /tmp ]]; then
   # A user without an entry (--user 12345:0) has / for a home, where ROS cannot write its logs.
   export HOME=/tmp
+fi
+
+# Launch files read USER, and Python's getpass takes it for the name of an id that has none.
+if [[ -z ${USER-} ]]; then
+  _rosml_user='\u'
+  USER=${_rosml_user@P}
+  if [[ $USER == "I have no name!" ]]; then USER=${DOCKER_USER:-dockeruser}; fi
+  export USER LOGNAME=$USER
+  unset _rosml_user
 fi
 
 # What is sourced may change our arguments and options, and may end this shell: that must not pass for the command.

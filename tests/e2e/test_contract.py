@@ -262,8 +262,9 @@ def test_sudo_without_a_password_and_no_password_at_all(container: Container) ->
 def test_an_arbitrary_user(container: Container, environment: dict[str, str]) -> None:
     """`--user 12345:0`, as OpenShift does: a home that can be written, the workspace too, and ROS runs."""
     script = f"{WHO.replace('$(id -un) ', '')} 2>&1; roscore --help >/dev/null; timeout 3 roscore >/dev/null 2>&1 || [[ $? == 124 ]]"
-    said = container.bash(script, options=("--user", "12345:0"), **environment)
-    assert said.startswith("12345:0 root home=/tmp ws= pwd=")
+    named = "; python3 -c 'import getpass; print(getpass.getuser())'"
+    said = container.bash(script + named, options=("--user", "12345:0"), **environment)
+    assert said.startswith("12345:0 root home=/tmp ws= pwd=") and said.endswith("\ndockeruser")
 
 
 @pytest.mark.parametrize(

@@ -417,7 +417,7 @@ PERSON = Person(1234, 5678, "jo", "/home/jo/robot", "Europe/Berlin", {"LANG": "d
 ENGINE_OF_ROOT = Engine()
 LABEL = ["--label", "io.rosml.run.folder=/home/jo/robot"]
 OWN = [name for option in run.main.get_params(click.Context(run.main)) for name in option.opts if name.startswith("--")]
-THEIR_IDS = ["--user", "1234:5678", "-e", "HOME=/tmp"]
+THEIR_IDS = ["--user", "1234:5678", "-e", "HOME=/tmp", "-e", "USER=jo", "-e", "LOGNAME=jo"]
 CONTRACT = ["-e", "DOCKER_UID=1234", "-e", "DOCKER_GID=5678", "-e", "DOCKER_USER=jo"]
 
 

@@ -250,7 +250,13 @@ def test_a_whole_file_for_editors() -> None:
         "workspaceFolder": "/docker-ros/ws/src/target",
         "containerUser": "1234:5678",
         "updateRemoteUserUID": False,
-        "containerEnv": {"HOME": "/tmp", "TZ": "Europe/Berlin", "ROBOT": "${localEnv:ROBOT}"},
+        "containerEnv": {
+            "HOME": "/tmp",
+            "USER": "jo",
+            "LOGNAME": "jo",
+            "TZ": "Europe/Berlin",
+            "ROBOT": "${localEnv:ROBOT}",
+        },
         "privileged": True,
         "securityOpt": ["no-new-privileges"],
         "runArgs": [

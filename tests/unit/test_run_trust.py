@@ -16,7 +16,7 @@ from desks import LOCKED, OTHER, OURS, PODMAN, ROOTLESS, Desk
 
 from rosml.run import consent, trust
 
-JO = ["--user", "1234:1234", "-e", "HOME=/tmp", *LOCKED]
+JO = ["--user", "1234:1234", "-e", "HOME=/tmp", "-e", "USER=jo", "-e", "LOGNAME=jo", *LOCKED]
 MADE = ["-e", "DOCKER_UID=1234", "-e", "DOCKER_GID=1234", "-e", "DOCKER_USER=jo"]
 REMEDY = "remedy: --trust trusts all images of that repository from now on\n"
 EVIL = "ghcr.io/evil/robot"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from rosml.run.context import Context
 
@@ -82,10 +82,11 @@ def _gains(context: Context) -> bool:
 
 
 def _bare(context: Context) -> Sequence[str]:
-    """The ids without a user: there is no home for them but /tmp. root has one."""
+    """The ids without a user: there is no home for them but /tmp, and no name but in variables, where Python's getpass looks. root
+    has both."""
     person = context.person
-    home = ["-e", "HOME=/tmp"] if person.uid else []
-    return ["--user", f"{person.uid}:{person.gid}", *home]
+    facts = {"HOME": "/tmp", **({"USER": person.name, "LOGNAME": person.name} if person.name else {})}
+    return ["--user", f"{person.uid}:{person.gid}", *(_variables(facts) if person.uid else [])]
 
 
 def _locked(context: Context) -> Sequence[str]:
@@ -100,4 +101,9 @@ def _contract(context: Context) -> Sequence[str]:
     facts = {VARIABLE: person.uid, "DOCKER_GID": person.gid}
     fits = NAME.fullmatch(person.name) and person.name not in SYSTEM
     named = {"DOCKER_USER": person.name} if fits else {}
-    return [word for key, value in {**facts, **named}.items() for word in ("-e", f"{key}={value}")]
+    return _variables({**facts, **named})
+
+
+def _variables(facts: Mapping[str, object]) -> list[str]:
+    """The words for environment variables."""
+    return [word for key, value in facts.items() for word in ("-e", f"{key}={value}")]
