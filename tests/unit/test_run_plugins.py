@@ -22,7 +22,7 @@ from desks import BARE, DOCKER, OURS, PODMAN, Desk, plain
 from rosml.base.errors import RosmlError
 from rosml.cli import run
 from rosml.images import labels
-from rosml.run import gpu, host, plugins, sockets, xauthority
+from rosml.run import devices, gpu, host, plugins, sockets, xauthority
 from rosml.run.context import Address, Context, Engine, Host, Image, Person
 from rosml.run.plugin import Added, Plugin, in_order
 from rosml.run.words import split
@@ -153,6 +153,22 @@ def test_gpus_of_others(machine: Machine) -> None:
     for node in nodes[:2]:
         node.unlink()
     assert gpu.gpu(there).words == []
+
+
+def test_the_groups_of_devices(machine: Machine) -> None:
+    """A serial port, a folder of sound devices, and what is no file of this machine."""
+    nodes = [machine.file(f"/dev/{name}") for name in ("ttyUSB0", "snd/controlC0", "snd/by-id/usb")]
+    words = ["--device=/dev/ttyUSB0:/dev/lidar:rw", "--device", "/dev/snd", "--device", "/dev/none", "--device=a/b=c"]
+    there = machine.context(*words, me=Person(1, GID + 1, "me", "/"))
+    groups = {str(GID)} - {"0"}
+    if UID == 0:
+        groups = {"20", "29", "1005"}
+        for node, group in zip(nodes, (20, 29, 1005), strict=True):
+            os.chown(node, 0, group)
+    assert {*devices.devices(there)} - {"--group-add"} == groups
+    assert devices.devices(machine.context(*words, engine=PODMAN_ENGINE)) == []
+    assert devices.devices(machine.context(*words, engine=Engine(machine="elsewhere"))) == []
+    assert devices.devices(machine.context(*words, "--group-add", "keep-groups")) == []
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from rosml.base.errors import RosmlError
 from rosml.run.context import Context, Engine, Host
+from rosml.run.devices import groups
 from rosml.run.plugin import NOTHING, Added, Plugin
 from rosml.run.words import Line
 
@@ -90,15 +91,12 @@ def _numbers(version: str) -> tuple[int, ...]:
 
 
 def _rendering(context: Context) -> Sequence[str]:
-    """The device files of Intel's and AMD's GPUs, with the groups that may open them, which have other numbers elsewhere.
-    Without root's rights no groups can be given."""
+    """The device files of Intel's and AMD's GPUs, with the groups that may open them."""
     host, folder = context.host, "/dev/dri"
     nodes = [file for file in host.files(folder) if re.search(r"/(card|renderD)\d+$", file)]
     if not nodes:
         return []
-    groups = {host.owner(node)[1] for node in nodes} - {0, -1, context.person.gid}
-    added = [] if context.engine.rootless else sorted(groups)
-    return ["--device", folder, *(word for group in added for word in ("--group-add", str(group)))]
+    return ["--device", folder, *groups(context, nodes)]
 
 
 PLUGIN = Plugin("gpu", gpu, {"no-gpu": "no GPUs"})

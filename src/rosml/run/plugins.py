@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from importlib import import_module
 
 from rosml.base.errors import RosmlError
-from rosml.run import concerns, gpu, paths, ros, sockets, words
+from rosml.run import concerns, devices, gpu, paths, ros, sockets, words
 from rosml.run.context import Context
 from rosml.run.plugin import GROUP, Added, Plugin, in_order
 from rosml.run.user import user
@@ -32,6 +32,7 @@ OWN: tuple[Plugin, ...] = (
             "mws": "mount the current folder as $WORKSPACE/src/target",
         },
     ),
+    devices.PLUGIN,
     gpu.PLUGIN,
     *sockets.PLUGINS,
     ros.PLUGIN,
