@@ -204,11 +204,13 @@ def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *
             require_folder(built / folder, Path(folder))
     names = built_packages(built / install)
     lacks = lacking.Lacking(runtime, built, names)
+    forgotten = lacks.forgotten()
     facts = {
         **packages(base, runtime, root),
         "built": shown(names),
         "lost": shown(sorted(lacks.lost)),
         "absent": shown(sorted(lacks.absent)),
+        "forgotten": dict(zip(shown(forgotten), shown(forgotten.values()))),
         "outside": shown(outside(environment, built)),
         **versions(base, locked),
     }

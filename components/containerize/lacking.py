@@ -33,6 +33,8 @@ MODULES = re.compile(
 )
 """Folders that Python looks into."""
 
+LAUNCH = (".launch", ".launch.xml", ".launch.py", ".launch.yaml", "_launch.xml", "_launch.py", "_launch.yaml")
+
 TABLE, LINE, SIZE = 1 << 20, 4096, 4 << 20
 """Bytes of a dynamic section, of a name in it, and of a text that is read, at most."""
 
@@ -98,8 +100,9 @@ class Files:
     """What there is to be found, by name.
 
     Attributes:
-        libraries: a place of each. programs: all places in the workspace of what can be started. modules: of Python, with the
-            folders that have them. sources: of Python in the working folder, as paths without their endings.
+        libraries: a place of each. programs: all places in the workspace of what can be started. launches: of launch files.
+            modules: of Python, with the folders that have them. sources: of Python in the working folder, as paths without their
+            endings. manifests: folders of sources that have one, with the name of the package.
     """
 
     def __init__(self) -> None:
@@ -107,6 +110,8 @@ class Files:
         self.programs: dict[str, list[str]] = {}
         self.modules: dict[str, set[Path]] = {}
         self.sources: set[str] = set()
+        self.launches: dict[str, list[str]] = {}
+        self.manifests: dict[str, str] = {}
 
     def add(self, root: Path, below: str = "") -> Files:
         """Adds what a folder of a root has."""
@@ -125,7 +130,19 @@ class Files:
                     self.sources.add(place if name == "__init__.py" else where[:-3])
                 if os.access(path, os.X_OK):
                     self.programs.setdefault(name, []).append(where)
+                if name.endswith(LAUNCH):
+                    self.launches.setdefault(name, []).append(where)
+                if name == "package.xml" and WORK.match(where):
+                    self.manifests[place] = _package(Path(path))
         return self
+
+    def owner(self, place: str) -> str:
+        """The package of a file in the sources or the build."""
+        parts = place.split("/")
+        if parts[2] == "build":
+            return parts[3]
+        above = ("/".join(parts[:number]) for number in range(len(parts) - 1, 2, -1))
+        return next((self.manifests[folder] for folder in above if folder in self.manifests), "")
 
     def has_module(self, name: str, beside: Path) -> bool:
         """Whether Python finds a module: in its folders, or beside the script that asks. Only of packages in the install space do
@@ -210,12 +227,28 @@ class Lacking:
     def _launch(self, path: Path, package: str, program: str) -> None:
         if package not in self._packages or not program or "$" in program:
             return
-        ways = (f"/lib/{package}/", f"/share/{package}/")
-        there = self._image.programs.get(os.path.basename(program), [])
-        if not any(way in place for place in there for way in ways):
-            places = self._before.programs.get(os.path.basename(program), [])
-            before = [place for place in places if WORK.match(place) and f"/{package}/" in place]
-            self._say(path, f"the program {program} of {package}", min(before, default=""))
+        name = os.path.basename(program)
+        if not _is_of(self._image.programs.get(name, []), package):
+            before = self._before_of(self._before.programs.get(name, []), package)
+            self._say(path, f"the program {program} of {package}", before)
+
+    def _before_of(self, places: Iterable[str], package: str) -> str:
+        """Where the sources or the build of a package have a file; empty if they do not."""
+        return min((x for x in places if WORK.match(x) and self._before.owner(x) == package), default="")
+
+    def forgotten(self) -> dict[str, str]:
+        """Launch files and programs that no image has: `PACKAGE NAME`, with the place of each in the sources or the build. Nothing
+        may start them: whoever writes the command knows."""
+        found = {}
+        for before, image in (
+            (self._before.launches, self._image.launches),
+            (self._before.programs, self._image.programs),
+        ):
+            for name, places in before.items():
+                for package in {self._before.owner(place) for place in places if WORK.match(place)} & self._packages:
+                    if not _is_of(image.get(name, []), package):
+                        found[f"{package} {name}"] = self._before_of(places, package)
+        return found
 
     def _entry_points(self, path: Path) -> None:
         group = ""
@@ -275,7 +308,17 @@ class Lacking:
                         self._imports(file, beside)
 
 
-LAUNCH = (".launch", ".launch.xml", ".launch.py", "_launch.xml", "_launch.py")
+def _is_of(places: Iterable[str], package: str) -> bool:
+    """Whether a package has installed one of these files, where ROS looks for it."""
+    return any(way in place for place in places for way in (f"/lib/{package}/", f"/share/{package}/"))
+
+
+def _package(manifest: Path) -> str:
+    """The name in a manifest; empty if it is none."""
+    try:
+        return (ElementTree.fromstring(_text(manifest)).findtext("name") or "").strip()
+    except (ElementTree.ParseError, ValueError, OSError):
+        return ""
 
 
 def _launched(path: Path) -> Iterator[tuple[str, str]]:

@@ -120,7 +120,7 @@ CTEST = """<Site><Testing><Test Status="failed"><Name>bad</Name><FullCommandLine
 APP: dict[str, Any] = {
     name: [] for name in ("packages", "changed", "replaced", "removed", "built", "lost", "absent", "outside", "pip")
 }
-APP |= {"architecture": "amd64", "apt": {"tree": "2.1"}}
+APP |= {"architecture": "amd64", "apt": {"tree": "2.1"}, "forgotten": {}}
 
 JOB: dict[str, Any] = {
     "target": "run",

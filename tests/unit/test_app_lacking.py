@@ -14,6 +14,7 @@ from stubs import script_of_a_build
 from test_apps import SLIM, app, calls, put, repository, services
 from test_report import APP
 
+from rosml.apps.build import unstarted
 from rosml.base.errors import RosmlError
 from rosml.machine.base_images import native_architecture
 from rosml.machine.services import Services
@@ -145,6 +146,70 @@ def test_modules_and_programs_that_only_the_build_had_are_lost(script: ModuleTyp
         "ni/lib/ni/run.py needs the module unknown",
         "ni/share/ni/launch/all.launch needs the program never of ni",
     ]
+
+
+def test_launch_files_and_programs_that_are_not_installed(script: ModuleType, tmp_path: Path) -> None:
+    """Of a package in a folder of another name, or in that of the repository."""
+    manifest = "<package><name>{}</name></package>"
+    built = write(
+        tmp_path / "built",
+        {
+            f"{WS}/src/target/package.xml": manifest.format("top"),
+            f"{WS}/src/target/launch/all.launch": "",
+            f"{WS}/src/target/launch/there.launch.py": "",
+            f"{WS}/src/target/some_folder/package.xml": manifest.format("ni"),
+            f"{WS}/src/target/some_folder/scripts/talker.py": "#!/usr/bin/env python3",
+            f"{WS}/src/target/broken/package.xml": "<package",
+            f"{WS}/src/target/broken/a.launch": "",
+            f"{WS}/build/ni/listener": elf(),
+            f"{WS}/build/top/node": elf(),
+            f"{WS}/install/top/lib/top/node": elf(),
+            f"{WS}/install/top/share/top/launch/there.launch.py": "",
+        },
+    )
+    for path in built.rglob("*"):
+        if path.suffix in (".launch", ".xml") or path.name.endswith(".launch.py"):
+            path.chmod(0o644)
+    found = script.Lacking(write(tmp_path / "runtime", {"etc/x": ""}), built, ["ni", "top"])
+    assert found.forgotten() == {
+        "top all.launch": f"{WS}/src/target/launch/all.launch",
+        "ni talker.py": f"{WS}/src/target/some_folder/scripts/talker.py",
+        "ni listener": f"{WS}/build/ni/listener",
+    }
+
+
+@pytest.mark.parametrize(
+    ("command", "starts"),
+    [
+        ("roslaunch ni all.launch rate:=5", "all.launch of ni: src/all.launch"),
+        ("source /x && exec roslaunch --wait -v ni all.launch", "all.launch of ni: src/all.launch"),
+        ("rosrun ni talker.py", "talker.py of ni: src/talker.py"),
+        ("ros2  run ni talker.py & ros2 launch ni other.launch.py", "talker.py of ni: src/talker.py"),
+        ("bash -c 'ros2 launch ni all.launch'", "all.launch of ni: src/all.launch"),
+        ("roslaunch /launch/all.launch", ""),
+        ("echo ni all.launch", ""),
+        ("roslaunch other all.launch", ""),
+    ],
+)
+def test_what_a_command_starts(command: str, starts: str) -> None:
+    forgotten = {"ni all.launch": "src/all.launch", "ni talker.py": "src/talker.py"}
+    assert unstarted(command, forgotten) == ([starts] if starts else [])
+
+
+def test_no_image_is_made_whose_command_starts_nothing(
+    repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    monkeypatch.setitem(APP, "forgotten", {"robot all.launch": "docker-ros/ws/src/target/launch/all.launch"})
+    given = {"base_image": "ros:jazzy", "command": "roslaunch robot all.launch"}
+    with pytest.raises(RosmlError, match="the command starts what is not installed; no image was made") as caught:
+        app(repository, services, **given).build()
+    assert "src/target/launch/all.launch" in caught.value.message and "install(DIRECTORY" in caught.value.remedy
+    assert [call["name"] for call in calls] == ["packages"]
+    built = app(repository, services, **given, tests="false").build()
+    assert built.images and any("all.launch of robot" in text for _, text in built.summary()), "it is said"
+    assert app(repository, services, **given | {"command": "roslaunch robot other.launch"}).build().images
+    assert app(repository, services, **given, target="dev").build().images
 
 
 @pytest.mark.parametrize(("target", "content"), [("run", APP), ("slim", SLIM)])

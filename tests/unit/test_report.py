@@ -22,6 +22,7 @@ APP: dict[str, Any] = {
     "built": ["robot"],
     "lost": [],
     "absent": [],
+    "forgotten": {},
     "outside": [],
     "architecture": "amd64",
     "apt": {"libfoo": "1.0"},

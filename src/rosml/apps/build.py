@@ -63,6 +63,8 @@ class Built:
         outside: what the packages installed outside of the install space, which is in no image.
         lost, slim_lost: what files of the install space need, the build had and the run image or the slim image lacks.
         absent: what they need, and neither an image nor the build has.
+        forgotten: launch files and programs, as `PACKAGE NAME`, that are not installed, with a place of each. unstarted: what of that
+            the command starts.
         upstream: repositories that were imported. downstream: those of the downstream workspace.
         added: the packages of apt and pip that were added, with their versions, as `lock.Packages` has them.
         lock: what the images were built from, as a lock file says it. locked: the lock file, if it was written.
@@ -84,6 +86,8 @@ class Built:
     lost: list[str] = field(default_factory=list)
     slim_lost: list[str] = field(default_factory=list)
     absent: list[str] = field(default_factory=list)
+    forgotten: dict[str, str] = field(default_factory=dict)
+    unstarted: list[str] = field(default_factory=list)
     upstream: list[sources.Repository] = field(default_factory=list)
     downstream: list[sources.Repository] = field(default_factory=list)
     added: dict[str, Any] = field(default_factory=dict)
@@ -103,7 +107,7 @@ class Built:
     def facts(self) -> dict[str, Any]:
         """What another build from the same would come to, for `take`."""
         names = ("packages", "keys", "installed", "changed", "replaced", "outside", "slim_replaced", "added")
-        found = {name: getattr(self, name) for name in (*names, "lost", "slim_lost", "absent")}
+        found = {name: getattr(self, name) for name in (*names, "lost", "slim_lost", "absent", "forgotten")}
         return found | {"tests": [self.tests.count, self.tests.skipped]}
 
     def take(self, facts: Mapping[str, Any]) -> None:
@@ -112,6 +116,7 @@ class Built:
         self.installed, self.changed, self.replaced = facts["installed"], facts["changed"], facts["replaced"]
         self.outside, self.slim_replaced, self.added = facts["outside"], facts["slim_replaced"], facts["added"]
         self.lost, self.slim_lost, self.absent = facts["lost"], facts["slim_lost"], facts["absent"]
+        self.forgotten = facts["forgotten"]
         self.tests = junit.Tests(*facts["tests"])
 
     def summary(self) -> Iterator[tuple[str, str]]:
@@ -137,6 +142,7 @@ class Built:
             ("the run image lacks what the build has", self.lost),
             ("the slim image lacks what the build has", self.slim_lost),
             ("neither the build nor an image has", self.absent),
+            ("the command starts what is in no image", self.unstarted),
         ):
             if found:
                 yield (
@@ -282,6 +288,7 @@ class App:
                 self._require_complete(built)
             if cache:
                 cache.keep(keys, built.facts(), said.details())
+        self._require_started(built)
         unlinked = [target for target, replaced in (("run", built.replaced), (SLIM, built.slim_replaced)) if replaced]
         made = self._locked(inputs, built)
         if locked and not locked.lacks(self._names.platforms):
@@ -592,6 +599,22 @@ class App:
                     " package.xml; --no-tests makes the images all the same",
                 )
 
+    def _require_started(self, built: Built) -> None:
+        """Checks that what the command starts is installed, if the app has it.
+
+        Raises:
+            RosmlError: it is not; no image is made.
+        """
+        if not {"run", SLIM} & {*self._names.targets}:
+            return
+        built.unstarted = unstarted(self._values["command"], built.forgotten)
+        if built.unstarted and self._values["tests"] == "true":
+            raise RosmlError(
+                f"the command starts what is not installed; no image was made{_lines(built.unstarted)}",
+                "install it: install(DIRECTORY launch DESTINATION share/${PROJECT_NAME}) or install(PROGRAMS …) in"
+                " CMakeLists.txt, data_files or entry_points in setup.py; --no-tests makes the images all the same",
+            )
+
     def _require_passed(self, built: Built) -> None:
         """Checks that no test failed.
 
@@ -625,6 +648,20 @@ class App:
                 raise RosmlError(f"{count}{where}; no image was made{_lines(tests.failures)}{reports}", remedy)
 
 
+STARTS = re.compile(r"\b(roslaunch|rosrun|ros2\s+launch|ros2\s+run)\s+(?:-\S+\s+)*([\w.-]+)\s+([\w.-]+)")
+"""A program of ROS that starts something of a package."""
+
+
+def unstarted(command: str, forgotten: Mapping[str, str]) -> list[str]:
+    """What a command starts of a package that does not install it.
+
+    Args:
+        forgotten: as in `Built`.
+    """
+    asked = dict.fromkeys(f"{package} {name}" for _, package, name in STARTS.findall(command))
+    return [f"{key.partition(' ')[2]} of {key.partition(' ')[0]}: {forgotten[key]}" for key in asked if key in forgotten]
+
+
 def _lines(found: Sequence[str]) -> str:
     """Lines for a message: the first of many."""
     more = [f"and {len(found) - SHOWN} more"] if len(found) > SHOWN else []
@@ -642,6 +679,7 @@ def _take(built: Built, said: report.Said, slim: bool) -> None:
     built.lost = sorted({line for app in apps for line in app.lost})
     built.slim_lost = sorted({line for app in slim_apps for line in app.lost}.difference(built.lost))
     built.absent = sorted({line for app in (*apps, *slim_apps) for line in app.absent})
+    built.forgotten = {key: place for app in apps for key, place in app.forgotten.items()}
     built.replaced = _replaced(apps)
     built.slim_replaced = _replaced(slim_apps) if slim else None
     built.added = lock.added(app.model_dump() for app in (*apps, *slim_apps)).model_dump()

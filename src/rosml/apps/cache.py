@@ -149,6 +149,7 @@ class _Report(BaseModel):
     lost: list[str]
     slim_lost: list[str]
     absent: list[str]
+    forgotten: dict[str, str]
     tests: list[int] = Field(min_length=2, max_length=2)
     slim_replaced: list[str] | None
     added: lock.Packages

@@ -68,6 +68,7 @@ class Facts(_Model):
         changed: files of the base image that its packages change.
         built: ROS packages that are in the install space.
         lost: what files of the install space need, the build had and the image lacks. absent: what the build lacked, too.
+        forgotten: launch files and programs, as `PACKAGE NAME`, that no image has; with their places in the sources or the build.
         outside: what its ROS packages installed outside of the install space.
         architecture, apt, pip: what is to be locked, as `lock.Packages` has it.
     """
@@ -79,6 +80,7 @@ class Facts(_Model):
     built: list[str]
     lost: list[str]
     absent: list[str]
+    forgotten: dict[str, str]
     outside: list[str]
     architecture: lock.Architecture
     apt: dict[lock.Deb, lock.Version]
