@@ -35,6 +35,12 @@ MODULES = re.compile(
 
 LAUNCH = (".launch", ".launch.xml", ".launch.py", ".launch.yaml", "_launch.xml", "_launch.py", "_launch.yaml")
 
+READ = {"include": ["file"], "rosparam": ["file"], "param": ["textfile", "binfile", "command", "from"]}
+"""What launch files read, by element and attribute."""
+
+FOUND = re.compile(r"\$\(find(?:-pkg-share)?\s+([\w.-]+)\s*\)/([\w./+-]+)(?![\w./+$-])")
+"""A path in a package."""
+
 TABLE, LINE, SIZE = 1 << 20, 4096, 4 << 20
 """Bytes of a dynamic section, of a name in it, and of a text that is read, at most."""
 
@@ -221,6 +227,8 @@ class Lacking:
         elif path.name.endswith(LAUNCH):
             for package, program in _launched(path):
                 self._launch(path, package, program)
+            for package, file in _read(path):
+                self._data(path, package, file)
         elif path.parent.parent.name == "lib" and path.parent.name in self._packages and _is_python(path):
             self._imports(path, path.parent)
 
@@ -231,6 +239,15 @@ class Lacking:
         if not _is_of(self._image.programs.get(name, []), package):
             before = self._before_of(self._before.programs.get(name, []), package)
             self._say(path, f"the program {program} of {package}", before)
+
+    def _data(self, path: Path, package: str, file: str) -> None:
+        if package not in self._packages:
+            return
+        folders = [self._install / below / kind / package for below in ("", package) for kind in ("share", "lib")]
+        if not any((folder / name).exists() for folder in folders for name in (file, os.path.basename(file))):
+            there = [folder for folder, name in self._before.manifests.items() if name == package]
+            before = [f"{folder}/{file}" for folder in there if (self._root / folder / file).exists()]
+            self._say(path, f"{file} of {package}", min(before, default=""))
 
     def _before_of(self, places: Iterable[str], package: str) -> str:
         """Where the sources or the build of a package have a file; empty if they do not."""
@@ -341,6 +358,26 @@ def _launched(path: Path) -> Iterator[tuple[str, str]]:
         package, program = said.get("package"), said.get("executable")
         if isinstance(package, str) and isinstance(program, str):
             yield package, program
+
+
+def _read(path: Path) -> Iterator[tuple[str, str]]:
+    """Files that a launch file in XML reads in any case: packages, and paths in them."""
+
+    def below(element: ElementTree.Element) -> Iterator[ElementTree.Element]:
+        if not {"if", "unless"} & {*element.keys()}:
+            yield element
+            for child in element:
+                yield from below(child)
+
+    if path.suffix not in (".launch", ".xml"):
+        return
+    try:
+        elements = [*below(ElementTree.fromstring(_text(path)))]
+    except (ElementTree.ParseError, ValueError, RecursionError):
+        return
+    for element in elements:
+        for name in READ.get(element.tag, ()):
+            yield from FOUND.findall(element.get(name, ""))
 
 
 def _is_python(path: Path) -> bool:

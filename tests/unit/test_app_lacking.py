@@ -148,6 +148,36 @@ def test_modules_and_programs_that_only_the_build_had_are_lost(script: ModuleTyp
     ]
 
 
+def test_files_that_a_launch_file_reads(script: ModuleType, tmp_path: Path) -> None:
+    """In any case: not behind a condition, and not where an argument names the file."""
+    launch = """<launch>
+      <include file="$(find ni)/launch/part.launch"/><include file="$(find-pkg-share ni)/launch/there.launch"/>
+      <include file="$(find other)/launch/x.launch"/><include file="$(find ni)/maps/$(arg map).launch"/>
+      <node pkg="a" type="b" name="c"><rosparam command="load" file="$(find ni)/config/a.yaml"/></node>
+      <group if="$(arg sim)"><include file="$(find ni)/launch/sim.launch"/></group>
+      <param name="d" command="$(find xacro)/xacro $(find ni)/urdf/ni.xacro size:=1"/>
+      <param name="e" textfile="$(find ni)/made.txt"/><param name="f" command="$(find ni)/scripts/make.py"/>
+    </launch>"""
+    share, source = f"{WS}/install/ni/share/ni", f"{WS}/src/target/folder"
+    names = ("launch/part.launch", "launch/sim.launch", "config/a.yaml", "urdf/ni.xacro", "maps/$(arg map).launch")
+    built = write(
+        tmp_path / "built",
+        {
+            f"{source}/package.xml": "<package><name>ni</name></package>",
+            **{f"{source}/{name}": "" for name in names},
+            f"{share}/launch/all.launch": launch,
+            f"{share}/launch/there.launch": "<launch/>",
+            f"{WS}/install/ni/lib/ni/make.py": "",
+        },
+    )
+    found = script.Lacking(write(tmp_path / "runtime", {"etc/x": ""}), built, ["ni"])
+    assert sorted(found.lost) == [
+        f"ni/share/ni/launch/all.launch needs {name} of ni, which is in no image: {source}/{name}"
+        for name in ("config/a.yaml", "launch/part.launch", "urdf/ni.xacro")
+    ]
+    assert "ni/share/ni/launch/all.launch needs made.txt of ni" in found.absent
+
+
 def test_launch_files_and_programs_that_are_not_installed(script: ModuleType, tmp_path: Path) -> None:
     """Of a package in a folder of another name, or in that of the repository."""
     manifest = "<package><name>{}</name></package>"
