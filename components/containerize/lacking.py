@@ -40,6 +40,8 @@ READ = {"include": ["file"], "rosparam": ["file"], "param": ["textfile", "binfil
 
 FOUND = re.compile(r"\$\(find(?:-pkg-share)?\s+([\w.-]+)\s*\)/([\w./+-]+)(?![\w./+$-])")
 """A path in a package."""
+COMMANDS = ("bin", "sbin")
+"""Names of folders with programs."""
 
 TABLE, LINE, SIZE = 1 << 20, 4096, 4 << 20
 """Bytes of a dynamic section, of a name in it, and of a text that is read, at most."""
@@ -106,14 +108,16 @@ class Files:
     """What there is to be found, by name.
 
     Attributes:
-        libraries: a place of each. programs: all places in the workspace of what can be started. launches: of launch files.
-            modules: of Python, with the folders that have them. sources: of Python in the working folder, as paths without their
-            endings. manifests: folders of sources that have one, with the name of the package.
+        libraries: a place of each. programs: all places in the workspace of what can be started. commands: a place of each in
+            a folder for programs. launches: of launch files. modules: of Python, with the folders that have them. sources: of
+            Python in the working folder, as paths without their endings. manifests: folders of sources that have one, with
+            the name of the package.
     """
 
     def __init__(self) -> None:
         self.libraries: dict[str, str] = {}
         self.programs: dict[str, list[str]] = {}
+        self.commands: dict[str, str] = {}
         self.modules: dict[str, set[Path]] = {}
         self.sources: set[str] = set()
         self.launches: dict[str, list[str]] = {}
@@ -130,6 +134,8 @@ class Files:
                 path, where = os.path.join(above, name), os.path.normpath(os.path.join(place, name))
                 if LIBRARY.fullmatch(name) and _leads_somewhere(path):
                     self.libraries.setdefault(name, where)
+                if os.path.basename(place) in COMMANDS:
+                    self.commands.setdefault(name, where)
                 if not where.startswith("docker-ros/"):
                     continue
                 if name.endswith(".py"):
@@ -185,6 +191,7 @@ class Lacking:
 
     def __init__(self, runtime: Path, built: Path, packages: Iterable[str]) -> None:
         self._root, self._install, self._packages = built, built / INSTALL, {*packages}
+        self._runtime = runtime
         self._image = Files().add(runtime).add(built, INSTALL)
         self._before = Files().add(built)
         shells = (elf(runtime / name) for name in ("usr/bin/dash", "bin/dash", "usr/bin/bash", "bin/bash"))
@@ -229,8 +236,30 @@ class Lacking:
                 self._launch(path, package, program)
             for package, file in _read(path):
                 self._data(path, package, file)
-        elif path.parent.parent.name == "lib" and path.parent.name in self._packages and _is_python(path):
-            self._imports(path, path.parent)
+        elif path.parent.parent.name == "lib" and path.parent.name in self._packages:
+            self._interpreter(path)
+            if _is_python(path):
+                self._imports(path, path.parent)
+
+    def _interpreter(self, path: Path) -> None:
+        """Looks for the program that starts a script. `env` looks for it in PATH, which may have any folder of programs."""
+        line = _text(path, LINE).partition("\n")[0]
+        words = line[2:].split()
+        if not line.startswith("#!") or not words or not os.access(path, os.X_OK):
+            return
+        if line.endswith("\r"):
+            self._say(path, "Linux's line ends to start; it has those of Windows", "")
+            return
+        program = words[0]
+        if os.path.basename(program) == "env":
+            program = next((word for word in words[1:] if not word.startswith("-") and "=" not in word), "")
+            there, before = program in self._image.commands, self._before.commands.get(program, "")
+        else:
+            place = program.lstrip("/")
+            there = os.path.lexists((self._root if place.startswith(INSTALL) else self._runtime) / place)
+            before = place if os.path.lexists(self._root / place) else ""
+        if program and not there:
+            self._say(path, f"{program} to start", before)
 
     def _launch(self, path: Path, package: str, program: str) -> None:
         if package not in self._packages or not program or "$" in program:

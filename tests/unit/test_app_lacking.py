@@ -101,7 +101,11 @@ def test_libraries_that_only_the_build_had_are_lost(script: ModuleType, tmp_path
 
 def test_modules_and_programs_that_only_the_build_had_are_lost(script: ModuleType, tmp_path: Path) -> None:
     site, python = f"{WS}/install/ni/lib/python3.11/site-packages", "usr/lib/python3.11"
-    there: dict[str, str | bytes] = {f"{python}/os.py": "", "usr/lib/python3/dist-packages/rospy/__init__.py": ""}
+    there: dict[str, str | bytes] = {
+        f"{python}/os.py": "",
+        "usr/lib/python3/dist-packages/rospy/__init__.py": "",
+        "usr/bin/python3": elf(),
+    }
     runtime = write(tmp_path / "runtime", there)
     launch = "".join(
         f'<node pkg="{package}" type="{name}"/>'
@@ -240,6 +244,33 @@ def test_no_image_is_made_whose_command_starts_nothing(
     assert built.images and any("all.launch of robot" in text for _, text in built.summary()), "it is said"
     assert app(repository, services, **given | {"command": "roslaunch robot other.launch"}).build().images
     assert app(repository, services, **given, target="dev").build().images
+
+
+def test_scripts_that_nothing_starts_are_named(script: ModuleType, tmp_path: Path) -> None:
+    """Python 2's name, a virtual environment that only the build had, the line ends of Windows."""
+    lines = {
+        "good.py": "#!/usr/bin/env python3",
+        "plain.sh": "#!/bin/sh -e",
+        "options.py": "#!/usr/bin/env -S A=1 python3 -u",
+        "own": f"#!/{WS}/install/ni/lib/ni/good.py",
+        "module.py": "import sys",
+        "old.py": "#!/usr/bin/env python",
+        "venv.py": "#!/opt/venv/bin/python3",
+        "windows.py": "#!/usr/bin/env python3\r",
+        "windows.sh": "#!/bin/sh -e\r",
+    }
+    runtime = write(tmp_path / "runtime", {"bin/sh": elf(), "usr/bin/env": elf(), "usr/bin/python3": elf()})
+    scripts = {f"{WS}/install/ni/lib/ni/{name}": f"{line}\n" for name, line in lines.items()}
+    built = write(tmp_path / "built", {"usr/bin/python3": elf(), "opt/venv/bin/python3": elf(), **scripts})
+    found = script.Lacking(runtime, built, ["ni"])
+    assert found.lost == {
+        "ni/lib/ni/venv.py needs /opt/venv/bin/python3 to start, which is in no image: opt/venv/bin/python3"
+    }
+    assert sorted(found.absent) == [
+        "ni/lib/ni/old.py needs python to start",
+        "ni/lib/ni/windows.py needs Linux's line ends to start; it has those of Windows",
+        "ni/lib/ni/windows.sh needs Linux's line ends to start; it has those of Windows",
+    ]
 
 
 @pytest.mark.parametrize(("target", "content"), [("run", APP), ("slim", SLIM)])
