@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs the tests of the packages in src/$TESTED (src/target if it is not set), in the workspace that workspace.sh built. Their JUnit files and those of CTest
 # go into a folder for each package, with `failed`, a list of what failed, if something did: whoever reads it says so, after
-# the reports are out.
+# the reports are out. What left no JUnit file has what it printed in output.log.
 #   test.sh OUT [built]   built: their programs are there, and no compiler
 set -euo pipefail
 
@@ -25,10 +25,20 @@ if [[ ${ROS_VERSION:-} == 1 && -z ${2:-} ]]; then # catkin builds tests by a tar
   }
 fi
 touch "$scratch/begun"
-colcon test --base-paths "$folder" --packages-select "${packages[@]}" --event-handlers console_cohesion+ ||
-  echo "colcon test ended with an error" >>"$out/failed"
-sed -n -E 's/^\[[0-9.]+\] \((.+)\) TestFailure: .*/\1: its tests failed and left no report/p' \
-  "$COLCON_LOG_PATH/latest_test/events.log" >>"$out/failed" || true # without a log, the line above says why
+colcon test --base-paths "$folder" --packages-select "${packages[@]}" --event-handlers console_cohesion+ || ended=$?
+# Of Python's own tests, and of programs that write no JUnit file, there is what they printed.
+logs=$COLCON_LOG_PATH/latest_test
+named=$(sed -n -E "s/^\[[0-9.]+\] \((.+)\) (TestFailure: |JobEnded: .*'rc': [^0]).*/\1/p" "$logs/events.log" | sort -u) ||
+  ended=${ended:-1}
+for package in $named; do
+  # Python 3.12 and newer end like this if a package has no tests.
+  log=$logs/$package/stdout_stderr.log
+  if grep -q -s -x 'NO TESTS RAN' "$log"; then continue; fi
+  echo "$package: its tests failed and left no report; $package/output.log has what they printed" >>"$out/failed"
+  mkdir -p "$out/$package"
+  tail --bytes=1M "$log" >"$out/$package/output.log" || true # it may have none
+done
+if [[ -n ${ended:-} && -z $named ]]; then echo "colcon test ended with $ended" >>"$out/failed"; fi
 for package in "${packages[@]}"; do
   # What the build wrote is no result. JUnit files are XML with a test suite; CTest's own file has a list of tests.
   find "build/$package" -name '*.xml' -xtype f -newer "$scratch/begun" -print0 >"$scratch/reports"

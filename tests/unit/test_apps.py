@@ -1076,22 +1076,31 @@ def test_a_long_name_or_message_is_cut(tmp_path: Path) -> None:
 
 COLCON = """#!/bin/sh
 case $1 in
-list) printf '%s\n' robot arm ;;
+list) printf '%s\n' robot arm bare ;;
 test)
   sleep 0.05 # times of files are not exact
   mkdir -p "$COLCON_LOG_PATH/latest_test"
-  printf "[0.1] (robot) JobStarted: {}\n[0.2] (robot) TestFailure: {'identifier': 'robot'}\n" \
-    >"$COLCON_LOG_PATH/latest_test/events.log"
+  for name in robot arm bare; do mkdir -p "$COLCON_LOG_PATH/latest_test/$name"; done
+  cd "$COLCON_LOG_PATH/latest_test"
+  printf "[0.1] (robot) JobStarted: {}\n[0.2] (robot) TestFailure: {'identifier': 'robot'}\n" >events.log
+  printf "[0.2] (robot) JobEnded: {'identifier': 'robot', 'rc': 0}\n" >>events.log
+  printf "[0.3] (arm) JobEnded: {'identifier': 'arm', 'rc': 1}\n" >>events.log # as with tests of Python's unittest
+  printf "[0.3] (bare) JobEnded: {'identifier': 'bare', 'rc': 5}\n" >>events.log
+  echo 'core dumped' >robot/stdout_stderr.log
+  echo '1 != 2' >arm/stdout_stderr.log
+  printf 'Ran 0 tests in 0.000s\n\nNO TESTS RAN\n' >bare/stdout_stderr.log
+  cd "$OLDPWD"
   echo '<testsuite/>' >build/robot/new.xml
   echo '<Site><TestList></TestList></Site>' >build/robot/Test.xml
-  echo '<other/>' >build/robot/other.xml ;;
+  echo '<other/>' >build/robot/other.xml
+  exit 1 ;;
 esac
 """
 
 
 def test_what_a_build_wrote_is_no_result_of_tests(tmp_path: Path) -> None:
     work, out = tmp_path / "ws", tmp_path / "results"
-    for name in ("robot/data", "arm"):
+    for name in ("robot/data", "arm", "bare"):
         (work / "build" / name).mkdir(parents=True)
     (work / "build/robot/data/sample.xml").write_text("<testsuite/>")
     (tmp_path / "colcon").write_text(COLCON)
@@ -1099,8 +1108,10 @@ def test_what_a_build_wrote_is_no_result_of_tests(tmp_path: Path) -> None:
     environment = {"PATH": f"{tmp_path}:{os.environ['PATH']}", "WORKSPACE": str(work), "TMPDIR": str(tmp_path)}
     subprocess.run([ROOT / "components/containerize/test.sh", out], env=environment, check=True)
     left = sorted(str(path.relative_to(out)) for path in out.rglob("*") if path.is_file())
-    assert left == ["failed", "robot/Test.xml", "robot/new.xml"]
-    assert (out / "failed").read_text() == "robot: its tests failed and left no report\n"
+    assert left == ["arm/output.log", "failed", "robot/Test.xml", "robot/new.xml", "robot/output.log"]
+    text = "{0}: its tests failed and left no report; {0}/output.log has what they printed\n"
+    assert (out / "failed").read_text() == text.format("arm") + text.format("robot")
+    assert (out / "arm/output.log").read_text() == "1 != 2\n"
 
 
 @pytest.mark.parametrize("script", ["workspace.sh target", "test.sh out"])

@@ -80,12 +80,14 @@ def test_results_are_of_their_packages_platforms_and_images(tmp_path: Path) -> N
     entries: dict[str, archives.Content] = {
         "linux_amd64/results/robot/a.xml": SUITE,
         "linux_amd64/results/failed": "robot: left no report\n",
+        "linux_amd64/results/robot/output.log": "1 != 2",
         "linux_arm64/results/robot/a.xml": SUITE,
         "linux_arm64/slim/robot/a.xml": link,
         "linux_amd64/downstream/user/a.xml": link,
     }
     found = left_by_tests(tmp_path, entries, "linux/amd64", "linux/arm64")
     assert found.target == junit.Tests(3, 0, ("robot: left no report",))
+    assert (tmp_path / "report/linux_amd64/results/robot/output.log").read_text() == "1 != 2"
     reason = "it is a link, and not a file"
     assert found.slim == junit.Tests(1, 0, (f"linux_arm64/slim/robot/a.xml: {reason}",))
     assert found.downstream == junit.Tests(1, 0, (f"linux_amd64/downstream/user/a.xml: {reason}",))

@@ -11,6 +11,9 @@ from xml.etree import ElementTree
 FAILED = "failed"
 """The file with what left no report, a line each."""
 
+PRINTED = "output.log"
+"""The file of a package with what its tests printed, if they left no report."""
+
 _WRONG = ("failures", "errors")
 """The numbers of a test suite that failed."""
 

@@ -190,5 +190,5 @@ def tests(archive: Path, folder: Path, platforms: Sequence[str]) -> Tests:
 
 
 def _is_report(path: PurePosixPath) -> bool:
-    """Whether a file is one that tests leave: JUnit files and those of CTest, and the list of what left none."""
-    return path.suffix == ".xml" or path.name == junit.FAILED
+    """Whether a file is one that tests leave: JUnit files and those of CTest, and the list of what left none, with what that printed."""
+    return path.suffix == ".xml" or path.name in (junit.FAILED, junit.PRINTED)
