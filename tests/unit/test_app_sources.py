@@ -283,10 +283,21 @@ def test_two_files_that_contradict_each_other(place: Place) -> None:
     place.put(repos(a=(a, "v2")), "2.repos")
     error = place.refused()
     assert f"1.repos:1: main of {a}" in error.message and f"2.repos:1: v2 of {a}" in error.message
+    assert "--vcs-import-file 1.repos" in error.remedy and len(place.fetch(recursive=False, file="1.repos")) == 1
     for first, second in (("a", "a/b"), ("a/b", "a")):
         place.put(repos(**{first: (a, "main")}), "1.repos")
         place.put(repos(**{second: (a, "main")}), "2.repos")
         assert "a/b lies within a, which " in place.refused().message
+
+
+def test_the_format_of_rosinstall_is_read_as_vcstool_does(place: Place) -> None:
+    url = place.root / "a"
+    hash = commit(url, {"f": "1"})
+    place.put(
+        f"- git: {{local-name: lib/a, uri: {url}, version: main}}\n- git: {{local-name: b, uri: {url}}}\n", "x.repos"
+    )
+    found = place.fetch()
+    assert [(each.path, each.version, each.commit) for each in found] == [("b", "", hash), ("lib/a", "main", hash)]
 
 
 @pytest.mark.parametrize(
@@ -310,7 +321,14 @@ def test_two_files_that_contradict_each_other(place: Place) -> None:
         ("repositories: {x: {type: git}}", "no url"),
         ("repositories: {x: 1}", "x is no mapping"),
         ("repositories: {x: {type: git, url: /a}, x: {type: git, url: /b}}", "x is there twice"),
-        ("- git: {local-name: x}", "the file is no mapping"),
+        ("- git: {local-name: x}", "git: no uri; write it as '- git:"),
+        ("- git: {uri: /a}", "git: no local-name"),
+        ("- git: {local-name: x, uri: /a, url: /b}", "unknown key 'url'; did you mean 'uri'?"),
+        ("- git: {local-name: x, uri: /a}\n  hg: {}", "no repository of the format of rosinstall"),
+        ("- svn: {local-name: x, uri: /a}", "the type is svn; only git works"),
+        ("- git: {local-name: x, uri: 'https://h/x'}\n- git: {local-name: x, uri: 'https://h/y'}", "x is there twice"),
+        ("- x", "a repository is no mapping"),
+        ("x", "the file is no mapping"),
         ("repos: {}", "no key 'repositories'"),
         ("repositories: [", "not YAML"),
         (

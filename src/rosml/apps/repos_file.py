@@ -2,6 +2,8 @@
 
 Newer releases of vcs2l have `extends`: a file, or a list of files, beside this one. Of two that name one path the later one counts, and what the
 file itself names counts before all of them.
+
+A file that is a list has the format of rosinstall: `- git: {local-name: PATH, uri: URL, version: VERSION}`.
 """
 
 from __future__ import annotations
@@ -24,6 +26,9 @@ KEYS = ("type", "url", "version")
 
 VERSIONS = ("branch", "tag", "commit", "ref", "rev", "revision", "hash", "sha", "checkout")
 """What people write in the place of `version`."""
+
+ROSINSTALL = {"local-name": "path", "uri": "url", "version": "version"}
+"""What a repository may have in a file of rosinstall, and what it is called here."""
 
 EXTENDS = 10
 """How many files may extend each other, one above the other."""
@@ -125,6 +130,8 @@ class _Reader:
         node = _parsed(file, name)
         if _is_empty(node):
             return {}
+        if isinstance(node, yaml.SequenceNode):
+            return {entry.path: entry for entry in _of_rosinstall(name, node, self._local)}
         top = _mapping(node, name, "the file")
         listed, extends = top.pop("repositories", None), top.pop("extends", None)
         if listed is None and extends is None:
@@ -140,7 +147,7 @@ class _Reader:
             found |= self.entries(parent, above)
         if listed is not None and not _is_empty(listed[1]):
             for key, value in _mapping(listed[1], name, "repositories").values():
-                entry = _entry(name, key, value, self._local)
+                entry = _entry(name, key, dict(_texts(name, key.value, value, KEYS)), self._local)
                 found[entry.path] = entry
         return found
 
@@ -177,6 +184,8 @@ def _parsed(file: Path, name: str) -> Any:
 
 
 _FORMAT = "write it as 'repositories: {PATH: {type: git, url: URL, version: VERSION}}'"
+
+_ROSINSTALL = "write it as '- git: {local-name: PATH, uri: URL, version: VERSION}'"
 
 _Pair = tuple[Any, Any]
 
@@ -235,8 +244,33 @@ def _nodes(node: Any) -> set[int]:
     return found
 
 
-def _entry(name: str, key: Any, node: Any, local: bool) -> Entry:
-    fields = dict(_texts(name, key.value, node))
+def _of_rosinstall(name: str, node: Any, local: bool) -> Iterator[Entry]:
+    """The repositories of a file that is a list."""
+    said: set[str] = set()
+    for item in node.value:
+        pairs = [*_mapping(item, name, "a repository").values()]
+        if len(pairs) != 1:
+            _refuse(name, item, "no repository of the format of rosinstall", _ROSINSTALL)
+        ((kind, value),) = pairs
+        fields = _mapping(value, name, kind.value)
+        texts = dict(_texts(name, kind.value, value, tuple(ROSINSTALL)))
+        for needed in ("local-name", "uri"):
+            if not texts.get(needed):
+                _refuse(name, kind, f"{kind.value}: no {needed}", _ROSINSTALL)
+        entry = _entry(
+            name,
+            fields["local-name"][1],
+            {"type": kind.value} | {ROSINSTALL[key]: text for key, text in texts.items()},
+            local,
+        )
+        if entry.path in said:
+            _refuse(name, kind, f"{entry.path} is there twice", "keep one of them")
+        said.add(entry.path)
+        yield entry
+
+
+def _entry(name: str, key: Any, fields: dict[str, str], local: bool) -> Entry:
+    """A repository. `key`: the node of its path."""
     if not fields.get("type"):
         _refuse(name, key, f"{key.value}: no type", "add 'type: git'")
     if fields["type"] != "git":
@@ -253,10 +287,10 @@ def _entry(name: str, key: Any, node: Any, local: bool) -> Entry:
     return Entry(_path(name, key), url, version, name, key.start_mark.line + 1)
 
 
-def _texts(name: str, path: str, node: Any) -> Iterator[tuple[str, str]]:
+def _texts(name: str, path: str, node: Any, known: tuple[str, ...]) -> Iterator[tuple[str, str]]:
     """The plain values of a repository, as they are written: YAML would read the version 1.10 as the number 1.1."""
     fields = _mapping(node, name, path)
-    _require_known(name, {key: pair for key, pair in fields.items() if key not in KEYS}, KEYS)
+    _require_known(name, {key: pair for key, pair in fields.items() if key not in known}, known)
     for key, (_, value) in fields.items():
         if not isinstance(value, yaml.ScalarNode):
             _refuse(name, value, f"{path}: {key} is no text")

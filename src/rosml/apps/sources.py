@@ -143,7 +143,8 @@ def _new(entries: Iterable[Entry], known: dict[str, Entry]) -> list[Entry]:
                 f"{entry.path} is two different things:\n"
                 f"  {first.place}: {first.version or 'the default branch'} of {first.url}\n"
                 f"  {entry.place}: {entry.version or 'the default branch'} of {entry.url}",
-                "give it the same url and version in both files, or another path",
+                "give it the same url and version in both files, or another path; or let one file count, such as with"
+                f" --no-enable-recursive-vcs-import --vcs-import-file {first.file}",
                 exit_code=2,
             )
     for path in sorted(known):
