@@ -73,6 +73,13 @@ def test_what_tools_made_stays_where_it_is(tmp_path: Path) -> None:
         "install/COLCON_IGNORE",
         "venv/pyvenv.cfg",
         "venv/b/package.xml",
+        ".catkin_tools/CATKIN_IGNORE",
+        "devel/.catkin",
+        "devel/.private/a/setup.sh",
+        "logs/a/build.log",
+        "ws/install/.catkin",
+        "ws/install/share/a/package.xml",
+        "build_isolated/CATKIN_IGNORE",
     )
     assert staged(robot, tmp_path / "out") == kept
     assert {path.parent.name for path in workspace.manifests(robot, left=LeftOut(robot))} == {"a", "build"}

@@ -1,4 +1,4 @@
-"""What of a folder is not sent to the builder: what `.dockerignore` names, virtual environments, and what colcon made."""
+"""What of a folder is not sent to the builder: what `.dockerignore` names, virtual environments, and what colcon and catkin made."""
 
 from __future__ import annotations
 
@@ -12,8 +12,18 @@ from rosml.base import files
 from rosml.base.errors import RosmlError
 
 FILE = ".dockerignore"
-MADE = ("build", "install", "log")
-"""Folders that colcon makes where it is called; each has a file COLCON_IGNORE."""
+MADE = {
+    "build": ("COLCON_IGNORE", "CATKIN_IGNORE"),
+    "build_isolated": ("CATKIN_IGNORE",),
+    "install": ("COLCON_IGNORE",),
+    "log": ("COLCON_IGNORE",),
+    "logs": ("../.catkin_tools",),
+    ".catkin_tools": ("CATKIN_IGNORE",),
+}
+"""Folders that colcon, catkin_make and catkin_tools make where they are called, each with what they put there."""
+
+SPACE = ".catkin"
+"""A file in each folder into which catkin installs, and in each that it makes to develop in."""
 
 MOST = 1 << 20
 """Bytes of a `.dockerignore`."""
@@ -44,9 +54,9 @@ class LeftOut:
         """Whether a folder stays, with all that is in it."""
         if folder.is_symlink():
             return self(folder)
-        if (folder / "pyvenv.cfg").is_file():
+        if (folder / "pyvenv.cfg").is_file() or (folder / SPACE).is_file():
             return True
-        if folder.parent == self._root and folder.name in MADE and (folder / "COLCON_IGNORE").is_file():
+        if folder.parent == self._root and any((folder / mark).exists() for mark in MADE.get(folder.name, ())):
             return True
         return not self._brings_back and self(folder)
 
