@@ -140,7 +140,7 @@ if [[ " $* " == *" build "* ]]; then
     if [[ -n $colcon ]]; then debs+=(python3-colcon-common-extensions); else debs+=(colcon); fi
   fi
   # What the build and the tests call colcon for: without some of these it builds nothing, or leaves no setup.bash.
-  for extension in bash cmake output package_information package_selection ros; do
+  for extension in bash cmake metadata output package_information package_selection ros; do
     if ! python3 -c "import colcon_$extension" 2>/dev/null; then debs+=("python3-colcon-${extension//_/-}"); fi
   done
 fi

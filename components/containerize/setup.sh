@@ -14,6 +14,13 @@ if [[ -z ${ROS_VERSION:-} ]]; then
 fi
 cd "${WORKSPACE:-/docker-ros/ws}" || exit
 
+# metas_of FOLDER: what people say of packages in colcon.meta of their folder, as if they called colcon there: in $metas.
+# shellcheck disable=SC2034  # whoever calls it reads it
+metas_of() {
+  metas=()
+  if [[ -e $1/colcon.meta ]]; then metas=(--metas "$1/colcon.meta"); fi
+}
+
 # What somebody said of the number of jobs; empty if nobody did.
 asked_jobs() { cat /run/secrets/parallel-jobs 2>/dev/null || true; }
 

@@ -16,16 +16,17 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 listed=$(colcon list --names-only --base-paths "$folder")
 if [[ -z $listed ]]; then exit; fi
 mapfile -t packages <<<"$listed"
+metas_of "$folder"
 if [[ ${ROS_VERSION:-} == 1 && -z ${2:-} ]]; then # catkin builds tests by a target of their own
   limit_jobs "${#packages[@]}"
-  colcon build --base-paths "$folder" "${workers[@]}" --packages-select "${packages[@]}" --event-handlers console_cohesion+ \
+  colcon build --base-paths "$folder" "${metas[@]}" "${workers[@]}" --packages-select "${packages[@]}" --event-handlers console_cohesion+ \
     --cmake-target tests --cmake-target-skip-unavailable || {
     why=$(killed)
     echo "tests do not build${why:+: a program was killed ($why); memory may have run out: --parallel-jobs 1}" >>"$out/failed"
   }
 fi
 touch "$scratch/begun"
-colcon test --base-paths "$folder" --packages-select "${packages[@]}" --event-handlers console_cohesion+ || ended=$?
+colcon test --base-paths "$folder" "${metas[@]}" --packages-select "${packages[@]}" --event-handlers console_cohesion+ || ended=$?
 # Of Python's own tests, and of programs that write no JUnit file, there is what they printed.
 logs=$COLCON_LOG_PATH/latest_test
 named=$(sed -n -E "s/^\[[0-9.]+\] \((.+)\) (TestFailure: |JobEnded: .*'rc': [^0]).*/\1/p" "$logs/events.log" | sort -u) ||

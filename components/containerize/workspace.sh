@@ -11,14 +11,27 @@ mkdir -p "$WORKSPACE/src/$1"
 cp -R --preserve=mode,links /run/sources/. "$WORKSPACE/src/$1"
 # shellcheck source=components/containerize/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
-listed=$(colcon list --names-only --base-paths "src/$1")
+listed=$(colcon list --paths-only --base-paths "src/$1")
 if [[ -z $listed ]]; then exit; fi
+# colcon knows more kinds of packages than those with a manifest, and looks for none inside of a package.
+while IFS= read -r place; do
+  if [[ -e $place/package.xml ]]; then continue; fi
+  inside=$(find "$place" -mindepth 1 \( -name '.*' -o -exec test -e {}/COLCON_IGNORE -o -e {}/CATKIN_IGNORE -o -e {}/AMENT_IGNORE \; \) \
+    -prune -o -name package.xml -print -quit)
+  if [[ -n $inside ]]; then
+    echo "error: colcon takes $place for a package of CMake or Python, and does not build ${inside%/package.xml} inside of it;" \
+      "call rosml for a folder below, or let docker/before_dependency_identification.sh remove CMakeLists.txt, setup.py and" \
+      "pyproject.toml of $place" >&2
+    exit 1
+  fi
+done <<<"$listed"
 arguments=()
 eval "arguments=(${CMAKE_ARGS:-})"
 own=()
 eval "own=(${COLCON_ARGS:-})"
 limit_jobs "$(wc -l <<<"$listed")"
-colcon build --base-paths "src/$1" --event-handlers console_cohesion+ "${workers[@]}" "${own[@]}" --cmake-args "${arguments[@]}" || {
+metas_of "src/$1"
+colcon build --base-paths "src/$1" "${metas[@]}" --event-handlers console_cohesion+ "${workers[@]}" "${own[@]}" --cmake-args "${arguments[@]}" || {
   code=$?
   why=$(killed)
   if [[ -n $why ]]; then

@@ -1128,6 +1128,29 @@ def test_a_colcon_that_cannot_list_is_no_empty_workspace(script: str, tmp_path: 
     assert done.returncode != 0 and "invalid choice: 'list'" in done.stderr
 
 
+@pytest.mark.parametrize(
+    ("files", "hides"),
+    [
+        (["setup.py", "ros/a/package.xml"], "src/target/ros/a"),
+        (["CMakeLists.txt", "a/COLCON_IGNORE", "a/b/package.xml", ".git/package.xml"], ""),
+        (["package.xml", "templates/a/package.xml"], ""),
+    ],
+)
+def test_a_package_of_another_kind_hides_none_with_a_manifest(files: list[str], hides: str, tmp_path: Path) -> None:
+    """As a setup.py beside the folder with ROS packages: colcon builds that alone, and ends well."""
+    for name in files:
+        place = tmp_path / "ws/src/target" / name
+        place.parent.mkdir(parents=True, exist_ok=True)
+        place.touch()
+    (tmp_path / "colcon").write_text("#!/bin/sh\n[ $1 != list ] || echo src/target\n")
+    (tmp_path / "colcon").chmod(0o755)
+    (tmp_path / "cp").symlink_to("/bin/true")
+    environment = {"PATH": f"{tmp_path}:{os.environ['PATH']}", "WORKSPACE": str(tmp_path / "ws")}
+    command = [ROOT / "components/containerize/workspace.sh", "target"]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    assert (done.returncode != 0) == bool(hides) and (f"does not build {hides} inside" in done.stderr) == bool(hides)
+
+
 def test_no_image_is_made_without_a_package_that_has_a_manifest(
     repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
 ) -> None:

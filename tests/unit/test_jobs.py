@@ -50,7 +50,7 @@ def test_the_memory_of_this_machine(tmp_path: Path) -> None:
 
 COLCON = """
 case $1 in
-list) echo a ;;
+list) mkdir -p src/target/a && echo src/target/a ;;
 build)
   echo "$* $MAKEFLAGS" >calls
   mkdir -p "$COLCON_LOG_PATH/build_1/a" && ln -sfn build_1 "$COLCON_LOG_PATH/latest_build"
@@ -88,9 +88,11 @@ def test_a_build_says_of_a_program_that_was_killed(line: str, says: str, tmp_pat
     (tmp_path / "src").mkdir()
     env = {"PATH": f"{tmp_path}:{os.environ['PATH']}", "WORKSPACE": str(tmp_path / "ws"), "MAKEFLAGS": ""}
     env |= {"COLCON_ARGS": "--executor sequential", "CMAKE_ARGS": "-DA='b c'"}
-    (tmp_path / "ws").mkdir()
+    (tmp_path / "ws/src/target").mkdir(parents=True)
+    (tmp_path / "ws/src/target/colcon.meta").write_text("{}")
     done = subprocess.run(["bash", "-c", script, "workspace.sh", "target"], env=env, capture_output=True, text=True)
     assert done.returncode == 2, done.stderr
+    assert "build --base-paths src/target --metas src/target/colcon.meta " in (tmp_path / "ws/calls").read_text()
     assert "--executor sequential --cmake-args -DA=b c" in (tmp_path / "ws/calls").read_text()
     last = done.stderr.splitlines()[-1:]
     assert says in "".join(last) and bool(last) == bool(says)

@@ -7,7 +7,7 @@ cd "$work"
 colcon --log-base /dev/null list --names-only --base-paths .
 for verb in build test; do
   said=$(colcon --log-base /dev/null "$verb" --help)
-  words=(--base-paths --packages-select console_cohesion)
+  words=(--base-paths --metas --packages-select console_cohesion)
   if [[ $verb == build ]]; then words+=(--cmake-args --cmake-target --catkin-skip-building-tests); fi
   for word in "${words[@]}"; do
     [[ $said == *"$word"* ]] || { echo "colcon $verb has no $word" >&2; exit 1; }
