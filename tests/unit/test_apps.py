@@ -1146,7 +1146,7 @@ def test_a_package_of_another_kind_hides_none_with_a_manifest(files: list[str], 
     (tmp_path / "colcon").chmod(0o755)
     (tmp_path / "cp").symlink_to("/bin/true")
     environment = {"PATH": f"{tmp_path}:{os.environ['PATH']}", "WORKSPACE": str(tmp_path / "ws")}
-    command = [ROOT / "components/containerize/workspace.sh", "target"]
+    command = [str(ROOT / "components/containerize/workspace.sh"), "target"]
     done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
     assert (done.returncode != 0) == bool(hides) and (f"does not build {hides} inside" in done.stderr) == bool(hides)
 
