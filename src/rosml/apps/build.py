@@ -659,7 +659,9 @@ def unstarted(command: str, forgotten: Mapping[str, str]) -> list[str]:
         forgotten: as in `Built`.
     """
     asked = dict.fromkeys(f"{package} {name}" for _, package, name in STARTS.findall(command))
-    return [f"{key.partition(' ')[2]} of {key.partition(' ')[0]}: {forgotten[key]}" for key in asked if key in forgotten]
+    return [
+        f"{key.partition(' ')[2]} of {key.partition(' ')[0]}: {forgotten[key]}" for key in asked if key in forgotten
+    ]
 
 
 def _lines(found: Sequence[str]) -> str:
