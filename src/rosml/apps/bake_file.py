@@ -101,20 +101,15 @@ def render(
         lock: what the images are built from, for a label.
     """
     values = inputs.values
-    secrets = [f"type=env,id={name},env={item}" for name, item in _MIRRORS.items() if item in environment]
+    steps = _steps(services, environment, names.platforms)
     if values["parallel-jobs"]:  # as a secret, for the result does not depend on it: steps need not run again
-        secrets.append("type=env,id=parallel-jobs,env=PARALLEL_JOBS")
-    if services.ca_bundle:
-        secrets.append(f"type=file,id=ca-bundle,src={services.ca_bundle}")
+        steps["secret"].append("type=env,id=parallel-jobs,env=PARALLEL_JOBS")
     stages = {name: f"docker-image://{reference}" for name, reference in known.items()}
     onto = inputs.base.adopted if BASE not in known else None
     base = {BASE: f"target:{BASE}" if onto else stages.pop(BASE, f"docker-image://{inputs.base.reference}")}
     if inputs.slim:
         base["slim"] = f"docker-image://{inputs.slim.reference}"
     contexts = {name: str(path) for name, path in inputs.contexts.items()}
-    steps: dict[str, Any] = {"platforms": list(names.platforms), "secret": secrets}
-    if buildx.local_servers(services):
-        steps["network"] = "host"
     common = {
         **steps,
         "context": str(inputs.empty),
@@ -164,6 +159,37 @@ def render(
         }
     groups = {PACKAGES: {"targets": [*first, *(f"keep-{stage}" for stage in kept)]}}
     return json.dumps(_literal({"group": groups, "target": targets}), indent=2) + "\n"
+
+
+def render_base(
+    base: Base,
+    services: Services,
+    environment: Iterable[str],
+    platforms: Iterable[str],
+    tag: str,
+    output: str,
+    empty: Path,
+) -> str:
+    """The bake file of a base image that gets ROS, alone.
+
+    Args:
+        environment: variables that are set. tag: its full name. output: where it goes. empty: a folder without files.
+    """
+    assert base.adopted
+    targets = adopted.base_targets(base.adopted, BASE, _steps(services, environment, platforms), empty)
+    said = targets[BASE]["labels"] | {TITLE: f"{base.adopted.image.target} on {base.name}"}
+    said |= {BASE_NAME: base.name, BASE_DIGEST: base.digest}
+    targets[BASE] |= {"tags": [tag], "output": [output], "labels": said}
+    return json.dumps(_literal({"target": targets}), indent=2) + "\n"
+
+
+def _steps(services: Services, environment: Iterable[str], platforms: Iterable[str]) -> dict[str, Any]:
+    """What all targets with steps have in common."""
+    secrets = [f"type=env,id={name},env={item}" for name, item in _MIRRORS.items() if item in environment]
+    if services.ca_bundle:
+        secrets.append(f"type=file,id=ca-bundle,src={services.ca_bundle}")
+    host = {"network": "host"} if buildx.local_servers(services) else {}
+    return {"platforms": list(platforms), "secret": secrets, **host}
 
 
 def mirrors_with_a_password(environment: Mapping[str, str]) -> list[str]:

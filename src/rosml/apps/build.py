@@ -12,7 +12,7 @@ from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from rosml.apps import bake_file, contents, junit, lock, report, rosdep_index, sources, within, workspace
+from rosml.apps import adopt, bake_file, contents, junit, lock, report, rosdep_index, sources, within, workspace
 from rosml.apps import base as bases
 from rosml.apps import cache as caches
 from rosml.apps.cache import IDENTIFIED
@@ -226,7 +226,7 @@ class App:
         digest = locked.base_image.of(named) if locked else ""
         base = bases.find(named, self._services, self._names.platforms, digest)
         self._say(f"base image {base.name}")
-        base = bases.with_ros(base, self._services, self._values, self._names.platforms, self._say)
+        base = adopt.with_ros(base, self._services, self._values, self._names.platforms, self._say)
         if not self._names.loads:
             with oci.Registries(self._services.ca_bundle) as registries:
                 tags = [tag for target in self._names.targets for tag in self._names.tags(target)]

@@ -23,6 +23,7 @@ from rosml.bake.inputs import Inputs
 from rosml.bake.targets import NoInput, Overridable, Value
 from rosml.base import files
 from rosml.base.file_lock import turn
+from rosml.images import labels
 from rosml.images.image_set import Image, ImageSet
 from rosml.images.system import TOOLS, System, system
 from rosml.machine import buildx, exported
@@ -189,9 +190,23 @@ def base_targets(adopted: Adopted, name: str, common: Mapping[str, Any], nothing
         **inline,
         "dockerfile-inline": _last(adopted, kept),
         "contexts": {"ros": f"target:{on}"},
+        "labels": _labels(adopted, every[adopted.image.target].labels),
         "args": {f"KEPT_{key}": value for key, value in kept.items()},
     }
     return found
+
+
+_OWN = re.compile(r"(NVIDIA_)?(CUDA|CUDNN|PYTORCH|TORCH|TENSORFLOW)_VERSION")
+"""Variables by which images say that they have CUDA or a framework."""
+
+
+def _labels(adopted: Adopted, ours: Mapping[str, Value]) -> dict[str, str]:
+    """What `rosml join` asks an image for, and no claim about what is somebody else's."""
+    found = {
+        name: str(value) for name, value in ours.items() if name.startswith(labels.PREFIX) and isinstance(value, str)
+    }
+    own = " ".join(name for name in sorted(adopted.environment) if _OWN.fullmatch(name))
+    return {name: value for name, value in {**found, labels.OWN: own}.items() if value and name != labels.RUNTIME}
 
 
 def _last(adopted: Adopted, kept: Iterable[str]) -> str:

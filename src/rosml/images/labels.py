@@ -35,6 +35,9 @@ GPU = f"{PREFIX}gpu."
 RUNTIME = f"{PREFIX}runtime"
 """The label of an image that says on which component programs run that are built on it."""
 
+OWN = f"{PREFIX}own"
+"""The label of an image of somebody else, with ROS on it, that has CUDA or a framework of its own: the variables that say so."""
+
 RELEASE = f"{PREFIX}release"
 """The label of a part that says what it is a release of."""
 

@@ -147,6 +147,9 @@ def _require_ros(ros: Source) -> None:
         if labels.APP in ros.labels:
             plain = "an image of the app without a framework"
         raise RosmlError(f"{ros.name} has {carried} already", f"take {plain}", exit_code=2)
+    if own := ros.labels.get(labels.OWN):
+        text = f"{ros.name} has CUDA or a framework of its own, of its base image: {own}"
+        raise RosmlError(text, "take it as it is; parts go on a base image without", exit_code=2)
     _require_whole(ros)
 
 
