@@ -140,10 +140,10 @@ class Files:
                     continue
                 if name.endswith(".py"):
                     self.sources.add(place if name == "__init__.py" else where[:-3])
-                if os.access(path, os.X_OK):
-                    self.programs.setdefault(name, []).append(where)
-                if name.endswith(LAUNCH):
+                if name.endswith(LAUNCH):  # also one that Windows made a program
                     self.launches.setdefault(name, []).append(where)
+                elif os.access(path, os.X_OK):
+                    self.programs.setdefault(name, []).append(where)
                 if name == "package.xml" and WORK.match(where):
                     self.manifests[place] = _package(Path(path))
         return self
@@ -229,6 +229,8 @@ class Lacking:
                 for name in found.needed:
                     if os.path.basename(name) not in self._image.libraries and not DRIVER.fullmatch(name):
                         self._say(path, name, self._before.libraries.get(os.path.basename(name), ""))
+        elif os.access(path, os.X_OK) and re.match(rb"#![^\n]*\r\n", _bytes(path, LINE)):
+            self.lost.add(f"{self._shown(path)} cannot start: its lines end with CR LF, as on Windows; dos2unix corrects them")
         elif path.name == "entry_points.txt" and path.parent.suffix in (".egg-info", ".dist-info"):
             self._entry_points(path)
         elif path.name.endswith(LAUNCH):
@@ -414,5 +416,9 @@ def _is_python(path: Path) -> bool:
 
 
 def _text(path: Path, size: int = SIZE) -> str:
+    return _bytes(path, size).decode("utf-8", "replace")
+
+
+def _bytes(path: Path, size: int) -> bytes:
     with open(path, "rb") as file:
-        return file.read(size).decode("utf-8", "replace")
+        return file.read(size)

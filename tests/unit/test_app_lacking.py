@@ -152,6 +152,16 @@ def test_modules_and_programs_that_only_the_build_had_are_lost(script: ModuleTyp
     ]
 
 
+def test_a_script_with_lines_of_windows(script: ModuleType, tmp_path: Path) -> None:
+    """Linux looks for an interpreter whose name ends with CR. Other files may end their lines so."""
+    names = {"lib/ni/a.py": "#!/usr/bin/env python3\r\nx = 1\r\n", "lib/ni/b.py": "#!/bin/sh\nprintf '\r\n'\n"}
+    names |= {"share/ni/c.yaml": "a: 1\r\n", "share/ni/d.py": names["lib/ni/a.py"]}
+    built = write(tmp_path / "built", {f"{WS}/install/ni/{name}": text for name, text in names.items()})
+    (built / f"{WS}/install/ni/share/ni/d.py").chmod(0o644)
+    found = script.Lacking(write(tmp_path / "runtime", {"etc/x": ""}), built, ["ni"])
+    assert found.lost == {"ni/lib/ni/a.py cannot start: its lines end with CR LF, as on Windows; dos2unix corrects them"}
+
+
 def test_files_that_a_launch_file_reads(script: ModuleType, tmp_path: Path) -> None:
     """In any case: not behind a condition, and not where an argument names the file."""
     launch = """<launch>
@@ -201,9 +211,9 @@ def test_launch_files_and_programs_that_are_not_installed(script: ModuleType, tm
             f"{WS}/install/top/share/top/launch/there.launch.py": "",
         },
     )
-    for path in built.rglob("*"):
-        if path.suffix in (".launch", ".xml") or path.name.endswith(".launch.py"):
-            path.chmod(0o644)
+    (built / f"{WS}/install/top/share/top/launch/there.launch.py").chmod(0o644)
+    for folder in (".", "some_folder", "broken"):
+        (built / f"{WS}/src/target/{folder}/package.xml").chmod(0o644)
     found = script.Lacking(write(tmp_path / "runtime", {"etc/x": ""}), built, ["ni", "top"])
     assert found.forgotten() == {
         "top all.launch": f"{WS}/src/target/launch/all.launch",
