@@ -43,6 +43,9 @@ FOUND = re.compile(r"\$\(find(?:-pkg-share)?\s+([\w.-]+)\s*\)/([\w./+-]+)(?![\w.
 COMMANDS = ("bin", "sbin")
 """Names of folders with programs."""
 
+POINTER = b"version https://git-lfs.github.com/spec/v1\n"
+"""How a file begins that Git LFS has not fetched."""
+
 TABLE, LINE, SIZE = 1 << 20, 4096, 4 << 20
 """Bytes of a dynamic section, of a name in it, and of a text that is read, at most."""
 
@@ -231,6 +234,8 @@ class Lacking:
                         self._say(path, name, self._before.libraries.get(os.path.basename(name), ""))
         elif os.access(path, os.X_OK) and re.match(rb"#![^\n]*\r\n", _bytes(path, LINE)):
             self.lost.add(f"{self._shown(path)} cannot start: its lines end with CR LF, as on Windows; dos2unix corrects them")
+        elif _bytes(path, len(POINTER)) == POINTER:
+            self.lost.add(f"{self._shown(path)} is a pointer of Git LFS in the place of the file: git lfs pull fetches it")
         elif path.name == "entry_points.txt" and path.parent.suffix in (".egg-info", ".dist-info"):
             self._entry_points(path)
         elif path.name.endswith(LAUNCH):

@@ -162,6 +162,14 @@ def test_a_script_with_lines_of_windows(script: ModuleType, tmp_path: Path) -> N
     assert found.lost == {"ni/lib/ni/a.py cannot start: its lines end with CR LF, as on Windows; dos2unix corrects them"}
 
 
+def test_a_file_that_git_lfs_has_not_fetched(script: ModuleType, tmp_path: Path) -> None:
+    pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 9\n"
+    files = {f"{WS}/install/ni/share/ni/arm.stl": pointer, f"{WS}/install/ni/share/ni/about": f"# {pointer}"}
+    files[f"{WS}/src/target/not_installed.stl"] = pointer
+    found = script.Lacking(write(tmp_path / "runtime", {"etc/x": ""}), write(tmp_path / "built", files), ["ni"])
+    assert found.lost == {"ni/share/ni/arm.stl is a pointer of Git LFS in the place of the file: git lfs pull fetches it"}
+
+
 def test_files_that_a_launch_file_reads(script: ModuleType, tmp_path: Path) -> None:
     """In any case: not behind a condition, and not where an argument names the file."""
     launch = """<launch>
