@@ -54,12 +54,13 @@ give() {
   fi
 }
 
-# give_workspace: the user owns it, and finds it as ~/ws.
+# give_workspace: the user owns it, and finds it as ~/ws, if the home is the container's own: nothing is left in a mounted one.
 give_workspace() {
   local folder
   ordinary "${WORKSPACE:-/docker-ros/ws}" || return 0
-  if [[ ! -e $home/ws && ! -L $home/ws && $home/ != "$folder"/* && -w $home ]]; then
+  if [[ ! -e $home/ws && ! -L $home/ws && $home/ != "$folder"/* && -w $home && $(stat --format %d "$home") == $(stat --format %d /) ]]; then
     ln --symbolic "$folder" "$home/ws"
+    chown --no-dereference "$uid:$gid" "$home/ws"
   fi
   give "$folder"
 }
@@ -247,7 +248,11 @@ builtin unset -f exec cd
 unset IFS
 if [[ $PWD != "$_rosml_folder" ]]; then cd -- "$_rosml_folder" || exit 70; fi
 if [[ ${#_rosml_command[@]} -eq 0 ]]; then exec bash; fi
-if [[ -x /usr/local/share/rosml/only-runs.sh ]] && ! type -P -- "${_rosml_command[0]}" >/dev/null; then
-  /usr/local/share/rosml/only-runs.sh "${_rosml_command[0]}"
+if ! type -P -- "${_rosml_command[0]}" >/dev/null; then
+  if [[ ${_rosml_command[0]} == *" "* && ! -e ${_rosml_command[0]} ]]; then
+    echo "entrypoint: no program is called '${_rosml_command[0]}'; leave out the quotes, or write bash -c before them" >&2
+    exit 127
+  fi
+  if [[ -x /usr/local/share/rosml/only-runs.sh ]]; then /usr/local/share/rosml/only-runs.sh "${_rosml_command[0]}"; fi
 fi
 exec -- "${_rosml_command[@]}"

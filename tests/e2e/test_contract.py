@@ -86,6 +86,8 @@ def test_exit_codes_and_arguments_pass_through(container: Container, options: tu
     for command in (("--help",), ("-c", "env"), ("-l", "bash"), ("A=1", "id")):  # no options of ours, nor of exec
         done = container.run(*command, options=given)
         assert (done.code, done.out) == (127, ""), done
+    done = container.run("rospack list", options=given)
+    assert done.code == 127 and "leave out the quotes" in done.err
 
 
 @pytest.mark.parametrize("environment", [{}, {"DOCKER_UID": "1234", "DOCKER_GID": "1234"}], ids=["root", "user"])
@@ -355,6 +357,8 @@ def test_a_home_with_something_mounted_in_it_becomes_the_users(container: Contai
     done = container.run("bash", "-euc", script, options=mount(sources, f"/home/{user}/.config/mine"))
     assert (done.code, done.out, done.err) == (0, f"{user}\n", "")
     assert owners(sources) == before
+    container.bash("test ! -L ~/ws", options=mount(sources, f"/home/{user}"), DOCKER_USER=user, **USER)
+    assert {path.name for path in sources.iterdir()} == {"package"}, "nothing is left in a home of this machine"
 
 
 def test_homes_and_workspaces_in_odd_places(container: Container) -> None:
