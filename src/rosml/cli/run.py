@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from contextlib import suppress
 from dataclasses import replace
 from functools import cache
 
@@ -187,6 +188,10 @@ def start(program: str, line: words.Line, caller: Person, files: Files) -> None:
     plan = planned(trust.settled(Context(line, facts.engine, caller, facts.image, machine)))
 
     def prepare() -> None:
+        for folder in plan.folders:
+            if not machine.has(folder):
+                with suppress(OSError):  # then the engine does what it can
+                    machine.path(folder).mkdir(parents=True)
         for file, content in plan.files.items():
             write(machine.path(file), content)
 

@@ -59,6 +59,16 @@ def resolved(given: Given, folder: str) -> Given:
     return anchored(given, folder) if given.names[-1] in ("volume", "mount") else given
 
 
+def mounted(given: Given) -> list[str]:
+    """What `-v` mounts of this machine. `--mount` refuses a folder that is missing; of `-v`, docker makes it, for root.
+
+    Args:
+        given: an option whose paths are absolute.
+    """
+    source, colon, _ = (given.value or "").partition(":")
+    return [source] if given.names[-1] == "volume" and colon and source.startswith("/") else []
+
+
 def bind(source: str, target: str) -> str:
     """The value of `--mount` for a folder. `-v` could not have a colon in a path."""
     return joined(["type=bind", f"source={source}", f"target={target}"])

@@ -53,9 +53,11 @@ class Found:
 
 @dataclass(frozen=True)
 class Plan:
-    """What is to be done. Attributes: argv: the engine's command. files, notes: as in what plugins add."""
+    """What is to be done. Attributes: argv: the engine's command. folders: of this machine, which -v mounts. files, notes: as in what
+    plugins add."""
 
     argv: tuple[str, ...]
+    folders: tuple[str, ...] = ()
     files: Mapping[str, bytes] = field(default_factory=dict)
     notes: tuple[tuple[str, str], ...] = ()
 
@@ -164,9 +166,11 @@ def plan(context: Context, plugins: Iterable[Plugin] = OWN) -> Plan:
         more += added.words
         files |= added.files
         notes += added.notes
-    written = [word for given in line.engine for word in paths.resolved(given, context.person.folder).words]
+    resolved = [paths.resolved(given, context.person.folder) for given in line.engine]
+    written = [word for given in resolved for word in given.words]
+    folders = tuple(place for given in resolved for place in paths.mounted(given)) if context.is_here else ()
     argv = (context.engine.program, "run", *more, *written, line.image, *line.command)
-    return Plan(argv, files, tuple(notes))
+    return Plan(argv, folders, files, tuple(notes))
 
 
 def _added(plugin: Plugin, context: Context) -> Added:
