@@ -540,6 +540,37 @@ def test_root_has_a_home() -> None:
 
 
 @pytest.mark.parametrize(
+    ("words", "selinux", "expected"),
+    [
+        (["--mws"], True, True),
+        (["--mwd"], True, True),
+        (["--mws"], False, False),
+        ([], True, False),
+        (["-v", "/a:/b:z"], True, False),
+        (["--mws", "--security-opt", "label=type:container_runtime_t"], True, False),
+        (["--mws", "--privileged"], True, False),
+    ],
+)
+def test_selinux_keeps_no_container_from_what_rosml_mounts(words: list[str], selinux: bool, expected: bool) -> None:
+    engine = Engine("podman", podman=True, rootless=True, selinux=selinux)
+    assert ("label=disable" in without_others(words=words, engine=engine)) == expected
+
+
+@pytest.mark.parametrize(
+    ("info", "selinux"),
+    [
+        (DOCKER, False),
+        ({**DOCKER, "SecurityOptions": ["name=selinux"]}, True),
+        (PODMAN, False),
+        ({"host": {"security": {"rootless": True, "selinuxEnabled": True}}}, True),
+    ],
+)
+def test_an_engine_says_whether_it_has_selinux(desk: Desk, info: dict[str, Any], selinux: bool) -> None:
+    desk.engine(info=info)
+    assert ("label=disable" in desk.call("--dry-run", "--mwd", "ubuntu").stdout) == selinux
+
+
+@pytest.mark.parametrize(
     ("info", "expected"),
     [(DOCKER, (False, False)), (ROOTLESS, (False, True)), (PODMAN, (True, True)), ({"host": {}}, (True, False))],
 )

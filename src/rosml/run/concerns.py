@@ -107,6 +107,18 @@ def mounts(context: Context) -> Sequence[str]:
     return added
 
 
+def labels(context: Context, added: Sequence[str]) -> Sequence[str]:
+    """SELinux lets no container read what rosml mounts: another label on it (`-v …:z`) would stay on a person's files, and no socket
+    of their session can have one. So this container has no label, as in toolbox and distrobox.
+
+    Args:
+        added: what rosml adds.
+    """
+    line = context.line
+    said = line.has("privileged") or any(value.startswith("label") for value in line.values("security-opt"))
+    return ["--security-opt", "label=disable"] if context.engine.selinux and "--mount" in added and not said else []
+
+
 def targets(line: Line, folder: str, environment: Mapping[str, str]) -> Sequence[str]:
     """Where the current folder is mounted, for --mwd and --mws.
 

@@ -16,7 +16,7 @@ class Engine:
     """What runs containers. Attributes: program: its command. podman: it is podman, or podman by the name of docker.
     rootless: it runs without root's rights, so that root in a container is somebody else outside.
     nvidia: NVIDIA's container runtime is one of its runtimes. cdi: the folders in which it looks for CDI's files. machine: the
-    name of the machine on which it runs; empty where it does not say."""
+    name of the machine on which it runs; empty where it does not say. selinux: it gives its containers labels of SELinux."""
 
     program: str = "docker"
     podman: bool = False
@@ -24,6 +24,7 @@ class Engine:
     nvidia: bool = False
     cdi: tuple[str, ...] = ()
     machine: str = ""
+    selinux: bool = False
 
 
 @dataclass(frozen=True)

@@ -315,14 +315,16 @@ def _described_engine(command: str, found: Mapping[str, Any]) -> Engine | None:
     """
     if "host" in found:
         host = _kind(dict, found["host"])
-        rootless = bool(_kind(dict, host.get("security", {})).get("rootless"))
-        return Engine(command, podman=True, rootless=rootless, cdi=CDI, machine=str(host.get("hostname") or ""))
+        security, machine = _kind(dict, host.get("security", {})), str(host.get("hostname") or "")
+        rootless, selinux = bool(security.get("rootless")), bool(security.get("selinuxEnabled"))
+        return Engine(command, podman=True, rootless=rootless, cdi=CDI, machine=machine, selinux=selinux)
     if found.get("ServerErrors") or not found.get("ServerVersion"):
         return None
     options = [option.partition(",")[0] for option in _texts(found.get("SecurityOptions"))]
     nvidia = "nvidia" in _kind(dict, found.get("Runtimes") or {})
     rootless, cdi = "name=rootless" in options, tuple(_texts(found.get("CDISpecDirs")))
-    return Engine(command, rootless=rootless, nvidia=nvidia, cdi=cdi, machine=str(found.get("Name") or ""))
+    machine, selinux = str(found.get("Name") or ""), "name=selinux" in options
+    return Engine(command, rootless=rootless, nvidia=nvidia, cdi=cdi, machine=machine, selinux=selinux)
 
 
 def _guessed(command: str) -> Engine:

@@ -166,6 +166,7 @@ def plan(context: Context, plugins: Iterable[Plugin] = OWN) -> Plan:
         more += added.words
         files |= added.files
         notes += added.notes
+    more += concerns.labels(context, more)
     resolved = [paths.resolved(given, context.person.folder) for given in line.engine]
     written = [word for given in resolved for word in given.words]
     folders = tuple(place for given in resolved for place in paths.mounted(given)) if context.is_here else ()
