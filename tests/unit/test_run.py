@@ -556,6 +556,13 @@ def test_selinux_keeps_no_container_from_what_rosml_mounts(words: list[str], sel
     assert ("label=disable" in without_others(words=words, engine=engine)) == expected
 
 
+def test_a_docker_that_is_a_snap_says_where_its_files_are(desk: Desk) -> None:
+    desk.engine(info={**DOCKER, "DockerRootDir": "/var/snap/docker/common/var-lib-docker"})
+    done = desk.call("--dry-run", "ubuntu", DISPLAY=":0")
+    assert done.returncode == 0 and "docker is a snap" in done.stderr
+    assert desk.call("--dry-run", "ubuntu").stderr == "", "without a display, nobody misses it"
+
+
 @pytest.mark.parametrize(
     ("info", "selinux"),
     [

@@ -460,6 +460,22 @@ def test_an_engine_on_another_machine(x11: Machine, engine: Engine, files: list[
             concern(asked)
 
 
+def test_an_engine_that_is_a_snap(x11: Machine) -> None:
+    """It has its own /tmp and /run: with a mount of what is not there, nothing would start. GPUs are there."""
+    snap = Engine(snap=True)
+    for place in ("/agent", f"{RUNTIME}/pulse/native", f"{RUNTIME}/wayland-0", "/dev/dri/card0"):
+        x11.socket(place)
+    x11.environment["SSH_AUTH_SOCK"] = "/agent"
+    added = sockets.windows(x11.context(engine=snap))
+    ((text, remedy),) = added.notes
+    assert (added.words, added.files) == ([], {}) and "docker is a snap" in text and "--no-x11" in remedy
+    assert sockets.windows(x11.context("--no-x11", engine=snap)) == Added([], notes=[])
+    assert gpu.gpu(x11.context(engine=snap)).words
+    for concern, option in ((sockets.windows, "wayland"), (sockets.sound, "sound"), (sockets.ssh_agent, "ssh-agent")):
+        with pytest.raises(RosmlError, match=f"--{option}: docker is a snap"):
+            concern(x11.context(f"--{option}", engine=snap))
+
+
 # ---- What the command does with it -----------------------------------------------------------------------------------
 
 

@@ -16,7 +16,8 @@ class Engine:
     """What runs containers. Attributes: program: its command. podman: it is podman, or podman by the name of docker.
     rootless: it runs without root's rights, so that root in a container is somebody else outside.
     nvidia: NVIDIA's container runtime is one of its runtimes. cdi: the folders in which it looks for CDI's files. machine: the
-    name of the machine on which it runs; empty where it does not say. selinux: it gives its containers labels of SELinux."""
+    name of the machine on which it runs; empty where it does not say. selinux: it gives its containers labels of SELinux.
+    snap: it is a snap, which has its own /tmp and /run, and sees no socket of a session."""
 
     program: str = "docker"
     podman: bool = False
@@ -25,6 +26,7 @@ class Engine:
     cdi: tuple[str, ...] = ()
     machine: str = ""
     selinux: bool = False
+    snap: bool = False
 
 
 @dataclass(frozen=True)

@@ -324,7 +324,8 @@ def _described_engine(command: str, found: Mapping[str, Any]) -> Engine | None:
     nvidia = "nvidia" in _kind(dict, found.get("Runtimes") or {})
     rootless, cdi = "name=rootless" in options, tuple(_texts(found.get("CDISpecDirs")))
     machine, selinux = str(found.get("Name") or ""), "name=selinux" in options
-    return Engine(command, rootless=rootless, nvidia=nvidia, cdi=cdi, machine=machine, selinux=selinux)
+    snap = str(found.get("DockerRootDir") or "").startswith("/var/snap/")
+    return Engine(command, rootless=rootless, nvidia=nvidia, cdi=cdi, machine=machine, selinux=selinux, snap=snap)
 
 
 def _guessed(command: str) -> Engine:

@@ -30,6 +30,10 @@ WHOLE_NETWORK = "ros-network"
 """rosml's option that gives this machine's network to the container: the engines take it once."""
 
 
+SNAP = "docker is a snap here, and a snap does not see the sockets of your session"
+OTHER = "install another docker: snap remove docker; apt-get install docker.io"
+
+
 def runtime(host: Host, person: Person) -> str:
     """The folder of the person's session; empty where they have none. It is removed at logout. sudo may leave that of
     somebody else in the environment."""
@@ -48,15 +52,22 @@ def variables(**values: str) -> list[str]:
 
 
 def _elsewhere(context: Context, option: str) -> Sequence[str]:
-    """What another machine gets of a session: nothing.
+    """What another machine, or a snap, gets of a session: nothing.
 
     Raises:
         RosmlError: somebody asks for it.
     """
     if context.line.asks(option):
+        if context.engine.snap:
+            raise RosmlError(f"--{option}: {SNAP}", f"leave out --{option}, or {OTHER}")
         text = f"--{option}: {context.engine.program} runs containers on {context.engine.machine}, and not here"
         raise RosmlError(text, f"leave out --{option}, or call it there")
     return []
+
+
+def _reaches(context: Context) -> bool:
+    """Whether the engine sees the sockets of the person's session."""
+    return context.is_here and not context.engine.snap
 
 
 # ---- Windows ---------------------------------------------------------------------------------------------------------
@@ -69,8 +80,10 @@ def windows(context: Context) -> Added:
         RosmlError: somebody asks for Wayland, and nothing answers.
     """
     line = context.line
-    if not context.is_here:
-        return Added(_elsewhere(context, "wayland"))
+    if not _reaches(context):
+        words = _elsewhere(context, "wayland")
+        wanted = context.host.environment.get("DISPLAY") and not (line.asks("no-x11") or line.sets("DISPLAY"))
+        return Added(words, notes=[(f"no windows: {SNAP}", f"{OTHER}; --no-x11 asks for none")] if wanted and context.is_here else [])
     x11 = NOTHING if line.asks("no-x11") or line.sets("DISPLAY") else _x11(context)
     wanted = line.asks("wayland")
     if not wanted and (x11.words or line.asks("no-x11") or line.sets("DISPLAY", "WAYLAND_DISPLAY")):
@@ -165,7 +178,7 @@ def sound(context: Context) -> Sequence[str]:
         RosmlError: neither answers.
     """
     host, line, folder = context.host, context.line, runtime(context.host, context.person)
-    if not context.is_here:
+    if not _reaches(context):
         return _elsewhere(context, "sound")
     if not line.asks("sound") or line.sets("PULSE_SERVER"):
         return []
@@ -191,7 +204,7 @@ def ssh_agent(context: Context) -> Sequence[str]:
     Raises:
         RosmlError: there is none.
     """
-    if not context.is_here:
+    if not _reaches(context):
         return _elsewhere(context, "ssh-agent")
     if not context.line.asks("ssh-agent") or context.line.sets("SSH_AUTH_SOCK"):
         return []
