@@ -22,7 +22,7 @@ import sys
 import time
 from collections import defaultdict
 from pathlib import Path
-from typing import Dict, Iterable, Iterator, NamedTuple, NoReturn, Set
+from typing import AbstractSet, Dict, Iterable, Iterator, NamedTuple, NoReturn, Set
 
 import manifests
 from manifests import fail
@@ -246,8 +246,14 @@ class Rosdep:
         self._platform = system, version, keys, default
 
 
-def answers(packages: Packages, skipped: set[str], rosdep: Rosdep) -> dict[str, list[Answer]]:
-    """What each key became that is no package of the workspace; ends the program where nobody knows some."""
+def answers(
+    packages: Packages, skipped: set[str], rosdep: Rosdep, plain: AbstractSet[str] = frozenset()
+) -> dict[str, list[Answer]]:
+    """What each key became that is no package of the workspace; ends the program where nobody knows some.
+
+    Args:
+        plain: packages of the workspace without a manifest. rosdep may know another package of that name.
+    """
     asking: defaultdict[str, set[str]] = defaultdict(set)
     for package, kinds in packages.items():
         for key in set().union(*kinds.values()) - packages.keys() - skipped:
@@ -257,7 +263,8 @@ def answers(packages: Packages, skipped: set[str], rosdep: Rosdep) -> dict[str, 
         try:
             found[key] = rosdep.find(key)
         except KeyError:
-            unknown.append(key)
+            if key not in plain:
+                unknown.append(key)
         except NoWay as rule:
             fail(
                 f"rosdep's rule for {key}, which {', '.join(sorted(asking[key]))} asks for, is not one of apt or pip: {rule}",
@@ -267,6 +274,12 @@ def answers(packages: Packages, skipped: set[str], rosdep: Rosdep) -> dict[str, 
         explain({key: asking[key] for key in unknown}, packages, rosdep)
     return found
 
+
+OTHER = {
+    "1": re.compile(r"ament_.+|rcl(cpp|py)(_.+)?|rosidl_.+|ros2(cli|launch|run|bag.*)|launch_ros"),
+    "2": re.compile(r"catkin|ros(cpp|py|lib|launch|bash|core)|message_(generation|runtime)|nodelet|roslaunch"),
+}
+"""By the ROS of the base image: keys that packages of the other one ask for."""
 
 SHOWN = 12
 """How many keys that are not known are told one by one: the last lines of a step are what people see."""
@@ -279,6 +292,10 @@ def explain(unknown: dict[str, set[str]], packages: Iterable[str], rosdep: Rosde
         unknown: who asks for it. packages: those of the workspace.
     """
     elsewhere = []
+    version = os.environ.get("ROS_VERSION", "")
+    foreign = {
+        name for key, names in unknown.items() if version in OTHER and OTHER[version].fullmatch(key) for name in names
+    }
     for number, (key, names) in enumerate(unknown.items()):
         why, ruled = rosdep.why_not(key, packages)
         elsewhere += [key] if ruled else []
@@ -293,6 +310,11 @@ def explain(unknown: dict[str, set[str]], packages: Iterable[str], rosdep: Rosde
             f"rosdep's lists could not be fetched: {rosdep.failure}; those of the image do not know all keys",
             f"check the network; or name lists with --rosdep-index, such as a checkout of ros/rosdistro; or {skip}",
         )
+    if foreign:
+        fail(
+            f"the base image has ROS {version}, and no package for what {', '.join(sorted(foreign))} of the other ROS asks for",
+            "leave such packages out: name them in docker/blacklisted-packages.txt, or put COLCON_IGNORE into them",
+        )
     fail(
         f"rosdep knows no package for {len(unknown)} of the keys",
         f"check the names; put a package that is missing into a .repos file, or name other lists with --rosdep-index; or {skip}",
@@ -302,7 +324,7 @@ def explain(unknown: dict[str, set[str]], packages: Iterable[str], rosdep: Rosde
 def main(folder: Path, left_out: Path, index: Path, scratch: Path, out: Path) -> None:
     packages = read(folder, left_out)
     skipped = set(re.split(r"[\s,]+", os.environ.get("SKIP_KEYS", ""))) - {""}
-    found = answers(packages, skipped | provided(), Rosdep(index, scratch))
+    found = answers(packages, skipped | provided(), Rosdep(index, scratch), manifests.plain(folder))
     lists: defaultdict[str, set[str]] = defaultdict(set)
     for kinds in packages.values():
         for kind, keys in kinds.items():

@@ -9,6 +9,7 @@ Removes the packages that the list LEFT_OUT names from FOLDER.
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import sys
 from pathlib import Path
@@ -20,12 +21,17 @@ IGNORED = {"COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"}
 """Files that keep colcon from looking for packages in a folder."""
 
 
+PROJECT = re.compile(r"""^[ \t]*project[ \t]*\([ \t]*"?([\w.+-]+)""", re.IGNORECASE | re.MULTILINE)
+"""How a CMakeLists.txt names its package, as colcon reads it."""
+
+
 def fail(message: str, remedy: str) -> NoReturn:
     sys.exit(f"error: {message}; {remedy}")
 
 
 def _manifests(folder: Path) -> list[Path]:
-    """The package.xml of all packages, as colcon finds them: none in an ignored folder, and none inside of another package.
+    """The package.xml of all packages, as colcon finds them: none in an ignored folder, and none inside of another package. Of
+    folders that are in no package, the CMakeLists.txt.
 
     A folder behind a link is one of them, once, unless the link leads out."""
     found = []
@@ -39,8 +45,8 @@ def _manifests(folder: Path) -> list[Path]:
         seen.add(real)
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         ignored = IGNORED & set(names)
-        if "package.xml" in names and not ignored:
-            found.append(Path(path, "package.xml"))
+        there = [name for name in ("package.xml", "CMakeLists.txt") if name in names and not ignored]
+        found += [Path(path, name) for name in there[:1]]
         if ignored or "package.xml" in names:
             folders.clear()
     return found
@@ -66,6 +72,8 @@ def all_packages(folder: Path) -> dict[str, tuple[Path, Any]]:
     """All packages by name: the place of each below the folder, and its manifest."""
     found: dict[str, tuple[Path, Any]] = {}
     for path in _manifests(folder):
+        if path.name != "package.xml":
+            continue
         place = path.parent.relative_to(folder)
         package = _parsed(path, shown(place) / path.name)
         if package.name in found:
@@ -75,6 +83,12 @@ def all_packages(folder: Path) -> dict[str, tuple[Path, Any]]:
             )
         found[package.name] = place, package
     return found
+
+
+def plain(folder: Path) -> set[str]:
+    """The names of packages without a manifest: colcon builds them, and before those that name them."""
+    files = [path for path in _manifests(folder) if path.name != "package.xml"]
+    return {name for path in files for name in PROJECT.findall(path.read_text("utf-8", "replace"))[:1]}
 
 
 def packages(folder: Path, left_out: Path) -> list[tuple[Path, Any]]:

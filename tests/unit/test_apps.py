@@ -198,13 +198,23 @@ def test_manifests_are_those_that_colcon_finds(tmp_path: Path) -> None:
         (repository / path / "package.xml").write_text(PACKAGE.format(path[-1]))
     (repository / "hidden/COLCON_IGNORE").touch()
     (repository / "a/node.cpp").touch()
+    for path in ("a", "b", "hidden"):
+        (repository / path / "CMakeLists.txt").write_text("# its name\nproject(b CXX)\nadd_library(b b.cpp)\n")
     (tmp_path / "none").mkdir()
     counts = workspace.write_manifests({"target": repository, "upstream": tmp_path / "none"}, tmp_path / "out")
     assert counts == {"target": 2, "upstream": 0}
     written = sorted(
         str(path.relative_to(tmp_path / "out")) for path in (tmp_path / "out").rglob("*") if path.is_file()
     )
-    assert written == ["target/a/package.xml", "target/b/c/package.xml", "target/hidden/COLCON_IGNORE"]
+    assert written == [
+        "target/a/package.xml",
+        "target/b/CMakeLists.txt",
+        "target/b/c/package.xml",
+        "target/hidden/COLCON_IGNORE",
+    ]
+    assert (tmp_path / "out/target/b/CMakeLists.txt").read_text() == "project(b)\n", (
+        "nothing else decides what is installed"
+    )
     with pytest.raises(RosmlError, match=r"there is no package\.xml"):
         workspace.write_manifests({"target": tmp_path / "none"}, tmp_path / "out")
 

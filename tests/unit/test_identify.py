@@ -111,6 +111,52 @@ def test_keys_with_rules_elsewhere_can_be_left_out_by_a_line_to_copy(
     assert many.count("error: rosdep does not know") == 12 and "and 18 keys more\n" in many
 
 
+@pytest.mark.parametrize(
+    ("ros", "key", "foreign"),
+    [
+        ("1", "rclcpp", True),
+        ("1", "ament_cmake", True),
+        ("2", "catkin", True),
+        ("2", "rclcpp", False),
+        ("", "rclpy", False),
+    ],
+)
+def test_packages_of_the_other_ros_are_named(
+    identify: Any,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    ros: str,
+    key: str,
+    foreign: bool,
+) -> None:
+    """A repository may have packages of both, each to be left out where the other one is built."""
+    monkeypatch.setenv("ROS_VERSION", ros)
+    text = said(identify, capsys, key)
+    assert f"error: rosdep does not know {key} (asked for by arm)" in text
+    assert (f"has ROS {ros}, and no package for what arm of the other ROS asks for; leave" in text) == foreign
+    assert ("blacklisted-packages.txt" in text) == foreign != ("--skip-keys" in text)
+
+
+def test_packages_of_cmake_without_a_manifest_are_those_of_the_workspace(identify: Any, tmp_path: Path) -> None:
+    """colcon builds them first; what rosdep knows is installed all the same."""
+    for place, text in (
+        ("upstream/Sophus", "cmake_minimum_required(VERSION 3.16)\n  PROJECT( Sophus VERSION 1.0 )\n"),
+        ("upstream/boost", 'project("boost")'),
+        ("upstream/nameless", "# project(no)\n"),
+        ("upstream/hidden/COLCON_IGNORE", ""),
+        ("upstream/hidden", "project(hidden)"),
+        ("target/arm", "project(arm)"),
+        ("target/arm/package.xml", "<package/>"),
+    ):
+        file = tmp_path / place if "." in place or "IGNORE" in place else tmp_path / place / "CMakeLists.txt"
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+    plain = identify.manifests.plain(tmp_path)
+    assert plain == {"Sophus", "boost"}
+    found = identify.answers({"arm": {"exec": {"Sophus", "boost"}}}, set(), identify.Rosdep(), plain)
+    assert [*found] == ["boost"]
+
+
 def test_a_list_of_packages_to_leave_out_may_be_older_than_the_sources(
     identify: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -24,9 +24,16 @@ BLACKLIST = "blacklist"
 IGNORED = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
 """Files that keep colcon from looking for packages in a folder."""
 
+MANIFEST, PLAIN = "package.xml", "CMakeLists.txt"
+"""What a ROS package has, and what a package has that only CMake knows."""
+
+_PROJECT = re.compile(r"""^[ \t]*project[ \t]*\([ \t]*"?([\w.+-]+)""", re.IGNORECASE | re.MULTILINE)
+"""How a CMakeLists.txt names its package, as colcon reads it."""
+
 
 def manifests(root: Path, beyond: list[Path] | None = None, left: LeftOut | None = None) -> Iterator[Path]:
-    """The package.xml of the packages below a folder, as colcon finds them, and the files that hide others.
+    """The package.xml of the packages below a folder, as colcon finds them, and the files that hide others. Of folders that are in
+    no package, the CMakeLists.txt.
 
     A folder behind a link is one of them, once, unless the link leads out of the root, or to what is secret.
 
@@ -52,9 +59,9 @@ def manifests(root: Path, beyond: list[Path] | None = None, left: LeftOut | None
         hidden = [name for name in IGNORED if name in names]
         if hidden:
             yield Path(folder, hidden[0])
-        elif "package.xml" in names:
-            yield Path(folder, "package.xml")
-        if hidden or "package.xml" in names:
+        elif found := next((name for name in (MANIFEST, PLAIN) if name in names), ""):
+            yield Path(folder, found)
+        if hidden or MANIFEST in names:
             folders.clear()
 
 
@@ -62,14 +69,15 @@ def names(root: Path) -> Iterator[str]:
     """The names of the packages below a folder; without those whose manifests cannot be read."""
     for path in manifests(root):
         with contextlib.suppress(ElementTree.ParseError, LookupError, ValueError, OSError):
-            if path.name not in IGNORED and (name := ElementTree.parse(path).findtext("name", "").strip()):
+            if path.name == MANIFEST and (name := ElementTree.parse(path).findtext("name", "").strip()):
                 yield name
 
 
 def write_manifests(
     roots: Mapping[str, Path], out: Path, say: Callable[[str], object] = lambda text: None
 ) -> dict[str, int]:
-    """Copies the manifests of some folders, each below its name; gives the number of packages in each.
+    """Copies the manifests of some folders, each below its name; gives the number of packages in each. Of a CMakeLists.txt
+    there is the name of the package alone.
 
     Args:
         say: tells people of links behind which nobody looks for packages.
@@ -92,6 +100,10 @@ def write_manifests(
                 continue
             within.there(path, root)
             try:
+                if path.name == PLAIN:
+                    text = path.read_text(errors="replace")
+                    target.write_text("".join(f"project({name})\n" for name in _PROJECT.findall(text)[:1]))
+                    continue
                 shutil.copyfile(path, target)
             except OSError as error:
                 raise RosmlError(f"cannot read {path}: {error.strerror}", "check the file", exit_code=2) from None
@@ -99,7 +111,7 @@ def write_manifests(
         for path in beyond:
             say(f"{path} leads to {os.readlink(path)}, out of {root}: packages there are not yours, and are not built")
     if not count["target"] + count.get("upstream", 0):
-        hides = next(manifests(roots["target"]), None) is not None
+        hides = any(path.name == MANIFEST for path in manifests(roots["target"]))
         raise RosmlError(
             f"there is no package.xml in {roots['target']}"
             + (", but for what .dockerignore leaves out" if hides else ""),
