@@ -87,7 +87,7 @@ def all_packages(folder: Path) -> dict[str, tuple[Path, Any]]:
 
 def plain(folder: Path) -> set[str]:
     """The names of packages without a manifest: colcon builds them, and before those that name them."""
-    files = [path for path in _manifests(folder) if path.name != "package.xml"]
+    files = [path for path in _manifests(folder) if path.name != "package.xml" and path.is_file()]
     return {name for path in files for name in PROJECT.findall(path.read_text("utf-8", "replace"))[:1]}
 
 

@@ -200,6 +200,7 @@ def test_manifests_are_those_that_colcon_finds(tmp_path: Path) -> None:
     (repository / "a/node.cpp").touch()
     for path in ("a", "b", "hidden"):
         (repository / path / "CMakeLists.txt").write_text("# its name\nproject(b CXX)\nadd_library(b b.cpp)\n")
+    (repository / "CMakeLists.txt").symlink_to("/opt/ros/noetic/share/catkin/cmake/toplevel.cmake")
     (tmp_path / "none").mkdir()
     counts = workspace.write_manifests({"target": repository, "upstream": tmp_path / "none"}, tmp_path / "out")
     assert counts == {"target": 2, "upstream": 0}

@@ -93,6 +93,8 @@ def write_manifests(
         beyond: list[Path] = []
         left = LeftOut(root) if name == "target" else None
         for path in manifests(root, beyond, left):
+            if path.name == PLAIN and not (within.is_own(path, root) and path.is_file()):
+                continue  # catkin's own for a workspace is a link to /opt/ros
             target = out / name / path.relative_to(root)
             target.parent.mkdir(parents=True, exist_ok=True)
             if path.name in IGNORED:
