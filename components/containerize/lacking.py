@@ -233,9 +233,13 @@ class Lacking:
                     if os.path.basename(name) not in self._image.libraries and not DRIVER.fullmatch(name):
                         self._say(path, name, self._before.libraries.get(os.path.basename(name), ""))
         elif os.access(path, os.X_OK) and re.match(rb"#![^\n]*\r\n", _bytes(path, LINE)):
-            self.lost.add(f"{self._shown(path)} cannot start: its lines end with CR LF, as on Windows; dos2unix corrects them")
+            self.lost.add(
+                f"{self._shown(path)} cannot start: its lines end with CR LF, as on Windows; dos2unix corrects them"
+            )
         elif _bytes(path, len(POINTER)) == POINTER:
-            self.lost.add(f"{self._shown(path)} is a pointer of Git LFS in the place of the file: git lfs pull fetches it")
+            self.lost.add(
+                f"{self._shown(path)} is a pointer of Git LFS in the place of the file: git lfs pull fetches it"
+            )
         elif path.name == "entry_points.txt" and path.parent.suffix in (".egg-info", ".dist-info"):
             self._entry_points(path)
         elif path.name.endswith(LAUNCH):
@@ -253,9 +257,6 @@ class Lacking:
         line = _text(path, LINE).partition("\n")[0]
         words = line[2:].split()
         if not line.startswith("#!") or not words or not os.access(path, os.X_OK):
-            return
-        if line.endswith("\r"):
-            self._say(path, "Linux's line ends to start; it has those of Windows", "")
             return
         program = words[0]
         if os.path.basename(program) == "env":

@@ -159,7 +159,9 @@ def test_a_script_with_lines_of_windows(script: ModuleType, tmp_path: Path) -> N
     built = write(tmp_path / "built", {f"{WS}/install/ni/{name}": text for name, text in names.items()})
     (built / f"{WS}/install/ni/share/ni/d.py").chmod(0o644)
     found = script.Lacking(write(tmp_path / "runtime", {"etc/x": ""}), built, ["ni"])
-    assert found.lost == {"ni/lib/ni/a.py cannot start: its lines end with CR LF, as on Windows; dos2unix corrects them"}
+    assert found.lost == {
+        "ni/lib/ni/a.py cannot start: its lines end with CR LF, as on Windows; dos2unix corrects them"
+    }
 
 
 def test_a_file_that_git_lfs_has_not_fetched(script: ModuleType, tmp_path: Path) -> None:
@@ -167,7 +169,9 @@ def test_a_file_that_git_lfs_has_not_fetched(script: ModuleType, tmp_path: Path)
     files = {f"{WS}/install/ni/share/ni/arm.stl": pointer, f"{WS}/install/ni/share/ni/about": f"# {pointer}"}
     files[f"{WS}/src/target/not_installed.stl"] = pointer
     found = script.Lacking(write(tmp_path / "runtime", {"etc/x": ""}), write(tmp_path / "built", files), ["ni"])
-    assert found.lost == {"ni/share/ni/arm.stl is a pointer of Git LFS in the place of the file: git lfs pull fetches it"}
+    assert found.lost == {
+        "ni/share/ni/arm.stl is a pointer of Git LFS in the place of the file: git lfs pull fetches it"
+    }
 
 
 def test_files_that_a_launch_file_reads(script: ModuleType, tmp_path: Path) -> None:
@@ -265,7 +269,7 @@ def test_no_image_is_made_whose_command_starts_nothing(
 
 
 def test_scripts_that_nothing_starts_are_named(script: ModuleType, tmp_path: Path) -> None:
-    """Python 2's name, a virtual environment that only the build had, the line ends of Windows."""
+    """Python 2's name, and a virtual environment that only the build had."""
     lines = {
         "good.py": "#!/usr/bin/env python3",
         "plain.sh": "#!/bin/sh -e",
@@ -274,8 +278,6 @@ def test_scripts_that_nothing_starts_are_named(script: ModuleType, tmp_path: Pat
         "module.py": "import sys",
         "old.py": "#!/usr/bin/env python",
         "venv.py": "#!/opt/venv/bin/python3",
-        "windows.py": "#!/usr/bin/env python3\r",
-        "windows.sh": "#!/bin/sh -e\r",
     }
     runtime = write(tmp_path / "runtime", {"bin/sh": elf(), "usr/bin/env": elf(), "usr/bin/python3": elf()})
     scripts = {f"{WS}/install/ni/lib/ni/{name}": f"{line}\n" for name, line in lines.items()}
@@ -286,8 +288,6 @@ def test_scripts_that_nothing_starts_are_named(script: ModuleType, tmp_path: Pat
     }
     assert sorted(found.absent) == [
         "ni/lib/ni/old.py needs python to start",
-        "ni/lib/ni/windows.py needs Linux's line ends to start; it has those of Windows",
-        "ni/lib/ni/windows.sh needs Linux's line ends to start; it has those of Windows",
     ]
 
 

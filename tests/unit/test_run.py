@@ -75,7 +75,16 @@ def test_a_relative_folder_is_mounted(desk: Desk, written: list[str]) -> None:
 def test_a_folder_that_is_missing_is_made(desk: Desk) -> None:
     """docker would make it for root, and nobody else could write there. A volume and a file stay what they are."""
     (desk.root / "file").touch()
-    words = ["-v", "./bags/new:/bags", "-v", "name:/data", "-v/file:/file", "-v", "/anonymous", "--mount=type=bind,src=a,dst=/a"]
+    words = [
+        "-v",
+        "./bags/new:/bags",
+        "-v",
+        "name:/data",
+        "-v/file:/file",
+        "-v",
+        "/anonymous",
+        "--mount=type=bind,src=a,dst=/a",
+    ]
     desk.call("--dry-run", *words, "ubuntu")
     assert [path.name for path in desk.root.iterdir()] == ["file"]
     assert desk.call(*words, "ubuntu").returncode == 0
@@ -83,7 +92,6 @@ def test_a_folder_that_is_missing_is_made(desk: Desk) -> None:
     assert made.is_dir() and made.stat().st_uid == os.geteuid()
     assert {path.name for path in desk.root.iterdir()} == {"file", made.relative_to(desk.root).parts[0]}
     assert (desk.root / "file").is_file()
-
 
 
 def test_a_folder_with_spaces_is_mounted_into_the_workspace(desk: Desk) -> None:

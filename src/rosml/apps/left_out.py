@@ -1,6 +1,4 @@
 """What of a folder is not sent to the builder: what `.dockerignore` names, virtual environments, and what colcon and catkin made."""
-"""What of a folder is not sent to the builder: what `.dockerignore` names, virtual environments, and what colcon and
-catkin made."""
 
 from __future__ import annotations
 
@@ -26,11 +24,6 @@ MADE = {
 
 SPACE = ".catkin"
 """A file in each folder into which catkin installs, and in each that it makes to develop in."""
-MADE = ("build", "devel", "install", "log", "logs", "build_isolated", "devel_isolated", "install_isolated")
-"""Folders that colcon and catkin make where they are called."""
-
-MARKS = ("COLCON_IGNORE", "CATKIN_IGNORE", ".catkin", ".built_by")
-"""Files of which each of these folders has one."""
 
 MOST = 1 << 20
 """Bytes of a `.dockerignore`."""
@@ -64,7 +57,6 @@ class LeftOut:
         if (folder / "pyvenv.cfg").is_file() or (folder / SPACE).is_file():
             return True
         if folder.parent == self._root and any((folder / mark).exists() for mark in MADE.get(folder.name, ())):
-        if folder.parent == self._root and folder.name in MADE and any((folder / mark).is_file() for mark in MARKS):
             return True
         return not self._brings_back and self(folder)
 

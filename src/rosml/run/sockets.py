@@ -83,7 +83,10 @@ def windows(context: Context) -> Added:
     if not _reaches(context):
         words = _elsewhere(context, "wayland")
         wanted = context.host.environment.get("DISPLAY") and not (line.asks("no-x11") or line.sets("DISPLAY"))
-        return Added(words, notes=[(f"no windows: {SNAP}", f"{OTHER}; --no-x11 asks for none")] if wanted and context.is_here else [])
+        return Added(
+            words,
+            notes=[(f"no windows: {SNAP}", f"{OTHER}; --no-x11 asks for none")] if wanted and context.is_here else [],
+        )
     x11 = NOTHING if line.asks("no-x11") or line.sets("DISPLAY") else _x11(context)
     wanted = line.asks("wayland")
     if not wanted and (x11.words or line.asks("no-x11") or line.sets("DISPLAY", "WAYLAND_DISPLAY")):
