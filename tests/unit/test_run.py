@@ -450,13 +450,14 @@ def added(
     caller: Person = PERSON,
     trusted: bool = True,
     labels: dict[str, str] | None = None,
+    user: str = "",
 ) -> list[str]:
     """What rosml adds to a command of somebody who is not root, and who trusts the image; the label is left out."""
     variables = dict(entry.partition("=")[::2] for entry in image)
     line = split([*words, "reg.test/me/ros:jazzy"], OWN)
     argv = [
         *plugins.plan(
-            Context(line, engine, caller, Image(environment=variables, labels=labels or {}), BARE, trusted)
+            Context(line, engine, caller, Image(environment=variables, labels=labels or {}, user=user), BARE, trusted)
         ).argv
     ]
     assert argv[:2] == [engine.program, "run"]
@@ -484,6 +485,22 @@ def without_others(**facts: Any) -> list[str]:
 )
 def test_files_belong_to_whoever_calls(engine: Engine, image: list[str], expected: list[str]) -> None:
     assert without_others(engine=engine, image=image) == expected
+
+
+@pytest.mark.parametrize(
+    ("engine", "expected"),
+    [
+        (Engine(), ["--user", "0:0", *CONTRACT]),
+        (Engine(rootless=True), ["--user", "0:0"]),
+        (Engine("podman", podman=True, rootless=True), ["--userns=keep-id", "--user", "0:0", *CONTRACT]),
+    ],
+)
+def test_an_image_that_starts_as_another_user_makes_the_person_as_well(engine: Engine, expected: list[str]) -> None:
+    """As one of somebody else's that got ROS: its entrypoint needs root for that. Without trust it does not get it."""
+    assert without_others(engine=engine, user="vendor") == expected
+    assert without_others(engine=engine, user="root:root") == without_others(engine=engine)
+    if not engine.rootless:
+        assert without_others(engine=engine, user="vendor", trusted=False) == [*THEIR_IDS, *LOCKED]
 
 
 @pytest.mark.parametrize("engine", [Engine(), Engine("podman", podman=True)])

@@ -57,7 +57,7 @@ class Image:
 
     Attributes:
         id: its digest, without `sha256:`.
-        environment, labels, entrypoint, command: as it was built; the last is its `CMD`.
+        environment, labels, entrypoint, command: as it was built; the last is its `CMD`. user: as whom it starts.
     """
 
     id: str = ""
@@ -65,6 +65,7 @@ class Image:
     labels: Mapping[str, str] = field(default_factory=dict)
     entrypoint: tuple[str, ...] = ()
     command: tuple[str, ...] = ()
+    user: str = ""
 
 
 @dataclass(frozen=True)

@@ -363,7 +363,8 @@ def _image(command: str, answer: _Answer, name: str) -> Image | None:
         (found,) = said if isinstance(said, list) else [said]  # podman writes a list
         found = _kind(dict, found)
         config = _kind(dict, found.get("Config"))
-        return Image(_bare(found.get("Id")), *_described(config), _words(config.get("Cmd")))
+        user = _kind(str, config.get("User") or "")
+        return Image(_bare(found.get("Id")), *_described(config), _words(config.get("Cmd")), user)
 
 
 def _containers(command: str, answer: _Answer, *names: str) -> list[Container]:

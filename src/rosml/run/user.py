@@ -50,17 +50,19 @@ LOCKED = "no-new-privileges"
 def user(context: Context) -> Sequence[str]:
     """An image that makes the user itself gets the person's ids as variables, if it may start as root. In another one, the bare ids
     run, and an engine with root locks them in: otherwise a setuid program of the image would be root. In docker without root, root
-    is the person. If somebody says who runs, nothing is added."""
+    is the person. An image that makes the user and starts as another one is started as root. If somebody says who runs, nothing is added."""
     line, engine = context.line, context.engine
     if line.asks("no-user") or line.has("user") or (engine.podman and line.has("userns")):
         return []
     makes_users = claims(context) and (context.trusted or not _gains(context))
+    root = ["--user", "0:0"]
+    as_root = context.image.user.partition(":")[0] in ("", "0", "root")
     if engine.rootless and not engine.podman:
-        return [] if makes_users else ["--user", "0:0"]
+        return [] if makes_users and as_root else root
     kept = [KEPT] if engine.rootless else []
     if not makes_users:
         return [*kept, *_bare(context), *(_locked(context) if _gains(context) else [])]
-    return [*kept, *(["--user", "0:0"] if kept else []), *_contract(context)]
+    return [*kept, *([] if as_root and not kept else root), *_contract(context)]
 
 
 def needs_trust(context: Context) -> bool:
