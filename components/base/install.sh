@@ -58,7 +58,10 @@ apt-get update -o APT::Update::Error-Mode=any -o Acquire::Retries=2 || { # apt o
 }
 # What was mended since the base image was made, whose digest moves with a pull request alone.
 if [[ -z ${ADOPTED:-} ]]; then apt-get upgrade --yes; fi
-apt-get install --yes "${packages[@]}"
+apt-get install --yes "${packages[@]}" || {
+  echo "error: apt cannot install what every image has, and the lines above say why; if the image holds or pins some of it, let that go" >&2
+  exit 1
+}
 if [[ -z ${RUNTIME:-}${own_pip:-} ]]; then "$here/pip.sh"; fi
 
 # git-lfs writes its settings in an order of its own every time.

@@ -6,6 +6,7 @@ import dataclasses
 import json
 import secrets
 import shutil
+import sys
 from pathlib import Path
 
 import pytest
@@ -15,7 +16,7 @@ from rosml.apps import build, inputs
 from rosml.images import load
 from rosml.machine import base_images
 from rosml.machine.services import Services
-from tests.e2e.conftest import NAMESPACE
+from tests.e2e.conftest import NAMESPACE, run
 from tests.e2e.images import build as build_folder
 from tests.e2e.test_containerize import config, containerize, made, ran
 
@@ -79,7 +80,8 @@ def test_what_an_image_has_stays(services: Services, beside: Services, vendor: s
         f"""FROM {found["run"]["reference"]}
 RUN {entrypoint} bash -c 'test "$SDK $(id -u) $(command -v rospack)" = "ready 1000 /usr/bin/rospack" && \\
       python3 -c "import rospy, sys; assert sys.executable == \\"/usr/local/lib/rosml/bin/python3\\", sys.executable"' && \\
-    python3 -m pip config list | grep -F "timeout='77'" && python3 -m pip config list | grep rosml/constraints
+    python3 -m pip config list | grep -F "timeout='77'" && python3 -m pip config list | grep rosml/constraints && \\
+    /usr/local/lib/rosml/entrypoint.sh /tini -s -- /entrypoint.sh bash -c 'test "$SDK" = ready && rospack find roscpp'
 RUN bash -c '(timeout 20 {entrypoint} bash -c "exec bash -c \\"$DEFAULT_CMD\\"" & \\
       for try in {{1..200}}; do /entrypoint.sh timeout 5 rostopic echo -n 1 /direction && break; done >/tmp/said; wait) 2>&1' && \\
     grep -E "east|north|west|south" /tmp/said
@@ -97,6 +99,28 @@ RUN test -e /root/.cache/model -a -e /tmp/sdk/licence -a -e /var/log/sdk.log -a 
     again = build.App(folder, inputs.values(options, folder, {}), {}, fresh, said.append).build()
     assert again.tests.count == 2
     assert ran(services, name) == {"sources", "built", "tested", "app-files"}, "ROS is not installed again"
+
+
+def test_a_base_of_it_alone(services: Services, vendor: str, tmp_path: Path) -> None:
+    command = (
+        sys.executable,
+        str(ROOT / "src"),
+        "image",
+        "ros1-bookworm-core",
+        "--namespace",
+        NAMESPACE,
+        "--json",
+        "--on",
+    )
+    done = run(*command, f"{vendor}:vendor")
+    assert done.code == 0, done.err
+    made = json.loads(done.out)
+    assert made["reference"] == f"{vendor}:vendor-ros1-bookworm-core"
+    labels = config(services, made["reference"])["config"]["Labels"]
+    assert labels["org.opencontainers.image.base.name"] == f"{vendor}:vendor" and labels["io.rosml.python"] == "3.11"
+    assert "io.rosml.runtime" not in labels, "what runs on it is none of ours"
+    again = run(*command, made["reference"])
+    assert again.code == 2 and "has ROS already: Debian" in again.err
 
 
 @pytest.mark.parametrize(

@@ -45,7 +45,12 @@ def services(stand_in: StandIn, tmp_path: Path) -> Services:
 
 
 def put(
-    services: Services, name: str, *platforms: str, labels: Mapping[str, str] | None = None, **variables: str
+    services: Services,
+    name: str,
+    *platforms: str,
+    labels: Mapping[str, str] | None = None,
+    user: str = "",
+    **variables: str,
 ) -> str:
     """An image for some platforms; gives the digest of its index."""
     repository, _, tag = name.partition(":")
@@ -56,7 +61,11 @@ def put(
             config = {
                 "os": system,
                 "architecture": architecture,
-                "config": {"Env": [f"{name}={value}" for name, value in variables.items()], "Labels": labels},
+                "config": {
+                    "Env": [f"{name}={value}" for name, value in variables.items()],
+                    "Labels": labels,
+                    "User": user,
+                },
             }
             blob = oci.encoded(config)
             client.put_blob(repository, blob)
@@ -624,10 +633,11 @@ def _script(name: str) -> str:
 def test_a_run_image_starts_from_its_packages_where_they_replace_some_of_the_base(
     repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", user="robot:1000", ROS_DISTRO="jazzy")
     monkeypatch.setitem(APP, "replaced", ["libbar:amd64"])
     built = app(repository, services, base_image="ros:jazzy", command="true").build()
-    assert calls[1]["dockerfile-inline"].splitlines()[:2] == ["FROM runtime", "COPY --link --from=app / /"]
+    lines = calls[1]["dockerfile-inline"].splitlines()
+    assert lines[:3] == ["FROM runtime", "COPY --link --from=app / /", "USER robot:1000"], "as the base image starts"
     assert "libbar:amd64" in dict(built.summary())[""]
 
 
@@ -930,7 +940,7 @@ def test_ros_is_installed_on_a_base_that_has_none(
     repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """By the steps of our own images, on it by its digest, and kept as a stage of its own. An image is looked at once."""
-    digest = put(services, "rosml/plain:1", f"linux/{native_architecture()}", LANG="de")
+    digest = put(services, "rosml/plain:1", f"linux/{native_architecture()}", LANG="de", CUDA_VERSION="13.0.1")
     monkeypatch.setattr(variables, "sync_date", lambda *_: "2026-11-20T21:14:09Z")
     given = {"base_image": "plain:1", "command": "true", "cache": f"{services.registry}/me/cache"}
     for _ in range(2):
@@ -947,10 +957,19 @@ def test_ros_is_installed_on_a_base_that_has_none(
     assert targets["base-system"]["contexts"] == {"os": reference}
     assert targets["base-jazzy-core"]["args"]["ROS_SYNC_DATE"] == "2026-11-20T21:14:09Z"
     assert targets["base"]["args"] == {"KEPT_LANG": "de"}
+    assert targets["base"]["labels"]["io.rosml.own"] == "CUDA_VERSION"
+    assert targets["base"]["labels"]["io.rosml.distribution"] == "jazzy"
     kept = targets["keep-base"]["output"][0]
     monkeypatch.setattr(variables, "sync_date", lambda *_: "2026-11-27T21:14:09Z")
     app(repository, services, **given).build()
     assert json.loads(file.read_text())["target"]["keep-base"]["output"][0] != kept, "ROS has other packages"
+
+
+@pytest.mark.parametrize("user", ["a\nRUN touch /x", "-x", "$HOME", "a:b:c", "a b"])
+def test_a_user_of_a_base_image_is_a_name(repository: Path, services: Services, user: str) -> None:
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", user=user, ROS_DISTRO="jazzy")
+    with pytest.raises(RosmlError, match="starts as a user of no name"):
+        app(repository, services, base_image="ros:jazzy", command="true").build()
 
 
 def test_a_base_without_ros_stays_without_if_somebody_says_so(

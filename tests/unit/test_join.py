@@ -381,6 +381,12 @@ def test_a_part_twice(place: Place) -> None:
     assert "another" in error.message and "torch-cu128" in error.message
 
 
+def test_an_image_of_somebody_else_with_cuda(place: Place) -> None:
+    own = replace(ros(), labels={**ros().labels, "io.rosml.own": "CUDA_VERSION"})
+    error = place.refused(own.put(place.registry, "me/ros-cuda", "x"), *place.stack())
+    assert "has CUDA or a framework of its own, of its base image: CUDA_VERSION" in error.message
+
+
 def test_an_image_that_has_it_already(place: Place) -> None:
     images = [place.ros(), *place.stack()]
     full = ros()

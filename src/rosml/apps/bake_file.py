@@ -149,7 +149,7 @@ def render(
     for target in names.targets:
         targets[target] = {
             "context": str(inputs.empty),
-            "dockerfile-inline": _dockerfile(target, _variables(target, inputs), target not in unlinked),
+            "dockerfile-inline": _dockerfile(target, inputs, target not in unlinked),
             "platforms": list(names.platforms),
             "contexts": base | {name: stages.get(name, f"target:{name}") for name in inputs.stages},
             "args": {"SOURCE_DATE_EPOCH": str(inputs.time), **_variables(target, inputs)},
@@ -220,16 +220,19 @@ def _variables(target: str, inputs: Inputs) -> dict[str, str]:
     return {f"APP_{name}": value for name, value in found.items()}
 
 
-def _dockerfile(target: str, variables: Iterable[str], linked: bool) -> str:
+def _dockerfile(target: str, inputs: Inputs, linked: bool) -> str:
     """How an image is joined: nothing runs. Values come as arguments, since a value of several lines cannot stand here."""
     lines, command = ["FROM workspace"], ["bash"]
     if target != "dev":
         before = "slim-" if target == SLIM else ""
         base = (target if before else "base") if linked else f"{before}runtime"
         lines = [f"FROM {base}", f"COPY --link --from={before}app / /"]
+        own = inputs.slim if target == SLIM and inputs.slim else inputs.base
+        if not linked and own.user:  # steps ran as root there
+            lines.append(f"USER {own.user}")
         # bash becomes a simple command, so that this gets the signals.
         command = ["bash", "-c", 'exec bash -c "$DEFAULT_CMD"']
-    for name in variables:
+    for name in _variables(target, inputs):
         lines += [f"ARG {name}", f"ENV {name.removeprefix('APP_')}=${{{name}}}"]
     return "\n".join([*lines, f"CMD {json.dumps(command)}", ""])
 

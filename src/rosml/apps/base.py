@@ -160,6 +160,8 @@ _INSPECTED = TypeAdapter(list[_Inspected])
 def _base(name: str, digest: str, settings: Settings | None, local: bool = False) -> Base:
     """A base image of what its configuration says."""
     said = settings or Settings()
+    if not re.fullmatch(r"([A-Za-z0-9_][A-Za-z0-9_.-]*(:[A-Za-z0-9_][A-Za-z0-9_.-]*)?)?", said.User or ""):
+        raise RosmlError(f"{name} starts as a user of no name: {said.User!r}", "set another USER in an image on it", 2)
     variables = {name: value for name, _, value in (item.partition("=") for item in said.Env or ())}
     return Base(name, digest, variables, said.Labels or {}, said.User or "", tuple(said.Entrypoint or ()), local)
 

@@ -214,7 +214,7 @@ def _last(adopted: Adopted, kept: Iterable[str]) -> str:
     lines = ["FROM ros"]
     for key in kept:
         lines += [f"ARG KEPT_{key}", f"ENV {key}=${{KEPT_{key}}}"]
-    if adopted.user and re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9_.:-]*", adopted.user):
+    if adopted.user:
         lines.append(f"USER {adopted.user}")
     own = called(adopted.entrypoint)
     return "\n".join(
