@@ -3,6 +3,7 @@ The archive is one that the test signs; the address of the page is answered by a
 
 from __future__ import annotations
 
+import json
 import shutil
 import sys
 import tempfile
@@ -16,7 +17,7 @@ from rosml import ROOT
 from rosml.apps import ci_files
 from rosml.bake import targets
 from rosml.images import load
-from rosml.machine import regctl
+from rosml.machine import base_images, regctl
 from rosml.machine.services import Services
 from rosml.matrix.source import read
 from rosml.records import store
@@ -96,6 +97,15 @@ def test_the_page_is_followed_to_an_image(
     assert entry and entry.upstream.startswith(f"{WHEN}, debian bookworm ")
     config = regctl.image_config(services, f"{place}/ros@{entry.digest}", PLATFORM)["config"]
     assert config["Labels"]["io.rosml.ros.sync"] == WHEN
+    assert "ROS_DISTRO=jazzy" in config["Env"] and f"ROS_SYNC_DATE={WHEN}" in config["Env"]
+
+    # The same on an image of somebody else: Debian's own.
+    systems = load.load(ROOT / "matrix.yaml").matrix.operating_systems
+    debian = base_images.reference(services, systems, "bookworm", NATIVE)
+    argv = [sys.executable, "src", "image", target, "--on", debian, "--namespace", f"{NAMESPACE}-archive", "--json"]
+    done = run(*argv, cwd=checkout, env={"ROS_APT_MIRROR": server.url})
+    assert done.code == 0, done.err
+    config = regctl.image_config(services, json.loads(done.out)["reference"], PLATFORM)["config"]
     assert "ROS_DISTRO=jazzy" in config["Env"] and f"ROS_SYNC_DATE={WHEN}" in config["Env"]
 
 
