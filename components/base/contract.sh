@@ -47,6 +47,9 @@ for file in /etc/bash.bashrc /root/.bashrc; do
   printf '\n# %s\n%s\n' 'ROS, the workspaces, and the banner (ROSML_BANNER=off: none)' "source $share/shell.bash" >>$file
 done
 
+# A login shell that is not interactive reads neither, such as bash -lc of docker exec. Other shells than bash cannot source it.
+echo "if [ -n \"\${BASH_VERSION-}\" ]; then . $share/shell.bash; fi" >/etc/profile.d/rosml.sh
+
 # What the banner says; a part adds its own versions.
 mkdir -p "$share/versions.d"
 {

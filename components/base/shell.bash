@@ -1,6 +1,6 @@
 # shellcheck shell=bash
-# Sourced by every bash that starts interactively (/etc/bash.bashrc, and /root/.bashrc, where it was before): ROS and the
-# workspaces, what completes ROS's commands, and a banner in the first shell (ROSML_BANNER=off: none).
+# Sourced by every bash that starts interactively (/etc/bash.bashrc, and /root/.bashrc, where it was before) or as a login shell
+# (/etc/profile.d): ROS and the workspaces, what completes ROS's commands, and a banner in the first shell (ROSML_BANNER=off: none).
 if [[ -v _rosml_shell ]]; then return; fi
 _rosml_shell=1
 # shellcheck source=components/base/setup.bash

@@ -401,10 +401,11 @@ def test_overlays_are_sourced_in_order(container: Container, tmp_path: Path) -> 
     assert container.bash("echo $ORDER", options=tuple(options)) == expected
     # As a user, and in a shell that came past the entrypoint, as with docker exec.
     assert container.bash("echo $ORDER", options=tuple(options), DOCKER_UID="1000", DOCKER_GID="1000") == expected
-    past = container.docker.run(
-        container.image, "-ic", "echo order: $ORDER", options=("--entrypoint", "bash", *options)
-    )
-    assert f"order: {expected}\n" in past.out
+    for user, shell in (("root", "-ic"), ("12345", "-lc"), ("12345", "-ilc")):
+        past = container.docker.run(
+            container.image, shell, "echo order: $ORDER", options=("--entrypoint", "bash", "--user", user, *options)
+        )
+        assert f"order: {expected}\n" in past.out, (user, shell)
 
 
 @pytest.mark.parametrize(
