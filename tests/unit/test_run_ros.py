@@ -100,6 +100,29 @@ SET = {
 
 
 @pytest.mark.parametrize(
+    ("hosts", "image", "words", "added"),
+    [
+        ("127.0.0.1 localhost\n", NOETIC, ["--ros-network"], True),
+        ("127.0.0.1 localhost\n", NOETIC, ["--network=host"], True),
+        ("127.0.0.1 localhost\n127.0.1.1\trobot\n", NOETIC, ["--ros-network"], False),
+        ("", NOETIC, ["--ros-network"], False),
+        ("127.0.0.1 localhost\n", NOETIC, [], False),
+        ("127.0.0.1 localhost\n", NOETIC, ["--ros-network", "--no-ros"], False),
+        ("127.0.0.1 localhost\n", NOETIC, ["--ros-network", "--add-host=robot:10.0.0.1"], False),
+        ("127.0.0.1 localhost\n", JAZZY, ["--ros-network"], False),
+    ],
+)
+def test_a_name_that_only_systemd_knows(
+    robot: Robot, hosts: str, image: Mapping[str, str], words: list[str], added: bool
+) -> None:
+    """roscore of ROS 1 contacts itself by the machine's name, and ends where that has no address."""
+    robot.file("/etc/hosts", hosts)
+    found = ros.ros(robot.context(*words, image=image)).words
+    assert ("--add-host" in found and found[found.index("--add-host") + 1] == "robot:127.0.0.1") == added
+    assert "--add-host" not in ros.ros(robot.context(*words, image=image, engine=Engine("podman", podman=True))).words
+
+
+@pytest.mark.parametrize(
     ("image", "words", "expected"),
     [
         (JAZZY, [], ["ROS_DOMAIN_ID=7", "ROS_STATIC_PEERS=10.0.0.6"]),

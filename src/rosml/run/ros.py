@@ -34,6 +34,7 @@ def ros(context: Context) -> Added:
     written = [word for given in line.engine for word in given.words]
     planned = places.planned(context, [context.engine.program, "run", *words, *written, line.image])
     if not line.asks("no-ros"):
+        words += _own_name(context, planned)
         words += [word for name, value in _settings(context, planned).items() for word in ("-e", f"{name}={value}")]
     if planned.shares_memory and planned.joins_another and not planned.has_their_memory:
         text = f"--network {planned.network} without its shared memory: nodes find each other, and no data arrives"
@@ -55,6 +56,15 @@ def _network(context: Context) -> list[str]:
         raise RosmlError(f"--{WHOLE_NETWORK}: {reason}", remedy, exit_code=2)
     network = [] if line.has(*NETWORK) else ["--network", "host"]
     return [*network, *([] if line.has("ipc") else ["--ipc", "host"])]
+
+
+def _own_name(context: Context, planned: places.Place) -> list[str]:
+    """The machine's name as an address, where its own /etc/hosts, which docker copies, does not have it: systemd answers for it, and no
+    image asks systemd. Nodes of ROS 1 call themselves by that name. podman writes it by itself."""
+    name, hosts = context.host.name, context.host.text("/etc/hosts")
+    here = planned.version == "1" and planned.network == places.HOST and context.is_here and not context.engine.podman
+    known = not hosts or name in hosts.split() or context.line.has("add-host", "hostname", "uts")
+    return ["--add-host", f"{name}:127.0.0.1"] if here and name and not known else []
 
 
 def _settings(context: Context, planned: places.Place) -> Mapping[str, str]:
