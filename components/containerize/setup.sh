@@ -53,12 +53,37 @@ limit_jobs() {
   export MAKEFLAGS=-j$((jobs / at_once)) CMAKE_BUILD_PARALLEL_LEVEL=$((jobs / at_once))
 }
 
+# printed PATTERN [OPTION…]: what packages printed in the last build, if it matches.
+printed() { grep -r -h --include=stdout_stderr.log -E "${@:2}" -e "$1" "$COLCON_LOG_PATH/latest_build/" || true; } # it may have no log
+
+# unnamed: what the last build asked for and did not find, and no package.xml names. On a machine with a whole desktop it is there.
+unnamed() {
+  local found name
+  found=$(
+    printed 'CMake Error' -A 8 | sed -n -E 's/.*package configuration file provided by "([A-Za-z0-9_.+-]+)".*/\1/p'
+    printed 'fatal error: .*: No such file or directory' | sed -n -E 's|.*fatal error: ([a-z0-9_]+)/[^ ]+: No such.*|\1|p'
+  )
+  while IFS= read -r name; do
+    if [[ -n $name ]] && ! grep -r -q --include=package.xml -F -e ">$name<" src; then
+      echo "$name"
+      break
+    fi
+  done <<<"$found"
+}
+
+# asks_git: whether a package of the last build wanted the folder .git. What a setup.py prints when colcon reads it is in no log.
+asks_git() {
+  [[ -n $(printed 'fatal: not a git repository|setuptools[-_]scm was unable to detect version') ]] ||
+    { [[ -n $(printed 'CalledProcessError: .*run_setup') ]] &&
+      grep -r -q --include=setup.py --include=setup.cfg --include=pyproject.toml -E 'use_scm_version|setuptools[-_]scm' src; }
+}
+
 # killed: the first line that says so of a program that the last build started, if there is one. Compilers, linkers, make and
 # ninja say it.
 killed() {
   local found
-  found=$(grep -r -h -m 1 --include=stdout_stderr.log -E -e '^Killed$' -e '\*\*\* .* Error 137$' \
+  found=$(printed '^Killed$' -m 1 -e '\*\*\* .* Error 137$' \
     -e 'Killed signal|: Killed \(program|command: Killed' -e 'terminated with signal 9|signal: 9, SIGKILL' \
-    -e 'virtual memory exhausted|: out of memory allocating' "$COLCON_LOG_PATH/latest_build/" || true) # it may have no log
+    -e 'virtual memory exhausted|: out of memory allocating')
   head -n 1 <<<"$found"
 }

@@ -32,12 +32,17 @@ eval "own=(${COLCON_ARGS:-})"
 limit_jobs "$(wc -l <<<"$listed")"
 metas_of "src/$1"
 colcon build --base-paths "src/$1" "${metas[@]}" --event-handlers console_cohesion+ "${workers[@]}" "${own[@]}" --cmake-args "${arguments[@]}" || {
-  code=$?
+  code=$? name=
   why=$(killed)
   if [[ -n $why ]]; then
     echo "error: a program was killed ($why); memory may have run out" >&2
-  elif grep -r -q -F --include=stdout_stderr.log 'No space left on device' "$COLCON_LOG_PATH/latest_build/"; then
+  elif [[ -n $(printed 'No space left on device') ]]; then
     echo "error: a package does not build: No space left on device; free some" >&2
+  elif [[ -n ${name:=$(unnamed)} ]]; then
+    echo "error: a package needs $name, and no package.xml names it; add it as rosdep calls it, such as <depend>$name</depend>" >&2
+  elif asks_git; then
+    echo "error: a package asks git for its version, and no build has .git; if that is why, let it take another one where git" \
+      "fails, such as fallback_version of setuptools_scm" >&2
   fi
   exit "$code"
 }

@@ -74,11 +74,24 @@ esac
             "fatal error: error writing to /tmp/a.s: No space left on device",
             "error: a package does not build: No space left",
         ),
+        (
+            "fatal: not a git repository (or any of the parent directories): .git",
+            "error: a package asks git for its version",
+        ),
+        ("LookupError: setuptools-scm was unable to detect version for /x.", "fallback_version of setuptools_scm"),
+        ("CalledProcessError: Command [python3, -c, run_setup(]", "fallback_version of setuptools_scm"),
+        (
+            'CMake Error at CMakeLists.txt:3:\n  Could not find a package configuration file provided by "tf2_ros" with any',
+            "such as <depend>tf2_ros</depend>",
+        ),
+        ("a.cpp:1:10: fatal error: tf2_ros/buffer.h: No such file or directory", "such as <depend>tf2_ros</depend>"),
+        ("a.cpp:1:10: fatal error: named/buffer.h: No such file or directory", ""),
+        ('CMake Warning:\n  Could not find a package configuration file provided by "tf2_ros"', ""),
         ("warning: Killed is a nice name; Error 1370", ""),
         ("gmake: *** [Makefile:146: all] Error 2", ""),
     ],
 )
-def test_a_build_says_of_a_program_that_was_killed(line: str, says: str, tmp_path: Path) -> None:
+def test_a_build_says_why_it_failed_if_it_knows(line: str, says: str, tmp_path: Path) -> None:
     """And it ends as colcon did."""
     executable(tmp_path / "colcon", COLCON.format(line=f"'{line}'"))
     script = (STEPS / "workspace.sh").read_text().replace("/run/sources/.", f"{tmp_path}/src/.")
@@ -90,6 +103,8 @@ def test_a_build_says_of_a_program_that_was_killed(line: str, says: str, tmp_pat
     env |= {"COLCON_ARGS": "--executor sequential", "CMAKE_ARGS": "-DA='b c'"}
     (tmp_path / "ws/src/target").mkdir(parents=True)
     (tmp_path / "ws/src/target/colcon.meta").write_text("{}")
+    (tmp_path / "ws/src/target/setup.py").write_text("setup(use_scm_version=True)")
+    (tmp_path / "ws/src/target/package.xml").write_text("<depend>named</depend>")
     done = subprocess.run(["bash", "-c", script, "workspace.sh", "target"], env=env, capture_output=True, text=True)
     assert done.returncode == 2, done.stderr
     assert "build --base-paths src/target --metas src/target/colcon.meta " in (tmp_path / "ws/calls").read_text()
