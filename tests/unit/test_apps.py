@@ -600,6 +600,24 @@ def test_submodules_that_nobody_fetched_are_named(
     assert told == [f"the submodule {name} {remedy}" for name in ("src/empty", "src/gone away")]
 
 
+def test_files_of_git_lfs_that_nobody_fetched_are_named(
+    repository: Path, services: Services, calls: list[dict[str, Any]]
+) -> None:
+    """As `git clone` leaves them where git-lfs is not installed: a mesh is a line of text then."""
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    said: list[str] = []
+    for name in ("arm.dae", "leg.dae"):
+        (repository / name).write_text("version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 12345\n")
+    (repository / "hand.dae").write_text("<COLLADA/>")
+    values = inputs.values({"base-image": "ros:jazzy", "command": "true", "target": "run"}, repository, {})
+    build.App(repository, values, {}, services, said.append).build()
+    assert not [line for line in said if "Git LFS" in line], "a test of something that reads pointers, perhaps"
+    (repository / ".gitattributes").write_text("*.dae filter=lfs diff=lfs merge=lfs -text\n")
+    build.App(repository, values, {}, services, said.append).build()
+    told = "arm.dae and 1 file more of Git LFS: only a pointer is there, and gets into the images: git lfs pull"
+    assert [line for line in said if "Git LFS" in line] == [told]
+
+
 def test_the_number_of_compilers_is_no_part_of_what_a_step_is_made_from(
     repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
 ) -> None:

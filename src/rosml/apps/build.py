@@ -508,6 +508,9 @@ class App:
             (requests / "renewed").write_text(f"{time.time()}\n")
         for path in workspace.empty_submodules(folder):
             self._say(f"the submodule {path} is not there: git submodule update --init --recursive")
+        if found := workspace.pointers(state / "staged" / "target"):
+            more = f" and {_count(len(found) - 1, 'file')} more" if len(found) > 1 else ""
+            self._say(f"{found[0]}{more} of Git LFS: only a pointer is there, and gets into the images: git lfs pull")
         packages = _count(counts["target"] + counts["upstream"], "package")
         if counts["downstream"]:
             packages += f", and {counts['downstream']} that use them,"

@@ -203,7 +203,7 @@ class Store:
 
     def _has_pointers(self, git: Callable[..., str], folder: Path) -> bool:
         """Whether files are pointers to Git LFS, and have its attribute: others only look like that."""
-        names = [str(file.relative_to(folder)) for file in folder.rglob("*") if _is_pointer(file)]
+        names = [str(file.relative_to(folder)) for file in folder.rglob("*") if is_pointer(file)]
         if not names:
             return False
         given = "".join(f"{name}\0" for name in names).encode(errors="surrogateescape")
@@ -249,7 +249,8 @@ def _link(line: str) -> tuple[str, str]:
     return path, head.split()[1]
 
 
-def _is_pointer(file: Path) -> bool:
+def is_pointer(file: Path) -> bool:
+    """Whether a file of Git LFS is a line about the real one, which nobody fetched."""
     if file.is_symlink() or not file.is_file() or file.stat().st_size >= _POINTER_BYTES:
         return False
     with file.open("rb") as stream:

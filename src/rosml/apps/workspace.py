@@ -13,6 +13,7 @@ from xml.etree import ElementTree
 
 from rosml.apps import inputs, within
 from rosml.apps.left_out import LeftOut
+from rosml.apps.store import is_pointer
 from rosml.apps.within import SECRET
 from rosml.base import files
 from rosml.base.errors import RosmlError
@@ -172,6 +173,19 @@ def empty_submodules(folder: Path) -> list[str]:
         paths = re.findall(r"""^[ \t]*path[ \t]*=[ \t]*"?([^"\n]*[^"\s])"?[ \t]*$""", text, re.MULTILINE)
         return sorted(path for path in paths if path.isprintable() and not any(_listed(folder / path)))
     return []
+
+
+def pointers(staged: Path) -> list[str]:
+    """Files of Git LFS that nobody fetched: as after a `git clone` without git-lfs, they have a line about the real ones.
+
+    Args:
+        staged: as `stage` wrote it.
+    """
+    there = [Path(path, name) for path, _, names in os.walk(staged) for name in names]
+    attributes = (path for path in there if path.name == ".gitattributes" and path.is_file())
+    if not any(b"filter=lfs" in path.read_bytes() for path in attributes):
+        return []
+    return sorted(str(path.relative_to(staged)) for path in there if is_pointer(path))
 
 
 def _listed(folder: Path) -> Iterator[os.DirEntry[str]]:
