@@ -61,8 +61,12 @@ PAUSES = (1, 3)
 DEBIAN = "10-debian.list"
 """Of Debian's rosdep: it calls Debian's own packages of ROS 1 by names that ROS 2 has as well."""
 
-WORKSPACES = (Path(os.environ.get("WORKSPACE", "/docker-ros/ws")), Path("/opt/ws_base_image"))
-"""Where a base image may have built packages."""
+WORKSPACES = (
+    Path(os.environ.get("WORKSPACE", "/docker-ros/ws")),
+    Path("/opt/ws_base_image"),
+    Path("/opt/ros", os.environ.get("ROS_DISTRO", "")),
+)
+"""Where a base image may have built packages. Images for Jetson have all of ROS in the last one, as `install`."""
 
 Packages = Dict[str, Dict[str, Set[str]]]
 """Keys of rosdep that packages ask for, by package and kind."""

@@ -43,6 +43,17 @@ def test_compilers_are_as_many_as_memory_has_room_for(
     assert said == f"{expected}\n"
 
 
+def test_all_that_a_base_image_built_is_sourced(tmp_path: Path) -> None:
+    """In images for Jetson, ROS is in /opt/ros/humble/install."""
+    text = (STEPS / "setup.sh").read_text().replace("/opt/", f"{tmp_path}/opt/")
+    for place in ("opt/ros/humble", "opt/ros/humble/install", "opt/ws_base_image/install", "install"):
+        (tmp_path / place).mkdir(parents=True, exist_ok=True)
+        (tmp_path / place / "setup.bash").write_text(f"echo {place}\n")
+    env = {"PATH": os.environ["PATH"], "WORKSPACE": str(tmp_path), "ROS_DISTRO": "humble"}
+    done = subprocess.run(["bash", "-euc", text], env=env, check=True, capture_output=True, text=True)
+    assert done.stdout.split() == ["opt/ros/humble", "opt/ros/humble/install", "opt/ws_base_image/install", "install"]
+
+
 def test_the_memory_of_this_machine(tmp_path: Path) -> None:
     said = int(bash("memory", tmp_path))
     assert 0 < said <= os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") >> 20
