@@ -73,8 +73,8 @@ unnamed() {
 
 # asks_git: whether a package of the last build wanted the folder .git. What a setup.py prints when colcon reads it is in no log.
 asks_git() {
-  [[ -n $(printed 'fatal: not a git repository|setuptools[-_]scm was unable to detect version') ]] ||
-    { [[ -n $(printed 'CalledProcessError: .*run_setup') ]] &&
+  printed 'fatal: not a git repository|setuptools[-_]scm was unable to detect version' | grep -q . ||
+    { printed 'CalledProcessError: .*run_setup' | grep -q . &&
       grep -r -q --include=setup.py --include=setup.cfg --include=pyproject.toml -E 'use_scm_version|setuptools[-_]scm' src; }
 }
 

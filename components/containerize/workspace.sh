@@ -32,13 +32,14 @@ eval "own=(${COLCON_ARGS:-})"
 limit_jobs "$(wc -l <<<"$listed")"
 metas_of "src/$1"
 colcon build --base-paths "src/$1" "${metas[@]}" --event-handlers console_cohesion+ "${workers[@]}" "${own[@]}" --cmake-args "${arguments[@]}" || {
-  code=$? name=
+  code=$?
   why=$(killed)
+  name=$(unnamed)
   if [[ -n $why ]]; then
     echo "error: a program was killed ($why); memory may have run out" >&2
-  elif [[ -n $(printed 'No space left on device') ]]; then
+  elif printed 'No space left on device' | grep -q .; then
     echo "error: a package does not build: No space left on device; free some" >&2
-  elif [[ -n ${name:=$(unnamed)} ]]; then
+  elif [[ -n $name ]]; then
     echo "error: a package needs $name, and no package.xml names it; add it as rosdep calls it, such as <depend>$name</depend>" >&2
   elif asks_git; then
     echo "error: a package asks git for its version, and no build has .git; if that is why, let it take another one where git" \
