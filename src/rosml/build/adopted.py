@@ -112,7 +112,10 @@ def _look(services: Services, reference: str, platform: str, state: Path, ros: I
     # Each part of a path is a pattern: it may match nothing. Links are followed.
     copies = ["/et[c]/os-releas[e] /etc/", "/us[r]/li[b]/os-releas[e] /usr/lib/"]
     copies += [f"/us[r]/bi[n]/{tool[:-1]}[{tool[-1]}] /bi[n]/{tool[:-1]}[{tool[-1]}] /bin/" for tool in TOOLS]
-    copies += [f"/op[t]/ro[s]/{name[:-1]}[{name[-1]}]/setup.bas[h] /opt/ros/{name}/" for name in ros]
+    # In images for Jetson, it is in a folder of that one.
+    for name in ros:
+        place = f"/op[t]/ro[s]/{name[:-1]}[{name[-1]}]"
+        copies.append(f"{place}/setup.bas[h] {place}/instal[l]/setup.bas[h] /opt/ros/{name}/")
     target = {
         "context": str(empty(state)),
         "dockerfile-inline": "\n".join(["FROM scratch", *(f"COPY --from=os {copy}" for copy in copies), ""]),
