@@ -46,13 +46,16 @@ else
     x11-apps
   )
 fi
+own_sources=()
 if [[ -n ${ADOPTED:-} ]]; then
   # PATH begins with this folder: steps and nodes find the Python that ROS is for, whichever others the image has.
   mkdir -p /usr/local/lib/rosml/bin
   ln -s /usr/bin/python3 /usr/local/lib/rosml/bin/python3
   own_pip=$(compgen -G '/usr/local/bin/pip*' || true)
+  own_sources=(-o Acquire::Retries=2) # a vendor's archive may be gone for good
 fi
-apt-get update -o APT::Update::Error-Mode=any -o Acquire::Retries=2 || { # apt of Ubuntu 20.04 does not know it, and goes on with what it has
+# apt of Ubuntu 20.04 does not know this mode, and goes on with what it gets.
+apt-get update -o APT::Update::Error-Mode=any "${own_sources[@]}" || {
   echo "error: apt cannot read all of its sources, which the lines above name; mend or remove them in an image of your own" >&2
   exit 1
 }
