@@ -215,7 +215,7 @@ def tools(root: Root) -> None:
 
 
 def extensions_of_colcon(root: Root) -> None:
-    words = "--base-paths --packages-select console_cohesion --cmake-args --cmake-target --catkin-skip-building-tests"
+    words = "--base-paths --metas --packages-select console_cohesion --cmake-args --cmake-target --catkin-skip-building-tests"
     root.program("colcon", f"case $3 in list) ;; build|test) echo {words} ;; *) exit 2 ;; esac")
     root.file("modules/colcon_bash.py")
     root.env["PYTHONPATH"] = str(root.folder / "modules")
@@ -490,7 +490,7 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
     ),
     "a colcon that selects nothing": (
         "colcon.sh",
-        says("colcon", "[ $3 = list ] || echo --base-paths console_cohesion"),
+        says("colcon", "[ $3 = list ] || echo --base-paths --metas console_cohesion"),
         "colcon build has no --packages-select",
     ),
     "a colcon for other shells": (

@@ -188,6 +188,7 @@ VALUES: Mapping[str, st.SearchStrategy[str]] = {
     "stacks": WORDS,
     "architectures": ARCHITECTURES,
     "serve": ARCHITECTURES,
+    "on": st.sampled_from(["{host}/none/debian:bookworm", "x y/z", ""]),
     "platform": st.sampled_from(["linux/amd64", "linux/arm64", "arm64", "linux/amd46", ""]),
     "platforms": st.sampled_from(["linux/amd64", "linux/arm64", "arm64", ""]),
     "namespace": st.sampled_from(["rosml", "a/b", "A", ""]),
