@@ -141,7 +141,8 @@ def render(
     if onto:
         # Some stages run on the builder's own platform, for whichever one the app is.
         every = [*dict.fromkeys([*names.platforms, f"linux/{native_architecture()}"])]
-        targets |= adopted.base_targets(onto, BASE, {**steps, "platforms": every}, inputs.empty)
+        own = {**steps, "platforms": every}
+        targets |= adopted.base_targets(onto, BASE, own, inputs.empty, adopted.stage(services, onto))
     for stage, reference in kept.items():
         output = f"type=image,name={reference},push=true,{COMPRESSION}"
         own = targets[BASE] if stage == BASE else {**common, "target": stage}
@@ -176,7 +177,8 @@ def render_base(
         environment: variables that are set. tag: its full name. output: where it goes. empty: a folder without files.
     """
     assert base.adopted
-    targets = adopted.base_targets(base.adopted, BASE, _steps(services, environment, platforms), empty)
+    onto, own = base.adopted, _steps(services, environment, platforms)
+    targets = adopted.base_targets(onto, BASE, own, empty, adopted.stage(services, onto))
     said = targets[BASE]["labels"] | {TITLE: f"{base.adopted.image.target} on {base.name}"}
     said |= {BASE_NAME: base.name, BASE_DIGEST: base.digest}
     targets[BASE] |= {"tags": [tag], "output": [output], "labels": said}

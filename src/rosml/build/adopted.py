@@ -10,6 +10,7 @@ import json
 import os
 import re
 import shutil
+import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
@@ -138,6 +139,24 @@ def _look(services: Services, reference: str, platform: str, state: Path, ros: I
     return system(text, found, tools)
 
 
+def stage(services: Services, adopted: Adopted) -> Path:
+    """A folder with what the steps read. buildx looks at every file of its context, and a checkout may have a million."""
+    place = services.state / "adopted" / f"steps-{adopted.inputs}"
+    if not place.is_dir():
+        place.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=place.parent) as made:
+            folder = Path(made, "steps")
+            for name in ("components", "locks", "tools"):
+                shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
+            shutil.copy2(ROOT / "Dockerfile", folder)
+            try:
+                folder.rename(place)
+            except OSError:
+                if not place.is_dir():  # another call was quicker otherwise
+                    raise
+    return place
+
+
 def empty(folder: Path) -> Path:
     """A folder without files, for a build that gets none."""
     place = folder / "empty"
@@ -145,13 +164,15 @@ def empty(folder: Path) -> Path:
     return place
 
 
-def base_targets(adopted: Adopted, name: str, common: Mapping[str, Any], nothing: Path) -> dict[str, dict[str, Any]]:
+def base_targets(
+    adopted: Adopted, name: str, common: Mapping[str, Any], nothing: Path, steps: Path
+) -> dict[str, dict[str, Any]]:
     """The bake targets that make a base of an image, each on the one before.
 
     Args:
         name: of the last one, which is the base; others are called after it.
         common: what all targets of the bake file have: platforms, secrets, a network.
-        nothing: an empty folder.
+        nothing: an empty folder. steps: what `stage` gave.
     """
     image_set = adopted.image_set
     every = targets.of(image_set)
@@ -182,8 +203,8 @@ def base_targets(adopted: Adopted, name: str, common: Mapping[str, Any], nothing
         on = f"{name}-{step.lstrip('_')}"
         found[on] = {
             **common,
-            "context": str(ROOT),
-            "dockerfile": str(ROOT / "Dockerfile"),
+            "context": str(steps),
+            "dockerfile": str(steps / "Dockerfile"),
             "target": target.stage,
             "contexts": contexts,
             "args": arguments | ({"ADOPTED": "true"} if target.stage == "base" else {}),
