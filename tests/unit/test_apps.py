@@ -50,6 +50,7 @@ def put(
     *platforms: str,
     labels: Mapping[str, str] | None = None,
     user: str = "",
+    starts: Mapping[str, object] | None = None,
     **variables: str,
 ) -> str:
     """An image for some platforms; gives the digest of its index."""
@@ -65,6 +66,7 @@ def put(
                     "Env": [f"{name}={value}" for name, value in variables.items()],
                     "Labels": labels,
                     "User": user,
+                    **(starts or {}),
                 },
             }
             blob = oci.encoded(config)
@@ -958,11 +960,17 @@ def test_ros_is_installed_on_a_base_that_has_none(
     repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """By the steps of our own images, on it by its digest, and kept as a stage of its own. An image is looked at once."""
-    digest = put(services, "rosml/plain:1", f"linux/{native_architecture()}", LANG="de", CUDA_VERSION="13.0.1")
+    starts = {"WorkingDir": "/opt/sdk", "Entrypoint": ["./start.sh", "a\n::error::b"]}
+    digest = put(
+        services, "rosml/plain:1", f"linux/{native_architecture()}", LANG="de", CUDA_VERSION="13.0.1", starts=starts
+    )
     monkeypatch.setattr(variables, "sync_date", lambda *_: "2026-11-20T21:14:09Z")
     given = {"base_image": "plain:1", "command": "true", "cache": f"{services.registry}/me/cache"}
+    said: list[str] = []
     for _ in range(2):
-        app(repository, services, **given).build()
+        found_values = inputs.values({name.replace("_", "-"): value for name, value in given.items()}, repository, {})
+        build.App(repository, found_values, {}, services, said.append).build()
+    assert "its entrypoint runs before each command: /opt/sdk/start.sh 'a ::error::b'" in said
     assert [call["name"] for call in calls].count("system") == 1
     [file] = services.state.rglob("bake.json")
     targets = json.loads(file.read_text())["target"]
@@ -975,6 +983,8 @@ def test_ros_is_installed_on_a_base_that_has_none(
     assert targets["base-system"]["contexts"] == {"os": reference}
     assert targets["base-jazzy-core"]["args"]["ROS_SYNC_DATE"] == "2026-11-20T21:14:09Z"
     assert targets["base"]["args"] == {"KEPT_LANG": "de"}
+    entrypoint = '"/entrypoint.sh", "/opt/sdk/start.sh", "a\\n::error::b"'
+    assert f'ENTRYPOINT ["/tini", "--", {entrypoint}]' in targets["base"]["dockerfile-inline"].splitlines()
     assert targets["base"]["labels"]["io.rosml.own"] == "CUDA_VERSION"
     assert targets["base"]["labels"]["io.rosml.distribution"] == "jazzy"
     kept = targets["keep-base"]["output"][0]

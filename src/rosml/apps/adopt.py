@@ -55,10 +55,11 @@ def with_ros(
     say(f"it has no ROS: {image.distribution}-{image.component} is installed on it{why}")
     if base.entrypoint:
         words = adopted.called(base.entrypoint)
-        said = (
-            f"its entrypoint runs before each command: {shlex.join(words)}" if words else "its entrypoint is left out"
-        )
-        say(said + ("" if words else f", for it takes no command: {shlex.join(base.entrypoint)}"))
+        found_words = " ".join(
+            shlex.join(words or base.entrypoint).split()
+        )  # a line for people, whatever an image says
+        said = "runs before each command" if words else "takes no command, and is left out"
+        say(f"its entrypoint {said}: {found_words}")
     sync = variables.sync_date(services, image_set, image.distribution, say)
     own = base_images.reference(services, image_set.matrix.operating_systems, image.os) if image.wheels else ""
     onto = Adopted(base.reference, image_set, image, base.environment, base.user, base.entrypoint, sync or "", own)

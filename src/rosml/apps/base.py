@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import posixpath
 import re
 import subprocess
 from collections.abc import Iterable, Mapping
@@ -163,7 +164,11 @@ def _base(name: str, digest: str, settings: Settings | None, local: bool = False
     if not re.fullmatch(r"([A-Za-z0-9_][A-Za-z0-9_.-]*(:[A-Za-z0-9_][A-Za-z0-9_.-]*)?)?", said.User or ""):
         raise RosmlError(f"{name} starts as a user of no name: {said.User!r}", "set another USER in an image on it", 2)
     variables = {name: value for name, _, value in (item.partition("=") for item in said.Env or ())}
-    return Base(name, digest, variables, said.Labels or {}, said.User or "", tuple(said.Entrypoint or ()), local)
+    entrypoint = tuple(said.Entrypoint or ())
+    if entrypoint and "/" in entrypoint[0]:  # it may be meant from the folder in which the image starts
+        place = posixpath.normpath(posixpath.join(said.WorkingDir or "/", entrypoint[0]))
+        entrypoint = (place, *entrypoint[1:])
+    return Base(name, digest, variables, said.Labels or {}, said.User or "", entrypoint, local)
 
 
 def _read(registry: oci.Registry, place: oci.Reference, found: oci.Manifest, platforms: tuple[str, ...]) -> Base:
