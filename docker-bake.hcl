@@ -270,7 +270,7 @@ distributions = {
     os = "ubuntu-20.04", ros = "1", ros_distro = "noetic", platforms = ["linux/amd64", "linux/arm64"]
     tags = ["noetic"], aliases = [], experimental = false
     short = { cuda = "cu121", torch = "cu121" }
-    rmw = "", wheels = "", tools = ""
+    rmw = "", usual_rmw = "", wheels = "", tools = ""
     packages = { core = "ros-noetic-ros-core", base = "ros-noetic-ros-base", robot = "ros-noetic-robot", perception = "ros-noetic-perception", desktop = "ros-noetic-desktop", desktop-full = "ros-noetic-desktop-full", core-run = "ros-noetic-ros-core", base-run = "ros-noetic-ros-base" }
     runtime = { core = "core-run", base = "base-run", robot = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "focal", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/noetic/{day}/ubuntu", ROS_TESTING_ADDRESS = "http://packages.ros.org/ros-testing/ubuntu" }
@@ -282,7 +282,7 @@ distributions = {
     os = "ubuntu-20.04", ros = "2", ros_distro = "foxy", platforms = ["linux/amd64", "linux/arm64"]
     tags = ["foxy"], aliases = [], experimental = false
     short = { cuda = "cu121", torch = "cu121" }
-    rmw = "", wheels = "", tools = ""
+    rmw = "", usual_rmw = "", wheels = "", tools = ""
     packages = { core = "ros-foxy-ros-core", base = "ros-foxy-ros-base", desktop = "ros-foxy-desktop", core-run = "ros-foxy-ros-core", base-run = "ros-foxy-ros-base" }
     runtime = { core = "core-run", base = "base-run", desktop = "base-run" }
     apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "focal", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/foxy/{day}/ubuntu", ROS_TESTING_ADDRESS = "http://packages.ros.org/ros2-testing/ubuntu" }
@@ -294,7 +294,7 @@ distributions = {
     os = "ubuntu-22.04", ros = "2", ros_distro = "humble", platforms = ["linux/amd64", "linux/arm64"]
     tags = ["humble"], aliases = [], experimental = false
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
-    rmw = "", wheels = "", tools = ""
+    rmw = "", usual_rmw = "", wheels = "", tools = ""
     packages = { core = "ros-humble-ros-core", base = "ros-humble-ros-base", perception = "ros-humble-perception", desktop = "ros-humble-desktop", desktop-full = "ros-humble-desktop-full", core-run = "ros-humble-ros-core", base-run = "ros-humble-ros-base" }
     runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "jammy", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/humble/{day}/ubuntu", ROS_TESTING_ADDRESS = "http://packages.ros.org/ros2-testing/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.jammy_all.deb@sha256:110b9a462d55252decb8b7c816f61c2ba0d9890ce5fb93ac504e97cae5860d76" }
@@ -306,7 +306,7 @@ distributions = {
     os = "ubuntu-22.04", ros = "2", ros_distro = "iron", platforms = ["linux/amd64", "linux/arm64"]
     tags = ["iron"], aliases = [], experimental = false
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
-    rmw = "", wheels = "", tools = ""
+    rmw = "", usual_rmw = "", wheels = "", tools = ""
     packages = { core = "ros-iron-ros-core", base = "ros-iron-ros-base", perception = "ros-iron-perception", desktop = "ros-iron-desktop", desktop-full = "ros-iron-desktop-full", core-run = "ros-iron-ros-core", base-run = "ros-iron-ros-base" }
     runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "jammy", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/iron/{day}/ubuntu", ROS_TESTING_ADDRESS = "http://packages.ros.org/ros2-testing/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.jammy_all.deb@sha256:110b9a462d55252decb8b7c816f61c2ba0d9890ce5fb93ac504e97cae5860d76" }
@@ -318,7 +318,7 @@ distributions = {
     os = "ubuntu-24.04", ros = "2", ros_distro = "jazzy", platforms = ["linux/amd64", "linux/arm64"]
     tags = ["jazzy", "latest"], aliases = [], experimental = false
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
-    rmw = "", wheels = "", tools = ""
+    rmw = "", usual_rmw = "", wheels = "", tools = ""
     packages = { core = "ros-jazzy-ros-core", base = "ros-jazzy-ros-base", perception = "ros-jazzy-perception", desktop = "ros-jazzy-desktop", desktop-full = "ros-jazzy-desktop-full", core-run = "ros-jazzy-ros-core", base-run = "ros-jazzy-ros-base" }
     runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "noble", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/jazzy/{day}/ubuntu", ROS_TESTING_ADDRESS = "http://packages.ros.org/ros2-testing/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.noble_all.deb@sha256:f31d84adf5054c7d60ded0e82c0f776a77ea33af53d08f40b9ad7c94cca55296" }
@@ -330,7 +330,7 @@ distributions = {
     os = "ubuntu-24.04", ros = "2", ros_distro = "kilted", platforms = ["linux/amd64", "linux/arm64"]
     tags = ["kilted"], aliases = [], experimental = false
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
-    rmw = "", wheels = "", tools = ""
+    rmw = "", usual_rmw = "", wheels = "", tools = ""
     packages = { core = "ros-kilted-ros-core", base = "ros-kilted-ros-base", perception = "ros-kilted-perception", desktop = "ros-kilted-desktop", desktop-full = "ros-kilted-desktop-full", core-run = "ros-kilted-ros-core", base-run = "ros-kilted-ros-base" }
     runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "noble", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/kilted/{day}/ubuntu", ROS_TESTING_ADDRESS = "http://packages.ros.org/ros2-testing/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.noble_all.deb@sha256:f31d84adf5054c7d60ded0e82c0f776a77ea33af53d08f40b9ad7c94cca55296" }
@@ -342,7 +342,7 @@ distributions = {
     os = "ubuntu-26.04", ros = "2", ros_distro = "lyrical", platforms = ["linux/amd64", "linux/arm64"]
     tags = ["lyrical"], aliases = [], experimental = false
     short = { cuda = "cu130", torch = "cu130" }
-    rmw = "", wheels = "", tools = ""
+    rmw = "", usual_rmw = "", wheels = "", tools = ""
     packages = { core = "ros-lyrical-ros-core", base = "ros-lyrical-ros-base", perception = "ros-lyrical-perception", desktop = "ros-lyrical-desktop", desktop-full = "ros-lyrical-desktop-full", core-run = "ros-lyrical-ros-core", base-run = "ros-lyrical-ros-base" }
     runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "resolute", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/lyrical/{day}/ubuntu", ROS_TESTING_ADDRESS = "http://packages.ros.org/ros2-testing/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.resolute_all.deb@sha256:e70bc980395f4a3b366b9c5e7f8f9b4d63a4064fb115f6ff3bc52f7faa02ef69" }
@@ -354,7 +354,7 @@ distributions = {
     os = "ubuntu-26.04", ros = "2", ros_distro = "rolling", platforms = ["linux/amd64", "linux/arm64"]
     tags = ["rolling"], aliases = [], experimental = false
     short = { cuda = "cu130", torch = "cu130" }
-    rmw = "", wheels = "", tools = ""
+    rmw = "", usual_rmw = "", wheels = "", tools = ""
     packages = { core = "ros-rolling-ros-core", base = "ros-rolling-ros-base", perception = "ros-rolling-perception", desktop = "ros-rolling-desktop", desktop-full = "ros-rolling-desktop-full", core-run = "ros-rolling-ros-core", base-run = "ros-rolling-ros-base" }
     runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "resolute", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/rolling/{day}/ubuntu", ROS_TESTING_ADDRESS = "http://packages.ros.org/ros2-testing/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.resolute_all.deb@sha256:e70bc980395f4a3b366b9c5e7f8f9b4d63a4064fb115f6ff3bc52f7faa02ef69" }
@@ -366,7 +366,7 @@ distributions = {
     os = "bookworm", ros = "1", ros_distro = "Debian", platforms = ["linux/amd64", "linux/arm64"]
     tags = ["ros1-bookworm", "bookworm"], aliases = ["bookworm"], experimental = false
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
-    rmw = "", wheels = "", tools = ""
+    rmw = "", usual_rmw = "", wheels = "", tools = ""
     packages = { core = "rosbash ros-core ros-core-dev ros-core-python-dev", base = "rosbash ros-base ros-base-dev ros-base-python-dev", robot = "rosbash ros-robot ros-robot-dev ros-robot-python-dev", perception = "rosbash ros-perception ros-perception-dev ros-perception-python-dev", desktop = "rosbash ros-desktop ros-desktop-dev ros-desktop-python-dev", desktop-full = "rosbash ros-desktop-full ros-desktop-full-dev ros-desktop-full-python-dev", core-run = "rosbash ros-core ros-core-dev ros-core-python-dev", base-run = "rosbash ros-base ros-base-dev ros-base-python-dev" }
     runtime = { core = "core-run", base = "base-run", robot = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = null
@@ -378,7 +378,7 @@ distributions = {
     os = "trixie", ros = "1", ros_distro = "Debian", platforms = ["linux/amd64", "linux/arm64"]
     tags = ["ros1-trixie", "trixie"], aliases = ["trixie"], experimental = false
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
-    rmw = "", wheels = "", tools = ""
+    rmw = "", usual_rmw = "", wheels = "", tools = ""
     packages = { core = "rosbash ros-core ros-core-dev ros-core-python-dev", base = "rosbash ros-base ros-base-dev ros-base-python-dev", robot = "rosbash ros-robot ros-robot-dev ros-robot-python-dev", perception = "rosbash ros-perception ros-perception-dev ros-perception-python-dev", desktop = "rosbash ros-desktop ros-desktop-dev ros-desktop-python-dev", desktop-full = "rosbash ros-desktop-full ros-desktop-full-dev ros-desktop-full-python-dev", core-run = "rosbash ros-core ros-core-dev ros-core-python-dev", base-run = "rosbash ros-base ros-base-dev ros-base-python-dev" }
     runtime = { core = "core-run", base = "base-run", robot = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = null
@@ -390,7 +390,7 @@ distributions = {
     os = "bookworm", ros = "2", ros_distro = "jazzy", platforms = ["linux/amd64"]
     tags = [], aliases = [], experimental = true
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
-    rmw = "", wheels = "ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6", tools = "python3-rosdep2 vcstool python3-numpy python3-empy colcon python3-colcon-argcomplete python3-colcon-bash python3-colcon-cmake python3-colcon-defaults python3-colcon-metadata python3-colcon-output python3-colcon-package-information python3-colcon-package-selection python3-colcon-parallel-executor python3-colcon-ros"
+    rmw = "", usual_rmw = "", wheels = "ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6", tools = "python3-rosdep2 vcstool python3-numpy python3-empy colcon python3-colcon-argcomplete python3-colcon-bash python3-colcon-cmake python3-colcon-defaults python3-colcon-metadata python3-colcon-output python3-colcon-package-information python3-colcon-package-selection python3-colcon-parallel-executor python3-colcon-ros"
     packages = { core = "" }
     runtime = {}
     apt = null
@@ -653,6 +653,7 @@ function "labels" {
     "io.rosml.ros"                         = image.row.ros
     "io.rosml.ros.sync"                    = image.row.apt == null ? null : try(sync_dates[image.distribution], null)
     "io.rosml.experimental"                = image.row.experimental ? "true" : null
+    "io.rosml.rmw"                         = image.row.usual_rmw == "" ? null : image.row.usual_rmw
     "io.rosml.runtime"                     = try(image.row.runtime[image.component], null)
     }, {
     for item in image.versions : "io.rosml.${item.name}" => item.version if contains(counted, item.name)

@@ -449,6 +449,11 @@ def test_another_channel_for_once(small_bake: Path) -> None:
     assert other["ROS_CHANNEL"] == "final"
 
 
+def test_another_rmw_implementation_by_default() -> None:
+    text = changed("    apt: {channel: live}", "    apt: {channel: live}\n    usual_rmw: rmw_cyclonedds_cpp")
+    assert targets.of(parse(text))["alpha-core"].labels["io.rosml.rmw"] == "rmw_cyclonedds_cpp"
+
+
 def test_more_rmw_implementations() -> None:
     """They come with the lowest component, and the tests are told."""
     image_set = parse(changed("    apt: {channel: live}", "    apt: {channel: live}\n    rmw: [rmw_cyclonedds_cpp]"))

@@ -57,7 +57,12 @@ class Robot:
         return self.echoes
 
     def context(
-        self, *words: str, image: Mapping[str, str] = CONTRACT, engine: Engine | None = None, me: Person = ME
+        self,
+        *words: str,
+        image: Mapping[str, str] = CONTRACT,
+        engine: Engine | None = None,
+        me: Person = ME,
+        labels: Mapping[str, str] | None = None,
     ) -> Context:
         """What is known."""
         there = Host(
@@ -68,7 +73,13 @@ class Robot:
             self.addresses.__contains__,
             self.heard,
         )
-        return Context(split([*words, "ros:jazzy"], OWN), engine or Engine(), me, Image(environment=image), there)
+        return Context(
+            split([*words, "ros:jazzy"], OWN),
+            engine or Engine(),
+            me,
+            Image(environment=image, labels=labels or {}),
+            there,
+        )
 
     def found(self, *words: str, others: tuple[Container, ...] = (), **known: Any) -> dict[str, check.Finding]:
         """What --check says, by what it is about."""
@@ -83,6 +94,21 @@ class Robot:
 def robot(tmp_path: Path) -> Robot:
     """A machine with ROS on which all is well."""
     return Robot(tmp_path / "root")
+
+
+def test_an_image_says_what_its_ros_takes_by_default(robot: Robot) -> None:
+    """Of an archive without Fast DDS."""
+    cyclone = {"io.rosml.rmw": "rmw_cyclonedds_cpp"}
+    context = robot.context(image={**CONTRACT, "ROS_DISTRO": "jazzy"}, labels=cyclone)
+    planned = places.planned(context, plugins.plan(context).argv)
+    running = places.running(
+        Container("c", "running", environment={"ROS_DISTRO": "jazzy"}, labels=cyclone), rootless=False
+    )
+    assert (planned.middleware, running.middleware) == ("cyclonedds", "cyclonedds")
+    named = places.running(
+        Container("c", "running", environment={"RMW_IMPLEMENTATION": "rmw_zenoh_cpp"}, labels=cyclone), rootless=False
+    )
+    assert named.rmw == "rmw_zenoh_cpp"
 
 
 # ---- What a container gets -------------------------------------------------------------------------------------------

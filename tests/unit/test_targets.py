@@ -114,7 +114,10 @@ def turned(text: str) -> str:
 
 
 ASIDE = changed("desktop: {builds_on: robot}", "desktop: {builds_on: core}")
-RMW = changed("    apt: {channel: live}", "    apt: {channel: live}\n    rmw: [rmw_cyclonedds_cpp, rmw_zenoh_cpp]")
+RMW = changed(
+    "    apt: {channel: live}",
+    "    apt: {channel: live}\n    usual_rmw: rmw_zenoh_cpp\n    rmw: [rmw_cyclonedds_cpp, rmw_zenoh_cpp]",
+)
 BOTH = changed("wheels: {cu1: [amd64], cpu: [arm64]}", "wheels: {cu1: [amd64], cpu: [amd64, arm64]}", WHEELS)
 
 MATRICES: dict[str, Callable[[], ImageSet]] = {

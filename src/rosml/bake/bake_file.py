@@ -248,6 +248,7 @@ def _distribution(matrix: Matrix, name: str, images: Sequence[Image]) -> Lines:
         {"short": defaults},
         {
             "rmw": ",".join(facts.rmw),
+            "usual_rmw": facts.usual_rmw or "",
             "wheels": targets.wheels(facts.wheels),
             "tools": facts.tools or "",
         },

@@ -157,6 +157,7 @@ function "labels" {
     "io.rosml.ros"                         = image.row.ros
     "io.rosml.ros.sync"                    = image.row.apt == null ? null : try(sync_dates[image.distribution], null)
     "io.rosml.experimental"                = image.row.experimental ? "true" : null
+    "io.rosml.rmw"                         = image.row.usual_rmw == "" ? null : image.row.usual_rmw
     "io.rosml.runtime"                     = try(image.row.runtime[image.component], null)
     }, {
     for item in image.versions : "io.rosml.${item.name}" => item.version if contains(counted, item.name)

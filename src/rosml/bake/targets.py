@@ -277,6 +277,8 @@ def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
         found[f"{labels.PREFIX}stack"] = image.stack
     if distribution.apt or distribution.archive:
         found[f"{labels.PREFIX}ros.sync"] = NoInput("sync date", image.distribution)
+    if distribution.usual_rmw:
+        found[labels.RMW] = distribution.usual_rmw
     if distribution.experimental:
         found[f"{labels.PREFIX}experimental"] = "true"
     return found

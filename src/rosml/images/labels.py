@@ -35,6 +35,9 @@ GPU = f"{PREFIX}gpu."
 RUNTIME = f"{PREFIX}runtime"
 """The label of an image that says on which component programs run that are built on it."""
 
+RMW = f"{PREFIX}rmw"
+"""The label of an image whose ROS 2 takes another RMW implementation than Fast DDS's if nobody names one."""
+
 OWN = f"{PREFIX}own"
 """The label of an image of somebody else, with ROS on it, that has CUDA or a framework of its own: the variables that say so."""
 

@@ -387,6 +387,10 @@ class Distribution(Facts):
     rmw: tuple[Rmw, ...] = Field(
         default=(), description="RMW implementations of ROS 2 beside the default one; RMW_IMPLEMENTATION chooses one"
     )
+    usual_rmw: Rmw | None = Field(
+        default=None,
+        description="what ROS 2 takes if RMW_IMPLEMENTATION chooses none, for an archive without rmw_fastrtps_cpp",
+    )
 
     @property
     def generation(self) -> Generation:

@@ -312,8 +312,9 @@ def _distributions(matrix: Matrix) -> Iterator[Finding]:
             and not (matrix.ros_archive and matrix.ros_archive.testing)
         ):
             yield (*path, "apt"), "nothing says where ROS's testing repository is; add 'testing: …' to ros_archive"
-        if distribution.rmw and distribution.ros == 1:
-            yield (*path, "rmw"), "ROS 1 has no RMW implementations; they are ROS 2's"
+        for key in ("rmw", "usual_rmw"):
+            if getattr(distribution, key) and distribution.ros == 1:
+                yield (*path, key), "ROS 1 has no RMW implementations; they are ROS 2's"
         if distribution.apt and distribution.archive:
             yield (*path, "archive"), "ROS comes from 'apt' already; keep one of the two"
         elif distribution.os in matrix.operating_systems:

@@ -27,6 +27,9 @@ WITHOUT_RANGE = ("dashing", "eloquent", "foxy", "galactic", "humble")
 DEFAULT = "rmw_fastrtps_cpp"
 """What ROS 2 takes where RMW_IMPLEMENTATION names nothing else; galactic alone took Cyclone DDS."""
 
+RMW = "io.rosml.rmw"
+"""The label of an image whose ROS takes another one."""
+
 
 WITHOUT = "-e FASTDDS_BUILTIN_TRANSPORTS=UDPv4"
 """Has Fast DDS do without shared memory."""
@@ -46,6 +49,7 @@ class Place:
         environment: the variables there.
         network, ipc: `host`, `container:…`, a name, or `private`.
         uid: whom files in shared memory belong to, outside; empty where it is unknown.
+        default: the RMW implementation that is taken where nobody names one; empty where the image does not say.
     """
 
     name: str
@@ -53,6 +57,7 @@ class Place:
     network: str = HOST
     ipc: str = HOST
     uid: str = ""
+    default: str = ""
 
     @property
     def version(self) -> str:
@@ -64,7 +69,7 @@ class Place:
     def rmw(self) -> str:
         """The RMW implementation of ROS 2."""
         default = "rmw_cyclonedds_cpp" if self.environment.get("ROS_DISTRO") == "galactic" else DEFAULT
-        return self.environment.get("RMW_IMPLEMENTATION") or default
+        return self.environment.get("RMW_IMPLEMENTATION") or self.default or default
 
     @property
     def middleware(self) -> str:
@@ -118,7 +123,8 @@ def planned(context: Context, argv: Sequence[str]) -> Place:
     environment = {**context.image.environment, **_variables(context, line)}
     user = environment.get("DOCKER_UID") or line.value("user").partition(":")[0]
     uid = "" if engine.rootless else _number(user or ("0" if "DOCKER_UID" in environment else ""))
-    return Place("the container", environment, _named(network), HOST if mounted else line.value("ipc") or ALONE, uid)
+    ipc = HOST if mounted else line.value("ipc") or ALONE
+    return Place("the container", environment, _named(network), ipc, uid, context.image.labels.get(RMW, ""))
 
 
 def running(container: Container, rootless: bool) -> Place:
@@ -129,9 +135,8 @@ def running(container: Container, rootless: bool) -> Place:
     """
     ipc = HOST if SHM in container.mounts else container.ipc
     user = container.environment.get("DOCKER_UID") or container.user.partition(":")[0] or "0"
-    return Place(
-        container.name, container.environment, _named(container.network), ipc, "" if rootless else _number(user)
-    )
+    uid, default = "" if rootless else _number(user), container.labels.get(RMW, "")
+    return Place(container.name, container.environment, _named(container.network), ipc, uid, default)
 
 
 def machine(context: Context) -> Place | None:
