@@ -25,7 +25,7 @@ from rosml.registry import oci
 from tests import walk
 from tests.e2e.apt_stand_in import Image, Keys, Repository, Server, package
 from tests.e2e.conftest import NAMESPACE, Run, run
-from tests.e2e.images import NATIVE, PLATFORM
+from tests.e2e.images import NATIVE, PLATFORM, build
 from tests.pages import commands
 
 PAGE = "ROS from your own archive"
@@ -102,7 +102,11 @@ def test_the_page_is_followed_to_an_image(
     # The same on an image of somebody else: Debian's own.
     systems = load.load(ROOT / "matrix.yaml").matrix.operating_systems
     debian = base_images.reference(services, systems, "bookworm", NATIVE)
-    argv = [sys.executable, "src", "image", target, "--on", debian, "--namespace", f"{NAMESPACE}-archive", "--json"]
+    plain = f"{services.registry}/{NAMESPACE}-archive/debian:plain"
+    (tmp_path / "plain").mkdir()
+    (tmp_path / "plain/Dockerfile").write_text(f"FROM {debian}\n")
+    build(services, tmp_path / "plain", "--output", f"type=image,name={plain},push=true")
+    argv = [sys.executable, "src", "image", target, "--on", plain, "--namespace", f"{NAMESPACE}-archive", "--json"]
     done = run(*argv, cwd=checkout, env={"ROS_APT_MIRROR": server.url})
     assert done.code == 0, done.err
     config = regctl.image_config(services, json.loads(done.out)["reference"], PLATFORM)["config"]
