@@ -352,7 +352,10 @@ def test_what_a_tag_moves_to_while_manifests_go_stays(
     if only_digests:
         registry.refuses.add("delete a tag")
     dated = [registry.head(path, tag) for place, tag in here.find().tags if place == "ros"]
-    goal = [digest for place, digest in here.find().manifests if place == "ros" and digest in dated][-1]
+    going = [digest for place, digest in here.find().manifests if place == "ros"]
+    # The last one that goes: with its tag, if the registry deletes nothing but digests.
+    one, other = (dated, going) if only_digests else (going, dated)
+    goal = [digest for digest in one if digest in other][-1]
     move = tag_moves.Move("ros", "alpha-core", goal, registry.head(path, "alpha-core"))
     old_run = "20260801T030000Z"
     records.artifact(f"undo.{old_run}", json.dumps({"moves": [move.to_json()]}).encode(), {})
