@@ -16,6 +16,7 @@ from rosml.base.file_lock import turn
 from rosml.build import adopted, variables
 from rosml.build.adopted import Adopted
 from rosml.images import system
+from rosml.images.image_set import ImageSet
 from rosml.images.load import load
 from rosml.machine import base_images, buildx
 from rosml.machine.services import Services
@@ -27,18 +28,20 @@ def with_ros(
     values: Mapping[str, str],
     platforms: tuple[str, ...],
     say: Callable[[str], None],
+    image_set: ImageSet | None = None,
 ) -> Base:
     """The base image itself if it has ROS; else the same with what is to be installed on it.
 
     Args:
         values: of all inputs. platforms: that the app is for.
+        image_set: what there is to install; what rosml's own matrix describes if left out.
 
     Raises:
         RosmlError: no ROS can be installed on it, or not the one that is named (exit code 2).
     """
     if base.environment.get("ROS_DISTRO") or values["disable-ros-installation"] == "true":
         return base
-    image_set = load(ROOT / "matrix.yaml")
+    image_set = image_set or load(ROOT / "matrix.yaml")
     known = {facts.ros_distro or name for name, facts in image_set.matrix.distributions.items()}
     found = adopted.look(services, base.reference, platforms[0], known)
     if found.ros:

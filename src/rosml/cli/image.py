@@ -18,7 +18,7 @@ from rosml.cli.call import KEPT, Call, say, sharing, wait_for_turn
 from rosml.cli.checkout import Command
 
 if TYPE_CHECKING:
-    from rosml.images.image_set import Image
+    from rosml.images.image_set import Image, ImageSet
     from rosml.machine.services import Services
 
 
@@ -80,7 +80,7 @@ def main(target: str, matrix: Path, namespace: str, platform: str, on: str, forc
     services.require_builder("" if architecture == native else image_set.matrix.architectures[architecture].platform)
     if on:
         assert named
-        found = _on(on, named, services, image_set.matrix.architectures[architecture].platform, namespace)
+        found = _on(on, named, image_set, services, image_set.matrix.architectures[architecture].platform, namespace)
         terminal.echo(json.dumps(found, indent=2) if as_json else f"image    {found['reference']}")
         return
     wanted = named or default.default(services, image_set, architecture, say)
@@ -101,7 +101,9 @@ def main(target: str, matrix: Path, namespace: str, platform: str, on: str, forc
     terminal.echo(json.dumps(made.to_json(), indent=2) if as_json else made.text())
 
 
-def _on(name: str, image: Image, services: Services, platform: str, namespace: str) -> dict[str, str]:
+def _on(
+    name: str, image: Image, image_set: ImageSet, services: Services, platform: str, namespace: str
+) -> dict[str, str]:
     """Installs the ROS of an image on another one, and pushes the result into the local registry.
 
     Raises:
@@ -113,7 +115,7 @@ def _on(name: str, image: Image, services: Services, platform: str, namespace: s
 
     found = base.find(name, services, (platform,))
     values = {"ros-distro": image.distribution, "ros-component": image.component, "disable-ros-installation": "false"}
-    onto = adopt.with_ros(found, services, values, (platform,), say)
+    onto = adopt.with_ros(found, services, values, (platform,), say, image_set)
     if not onto.adopted:
         has = found.environment.get("ROS_DISTRO") or "in /opt/ros"
         raise RosmlError(f"{found.name} has ROS already: {has}", "build on it as it is", exit_code=2)
