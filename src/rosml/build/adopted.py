@@ -13,6 +13,7 @@ import shutil
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path, PurePosixPath
 from typing import Any
 
@@ -73,7 +74,7 @@ class Adopted:
     sync: str = ""
     system: str = ""
 
-    @property
+    @cached_property
     def inputs(self) -> str:
         """A digest of what decides the base beside the image itself and its platforms."""
         inputs = Inputs(ROOT, self.image_set)
