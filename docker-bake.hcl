@@ -1,4 +1,4 @@
-# Generated from matrix.yaml by scripts/generate_bake.py, with src/rosml/bake/graph.hcl below it: change one of them, then run
+# Generated from matrix.yaml by scripts/generate_bake.py, with src/rosml/images/bake/graph.hcl below it: change one of them, then run
 #   rosml generate
 #
 #   PLATFORM=linux/amd64 docker buildx bake ros1-bookworm-core   builds an image, and what it stands on, for one platform
@@ -495,7 +495,7 @@ group "cpu" { targets = having("stack", "cpu") }
 group "cpu38" { targets = having("stack", "cpu38") }
 
 # ---- What follows from the tables ------------------------------------------------------------------------------------
-# From here on all is written by hand, in src/rosml/bake/graph.hcl. src/rosml/bake/targets.py says the same in Python, for whoever asks what
+# From here on all is written by hand, in src/rosml/images/bake/graph.hcl. src/rosml/images/bake/targets.py says the same in Python, for whoever asks what
 # decides an image, and a test compares the two.
 
 # What the caller says in JSON. An empty text says nothing.

@@ -25,7 +25,7 @@ from bench.here import Here
 from bench.limits import Held
 from rosml import ROOT
 from rosml.base.errors import RosmlError
-from rosml.images import load
+from rosml.images.image_set import load
 from rosml.machine.services import Services
 
 TARGET = "ros1-bookworm-base-tensorflow-cpu"

@@ -12,14 +12,14 @@ from dataclasses import dataclass
 from bench import synthetic
 from bench.limits import Held
 from rosml import ROOT
-from rosml.bake import bake_file
-from rosml.bake.inputs import Inputs
 from rosml.base.errors import RosmlError
 from rosml.base.terminal import show, table
-from rosml.catalogue import readme
-from rosml.images import load
-from rosml.matrix import source
-from rosml.publish import shards
+from rosml.images.bake import bake_file
+from rosml.images.bake.inputs import Inputs
+from rosml.images.catalogue import readme
+from rosml.images.image_set import load
+from rosml.images.matrix import source
+from rosml.images.publish import shards
 
 RUNS = 5
 """Whole runs on the real matrix, of which the median counts."""

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from rosml.build.variables import variables
-from rosml.images.image_set import Image, ImageSet
-from rosml.machine import base_images
+from rosml.images.builds import base_images
+from rosml.images.builds.variables import variables
+from rosml.images.image_set.model import Image, ImageSet
 from rosml.machine.services import Services
 
 

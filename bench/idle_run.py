@@ -17,15 +17,15 @@ from bench.temporary import Temporary
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted
 from rosml.base.units import duration, size
-from rosml.images.image_set import Image, ImageSet, Part, repository_of, tags_of
-from rosml.images.labels import TITLE, title
+from rosml.images.image_set.labels import TITLE, title
+from rosml.images.image_set.model import Image, ImageSet, Part, repository_of, tags_of
+from rosml.images.matrix.names import dated
+from rosml.images.publish import plan as planning
+from rosml.images.publish.pipeline import Pipeline
+from rosml.images.publish.plan import Item, Plan
+from rosml.images.publish.steps import STEPS
+from rosml.images.records.store import DATE, INDEX, READERS, Entry, Records
 from rosml.machine.services import Services
-from rosml.matrix.names import dated
-from rosml.publish import plan as planning
-from rosml.publish.pipeline import Pipeline
-from rosml.publish.plan import Item, Plan
-from rosml.publish.steps import STEPS
-from rosml.records.store import DATE, INDEX, READERS, Entry, Records
 from rosml.registry import oci
 
 LAYER = b"a layer"

@@ -23,11 +23,11 @@ from rosml.base.clock import now
 from rosml.base.errors import RosmlError
 from rosml.base.terminal import console, show, table
 from rosml.base.units import duration, size
-from rosml.build.maker import Maker
-from rosml.join import file_lists
-from rosml.join.joiner import Joiner
-from rosml.publish import plan
-from rosml.publish.pipeline import Pipeline
+from rosml.images.builds.maker import Maker
+from rosml.images.join import file_lists
+from rosml.images.join.joiner import Joiner
+from rosml.images.publish import plan
+from rosml.images.publish.pipeline import Pipeline
 from rosml.registry import oci
 
 TAGS = (10, 20, 40)

@@ -11,10 +11,10 @@ from typing import Any
 from bench.here import Here
 from rosml import ROOT
 from rosml.base.units import duration, size
-from rosml.images.image_set import ImageSet
-from rosml.scan.judge import Part
-from rosml.scan.sbom import Shelf
-from rosml.scan.trivy import ScannerFailed, Trivy
+from rosml.images.image_set.model import ImageSet
+from rosml.images.scan.judge import Part
+from rosml.images.scan.sbom import Shelf
+from rosml.images.scan.trivy import ScannerFailed, Trivy
 
 HEADING = "a scan of the whole matrix"
 

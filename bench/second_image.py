@@ -21,16 +21,17 @@ from pathlib import Path
 from typing import Any
 
 from bench.here import Here
-from rosml.bake import bake_file, hcl
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.terminal import console, show, table
 from rosml.base.units import duration, size
-from rosml.build.maker import require_buildable
-from rosml.build.push import COMPRESSION, push_by_digest
-from rosml.images import lock_file
-from rosml.images.image_set import Image, ImageSet
-from rosml.machine import base_images, buildx, disk, regctl
+from rosml.images.bake import bake_file, hcl
+from rosml.images.builds import base_images, disk
+from rosml.images.builds.maker import require_buildable
+from rosml.images.builds.push import COMPRESSION, push_by_digest
+from rosml.images.image_set import lock_file
+from rosml.images.image_set.model import Image, ImageSet
+from rosml.machine import buildx, regctl
 from rosml.machine.progress import BuildProgress
 from rosml.machine.services import Services
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`rosml catalogue`, from a checkout without a set-up of its own: src/rosml/cli/catalogue.py."""
+"""`rosml catalogue`, from a checkout without a set-up of its own: src/rosml/cli/images/catalogue.py."""
 
 import sys
 from pathlib import Path

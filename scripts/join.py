@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`rosml join`, from a checkout without a set-up of its own: src/rosml/cli/join.py."""
+"""`rosml join`, from a checkout without a set-up of its own: src/rosml/cli/images/join.py."""
 
 import sys
 from pathlib import Path

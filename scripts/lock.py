@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`rosml locks`, from a checkout without a set-up of its own: src/rosml/cli/locks.py."""
+"""`rosml locks`, from a checkout without a set-up of its own: src/rosml/cli/images/locks.py."""
 
 import sys
 from pathlib import Path

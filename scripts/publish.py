@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`rosml publish`, from a checkout without a set-up of its own: src/rosml/cli/publish.py."""
+"""`rosml publish`, from a checkout without a set-up of its own: src/rosml/cli/images/publish.py."""
 
 import sys
 from pathlib import Path

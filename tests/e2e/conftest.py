@@ -24,8 +24,8 @@ import pytest
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
-from rosml.images import load
-from rosml.images.image_set import Image, ImageSet
+from rosml.images.image_set import load
+from rosml.images.image_set.model import Image, ImageSet
 from rosml.machine import regctl
 from rosml.machine.services import Services
 from tests.e2e.builders import builder

@@ -7,12 +7,13 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from rosml import ROOT
-from rosml.build.push import COMPRESSION
-from rosml.images import load
-from rosml.images.image_set import Part
-from rosml.machine import base_images, buildx, regctl
+from rosml.images.builds import base_images
+from rosml.images.builds.push import COMPRESSION
+from rosml.images.image_set import load
+from rosml.images.image_set.model import Part
+from rosml.images.matrix import names
+from rosml.machine import buildx, regctl
 from rosml.machine.services import Services
-from rosml.matrix import names
 from tests.e2e.conftest import NAMESPACE, Published, run
 
 Publish = Callable[[str], Published]

@@ -21,14 +21,15 @@ import yaml
 
 from rosml import ROOT
 from rosml.base.file_lock import turn
-from rosml.images import load
-from rosml.images.image_set import ImageSet
-from rosml.machine import base_images, regctl
+from rosml.images.builds import base_images
+from rosml.images.image_set import load
+from rosml.images.image_set.model import ImageSet
+from rosml.images.publish import plan as planning
+from rosml.images.records import store
+from rosml.images.records.store import ARTIFACT, INDEX, Records
+from rosml.images.records.tag_moves import UNDO
+from rosml.machine import regctl
 from rosml.machine.services import Services
-from rosml.publish import plan as planning
-from rosml.records import store
-from rosml.records.store import ARTIFACT, INDEX, Records
-from rosml.records.tag_moves import UNDO
 from rosml.registry import oci
 from tests.e2e.conftest import CHECKOUT, Run, run
 from tests.e2e.images import ca_secret

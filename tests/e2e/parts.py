@@ -9,10 +9,10 @@ import tarfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from rosml.images import labels
-from rosml.join import file_lists
-from rosml.matrix import rules
-from rosml.matrix.model import ANY_PYTHON, PartEntry
+from rosml.images.image_set import labels
+from rosml.images.join import file_lists
+from rosml.images.matrix import rules
+from rosml.images.matrix.model import ANY_PYTHON, PartEntry
 from rosml.registry import oci
 from rosml.registry.oci import Registry
 

@@ -12,9 +12,9 @@ from pathlib import Path
 import pytest
 
 from rosml import ROOT
-from rosml.apps import build, inputs
-from rosml.images import load
-from rosml.machine import base_images
+from rosml.containerize import build, inputs
+from rosml.images.builds import base_images
+from rosml.images.image_set import load
 from rosml.machine.services import Services
 from tests.e2e.conftest import NAMESPACE, run
 from tests.e2e.images import build as build_folder

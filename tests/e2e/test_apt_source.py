@@ -18,10 +18,10 @@ import pytest
 import yaml
 
 from rosml import ROOT
-from rosml.bake import targets
-from rosml.build import sync
-from rosml.images import apt_source as apt_sources
-from rosml.images import load
+from rosml.images.bake import targets
+from rosml.images.builds import sync
+from rosml.images.image_set import apt_source as apt_sources
+from rosml.images.image_set import load
 from tests.e2e.apt_stand_in import (
     APT_SOURCE,
     LIVE,

@@ -9,7 +9,7 @@ import json
 
 import pytest
 
-from rosml.machine import base_images
+from rosml.images.builds import base_images
 from tests.e2e.conftest import publish
 
 OTHER = "amd64" if base_images.native_architecture() == "arm64" else "arm64"

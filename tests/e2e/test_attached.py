@@ -10,14 +10,14 @@ from pathlib import Path
 
 import pytest
 
+from rosml.images.publish import plan as planning
+from rosml.images.publish import provenance
+from rosml.images.publish.pipeline import Pipeline
+from rosml.images.publish.promote import Promotion
+from rosml.images.publish.sign import Signer, SignerFailed
+from rosml.images.records import store
+from rosml.images.records.store import INDEX, Records
 from rosml.machine.services import Services
-from rosml.publish import plan as planning
-from rosml.publish import provenance
-from rosml.publish.pipeline import Pipeline
-from rosml.publish.promote import Promotion
-from rosml.publish.sign import Signer, SignerFailed
-from rosml.records import store
-from rosml.records.store import INDEX, Records
 from rosml.registry import oci
 from tests.e2e import mini as minis
 from tests.e2e import secure

@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 
 from rosml import ROOT
-from rosml.build import structure_tests
-from rosml.images.image_set import ImageSet
+from rosml.images.builds import structure_tests
+from rosml.images.image_set.model import ImageSet
+from rosml.images.matrix import names
 from rosml.machine import regctl
 from rosml.machine.services import Services
-from rosml.matrix import names
 from tests.e2e.conftest import NAMESPACE
 from tests.e2e.images import Publish, build, build_on, push
 

@@ -23,8 +23,8 @@ from typing import Any
 import pytest
 
 from rosml import ROOT
-from rosml.apps import build, inputs
 from rosml.base.errors import RosmlError
+from rosml.containerize import build, inputs
 from rosml.machine import regctl
 from rosml.machine.services import Services
 from rosml.registry import oci

@@ -52,7 +52,7 @@ BROKEN = {
     "sed -i '/constraint/d' /etc/pip.conf": "AssertionError: 9999.0",
     "echo index-url = http://index.example.org >>/etc/pip.conf": "install.index-url='http://index.example.org'",
 }
-"""What breaks a whole image, and what names it. Checks of single files: tests/unit/test_checks.py."""
+"""What breaks a whole image, and what names it. Checks of single files: tests/unit/components/test_checks.py."""
 
 
 def test_each_thing_that_is_broken_in_an_image_is_named(

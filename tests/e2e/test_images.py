@@ -12,9 +12,9 @@ from pathlib import Path
 import pytest
 
 from rosml import ROOT
-from rosml.build import structure_tests
-from rosml.images.image_set import ImageSet
-from rosml.images.labels import OCI
+from rosml.images.builds import structure_tests
+from rosml.images.image_set.labels import OCI
+from rosml.images.image_set.model import ImageSet
 from rosml.machine import regctl
 from rosml.machine.services import Services
 from tests.e2e.conftest import NAMESPACE, Published, publish, run

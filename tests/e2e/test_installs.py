@@ -7,8 +7,8 @@ import os
 import pytest
 
 from rosml import ROOT
-from rosml.images import load
-from rosml.locks import installs
+from rosml.images.image_set import load
+from rosml.images.locks import installs
 from rosml.machine.services import Services
 
 

@@ -13,10 +13,10 @@ from typing import Any
 import pytest
 
 from rosml import ROOT
-from rosml.build import contents
-from rosml.images.image_set import ImageSet
-from rosml.join import file_lists
-from rosml.join import joiner as joining
+from rosml.images.builds import contents
+from rosml.images.image_set.model import ImageSet
+from rosml.images.join import file_lists
+from rosml.images.join import joiner as joining
 from rosml.machine import regctl
 from rosml.machine.services import Services
 from rosml.registry import oci

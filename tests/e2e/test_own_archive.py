@@ -14,13 +14,14 @@ from pathlib import Path
 import pytest
 
 from rosml import ROOT
-from rosml.apps import ci_files
-from rosml.bake import targets
-from rosml.images import load
-from rosml.machine import base_images, regctl
+from rosml.containerize import ci_files
+from rosml.images.bake import targets
+from rosml.images.builds import base_images
+from rosml.images.image_set import load
+from rosml.images.matrix.source import read
+from rosml.images.records import store
+from rosml.machine import regctl
 from rosml.machine.services import Services
-from rosml.matrix.source import read
-from rosml.records import store
 from rosml.registry import oci
 from tests import walk
 from tests.e2e.apt_stand_in import Image, Keys, Repository, Server, package

@@ -11,7 +11,7 @@ import pytest
 
 from offline import debian
 from rosml import ROOT
-from rosml.build.push import COMPRESSION
+from rosml.images.builds.push import COMPRESSION
 from rosml.machine.services import Services
 from tests.e2e.conftest import NAMESPACE, run
 from tests.e2e.images import NATIVE, build, ca_secret, context

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from rosml.images import load
+from rosml.images.image_set import load
 from rosml.machine.services import Services
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -18,16 +18,16 @@ from pathlib import Path
 import pytest
 
 from rosml import ROOT
-from rosml.images import labels
-from rosml.images.image_set import Image
-from rosml.machine.base_images import native_architecture
+from rosml.images.builds.base_images import native_architecture
+from rosml.images.image_set import labels
+from rosml.images.image_set.model import Image
+from rosml.images.publish import plan as planning
+from rosml.images.records import store
+from rosml.images.records.store import Records
+from rosml.images.records.tag_moves import UNDO
+from rosml.images.scan import sbom
 from rosml.machine.services import Services
-from rosml.publish import plan as planning
-from rosml.records import store
-from rosml.records.store import Records
-from rosml.records.tag_moves import UNDO
 from rosml.registry import oci
-from rosml.scan import sbom
 from tests.e2e import mini as minis
 from tests.e2e import secure
 from tests.e2e.conftest import Run, run

@@ -10,10 +10,10 @@ import pytest
 
 from offline import debian
 from rosml import ROOT
-from rosml.build import push, structure_tests
-from rosml.build.variables import variables
-from rosml.images.image_set import ImageSet
-from rosml.machine import base_images, buildx, regctl
+from rosml.images.builds import base_images, push, structure_tests
+from rosml.images.builds.variables import variables
+from rosml.images.image_set.model import ImageSet
+from rosml.machine import buildx, regctl
 from rosml.machine.services import Services
 from tests.e2e.conftest import NAMESPACE
 from tests.e2e.images import NATIVE, Publish, build, build_on

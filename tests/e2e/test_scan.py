@@ -16,14 +16,14 @@ from typing import Any
 import pytest
 
 from rosml import ROOT
-from rosml.build import contents
-from rosml.build import part as building
-from rosml.images.image_set import ImageSet
+from rosml.images.builds import contents
+from rosml.images.builds import part as building
+from rosml.images.image_set.model import ImageSet
+from rosml.images.scan import judge, locked, policy, sbom
+from rosml.images.scan.judge import Outcome, Part
+from rosml.images.scan.trivy import Database, Result, ScannerFailed, Trivy
 from rosml.machine.services import Services
 from rosml.registry import oci
-from rosml.scan import judge, locked, policy, sbom
-from rosml.scan.judge import Outcome, Part
-from rosml.scan.trivy import Database, Result, ScannerFailed, Trivy
 from tests.e2e.conftest import LOG, NAMESPACE, Published
 from tests.e2e.mini import NATIVE
 from tests.e2e.vulnerabilities import UPDATED, installed, put, put_database, rules_with, write_database

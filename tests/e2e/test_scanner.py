@@ -13,12 +13,12 @@ from pathlib import Path
 import pytest
 
 from rosml import ROOT
+from rosml.images.scan import judge, packages, policy, sbom
+from rosml.images.scan.judge import Outcome, Part
+from rosml.images.scan.trivy import ScannerFailed, Trivy
 from rosml.machine import trust
 from rosml.machine.services import Services
 from rosml.registry import oci
-from rosml.scan import judge, packages, policy, sbom
-from rosml.scan.judge import Outcome, Part
-from rosml.scan.trivy import ScannerFailed, Trivy
 from tests.e2e import secure
 from tests.e2e.conftest import LOG
 from tests.e2e.mini import NATIVE

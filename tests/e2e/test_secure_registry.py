@@ -14,10 +14,10 @@ from pathlib import Path
 
 import pytest
 
+from rosml.images.records.store import Records
 from rosml.machine import regctl as images
 from rosml.machine.services import Services
 from rosml.machine.setup.registry import regctl_config
-from rosml.records.store import Records
 from rosml.registry import certificates, credentials, oci
 from tests.e2e import mini as minis
 from tests.e2e import secure

@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 from rosml import ROOT
+from rosml.images.publish.sign import Signer, SignerFailed
 from rosml.machine import trust
-from rosml.publish.sign import Signer, SignerFailed
 from rosml.registry import oci
 from tests.e2e import secure
 from tests.e2e.secure import PASSWORD, Secure

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from rosml.images.image_set import ImageSet
+from rosml.images.image_set.model import ImageSet
 from rosml.machine import regctl
 from rosml.machine.services import Services
 from tests.e2e.conftest import NAMESPACE

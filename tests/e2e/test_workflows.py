@@ -23,9 +23,9 @@ import yaml
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.base.programs import pinned_version
-from rosml.images.image_set import ImageSet
+from rosml.images.image_set.model import ImageSet
+from rosml.images.records.store import Records
 from rosml.machine.services import Services
-from rosml.records.store import Records
 from tests.act import ENDS, Played, play, workflow
 from tests.e2e import mini as minis
 from tests.e2e.conftest import LOG

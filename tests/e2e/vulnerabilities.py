@@ -19,12 +19,12 @@ import pytest
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
+from rosml.images.matrix import source
+from rosml.images.scan import policy
+from rosml.images.scan.trivy import ScannerFailed, Trivy
 from rosml.machine.setup.installer import Installer
 from rosml.machine.setup.state import State
-from rosml.matrix import source
 from rosml.registry import oci
-from rosml.scan import policy
-from rosml.scan.trivy import ScannerFailed, Trivy
 
 UPDATED = datetime.now(UTC).replace(microsecond=0) - timedelta(hours=1)
 

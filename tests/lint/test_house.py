@@ -40,7 +40,7 @@ def test_imports_go_one_way() -> None:
 def test_only_commands_print() -> None:
     files = {file.relative_to(ROOT).as_posix(): file.read_text() for file in (ROOT / "src/rosml").rglob("*.py")}
     assert [name for name in files if not name.startswith(PRINTS) and printing(files[name])] == []
-    assert printing(files["src/rosml/cli/report.py"]) or printing(files["src/rosml/cli/tables.py"])
+    assert printing(files["src/rosml/cli/images/report.py"]) or printing(files["src/rosml/cli/images/tables.py"])
 
 
 def named_parts(text: str, parts: set[str]) -> list[int]:

@@ -127,7 +127,7 @@ def test_hadolint() -> None:
 
 def test_oxlint() -> None:
     """The page's JavaScript, which no build step reads before a browser does."""
-    files = sorted((ROOT / "src/rosml/catalogue/page").glob("*.js"))
+    files = sorted((ROOT / "src/rosml/images/catalogue/page").glob("*.js"))
     assert files
     check("oxlint", "--config", "tests/lint/oxlint.json", "--deny-warnings", *files)
 

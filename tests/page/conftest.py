@@ -17,12 +17,12 @@ from shelf import FIRST, Shelf, shown
 
 from bench import synthetic
 from rosml import ROOT
-from rosml.catalogue import site
-from rosml.catalogue.model import Published
-from rosml.catalogue.read import Gatherer
-from rosml.images import load
+from rosml.images.catalogue import site
+from rosml.images.catalogue.model import Published
+from rosml.images.catalogue.read import Gatherer
+from rosml.images.image_set import load
+from rosml.images.matrix import source
 from rosml.machine.setup.tools import BROWSERS
-from rosml.matrix import source
 
 NOW = "2026-11-22T06:00:00Z"
 REGISTRY = "ghcr.io/me/rosml"

@@ -17,10 +17,10 @@ import pytest
 from shelf import Shelf
 
 from rosml import ROOT
-from rosml.catalogue import site
-from rosml.catalogue.model import Image, Published
-from rosml.catalogue.read import Gatherer
-from rosml.images import load
+from rosml.images.catalogue import site
+from rosml.images.catalogue.model import Image, Published
+from rosml.images.catalogue.read import Gatherer
+from rosml.images.image_set import load
 from tests.page.conftest import NARROW, NOW, REGISTRY, WIDE, Window, Windows, expect
 
 LOG = logging.getLogger("page")

@@ -19,9 +19,9 @@ import projects  # noqa: E402
 from registry_stand_in import StandIn, standing_in  # noqa: E402
 from stubs import answering_registry  # noqa: E402
 
-from rosml.images import image_set as sets  # noqa: E402
-from rosml.images import load, locked  # noqa: E402
-from rosml.matrix import (  # noqa: E402
+from rosml.images.image_set import load, locked  # noqa: E402
+from rosml.images.image_set import model as sets  # noqa: E402
+from rosml.images.matrix import (  # noqa: E402
     names,
     source,
 )

@@ -23,7 +23,7 @@ import pytest
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
-from rosml.scan.trivy import SCANNER_FAILED
+from rosml.images.scan.trivy import SCANNER_FAILED
 
 SECONDS = 1.0
 """Of the processor, for one document."""

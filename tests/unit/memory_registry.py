@@ -15,20 +15,20 @@ import pytest
 from scanning import sbom_of
 
 from rosml.base.errors import RosmlError
-from rosml.build import package_state
-from rosml.build.maker import Checked, Made, Maker
-from rosml.images.image_set import Image, ImageSet, Part, repository_of
-from rosml.images.labels import title
+from rosml.images.builds import package_state
+from rosml.images.builds.maker import Checked, Made, Maker
+from rosml.images.image_set.labels import title
+from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
+from rosml.images.publish import plan, provenance, undo
+from rosml.images.publish.pipeline import Outcome, Pipeline
+from rosml.images.publish.plan import Plan
+from rosml.images.publish.sign import SignerFailed
+from rosml.images.publish.steps import STEPS
+from rosml.images.records import store, tag_moves
+from rosml.images.scan import sbom
 from rosml.machine.services import Services
-from rosml.publish import plan, provenance, undo
-from rosml.publish.pipeline import Outcome, Pipeline
-from rosml.publish.plan import Plan
-from rosml.publish.sign import SignerFailed
-from rosml.publish.steps import STEPS
-from rosml.records import store, tag_moves
 from rosml.registry import oci
 from rosml.registry.oci import Manifest, Registry
-from rosml.scan import sbom
 
 HOST = "registry.example"
 PREFIX = "rosml"

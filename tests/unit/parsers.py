@@ -23,22 +23,34 @@ from stubs import script_of_a_build
 
 sys.path.insert(0, str(ROOT / "components/containerize"))  # where its scripts find each other
 
-from rosml.apps import ci, contents, inputs, junit, lock, names, report, repos_file, rosdep_index, tree, workspace
 from rosml.base import untrusted
-from rosml.build import apt_sources, package_state, structure_tests, sync
-from rosml.catalogue import read
-from rosml.images import labels, load
+from rosml.containerize import (
+    ci,
+    contents,
+    inputs,
+    junit,
+    lock,
+    names,
+    report,
+    repos_file,
+    rosdep_index,
+    tree,
+    workspace,
+)
+from rosml.images.builds import apt_sources, package_state, structure_tests, sync
+from rosml.images.catalogue import read
+from rosml.images.image_set import labels, load
+from rosml.images.matrix import source
+from rosml.images.publish import plan_file, scan_results
+from rosml.images.records import store, tag_moves
+from rosml.images.scan import judge, policy, trivy
+from rosml.images.scan.sbom import Sbom
 from rosml.machine.services import Services
-from rosml.matrix import source
-from rosml.publish import plan_file, scan_results
-from rosml.records import store, tag_moves
 from rosml.registry import oci
 from rosml.registry.documents import Descriptor
 from rosml.run import check, compose, consent, defaults, engine, export, places
 from rosml.run.context import Context, Engine, Host, Image, Person
 from rosml.run.words import split
-from rosml.scan import judge, policy, trivy
-from rosml.scan.sbom import Sbom
 
 T = TypeVar("T")
 

@@ -8,7 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from rosml.apps import ci_files
+from rosml.containerize import ci_files
 
 ROOT = Path(__file__).resolve().parents[2]
 LOCK = "locks/cu1/amd64/3.12/torch.txt"

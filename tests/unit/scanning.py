@@ -11,15 +11,15 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from rosml.matrix.source import parse
+from rosml.images.matrix.source import parse
+from rosml.images.scan import packages
+from rosml.images.scan.judge import Image, Part
+from rosml.images.scan.policy import Rules, parsed
+from rosml.images.scan.sbom import FORMAT, MEDIA_TYPE, Shelf
+from rosml.images.scan.trivy import Trivy
 from rosml.registry import oci
 from rosml.registry.documents import Descriptor
 from rosml.registry.oci import Manifest
-from rosml.scan import packages
-from rosml.scan.judge import Image, Part
-from rosml.scan.policy import Rules, parsed
-from rosml.scan.sbom import FORMAT, MEDIA_TYPE, Shelf
-from rosml.scan.trivy import Trivy
 
 NOW = datetime(2026, 11, 22, 3, 0, tzinfo=UTC)
 VERSION = "0.65.0"

@@ -11,13 +11,13 @@ from dataclasses import dataclass, field
 
 from memory_registry import IMAGE, INDEX, LAYER, PREFIX, MemoryRegistry
 
-from rosml.images import image_set as sets
-from rosml.images.image_set import ImageSet, Part, repository_of
-from rosml.images.labels import of_part
-from rosml.matrix import names
-from rosml.records import tag_moves
-from rosml.records.store import ANNOTATION, DATE, Entry, Records
-from rosml.records.store import INDEX as INDEX_ENTRY
+from rosml.images.image_set import model as sets
+from rosml.images.image_set.labels import of_part
+from rosml.images.image_set.model import ImageSet, Part, repository_of
+from rosml.images.matrix import names
+from rosml.images.records import tag_moves
+from rosml.images.records.store import ANNOTATION, DATE, Entry, Records
+from rosml.images.records.store import INDEX as INDEX_ENTRY
 from rosml.registry import oci
 
 FIRST = "2026-11-20T03:00:00Z"

@@ -8,7 +8,7 @@ import click
 import yaml
 from conftest import ROOT
 
-from rosml.cli.container import Words
+from rosml.cli.run.container import Words
 
 FOLDER = ROOT / ".github/workflows"
 

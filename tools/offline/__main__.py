@@ -1,4 +1,4 @@
-"""The command that is asked for a base image where Docker Hub does not answer: see src/rosml/machine/base_images.py."""
+"""The command that is asked for a base image where Docker Hub does not answer: see src/rosml/images/builds/base_images.py."""
 
 from __future__ import annotations
 

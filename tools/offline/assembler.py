@@ -12,7 +12,7 @@ from offline import debian
 from offline.official import missing
 from rosml.base.errors import RosmlError
 from rosml.machine.services import Services
-from rosml.matrix.model import ANY_PYTHON
+from rosml.images.matrix.model import ANY_PYTHON
 
 VERSIONS = "~/.pyenv/versions"
 """Where this machine may have further Pythons."""

@@ -33,7 +33,7 @@ class Name(click.ParamType[str]):
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
         """Names that begin so; none where the matrix cannot be read."""
-        from rosml.images import load, selection
+        from rosml.images.image_set import load, selection
 
         try:
             images = load.load(ROOT / "matrix.yaml", ROOT)
@@ -69,7 +69,7 @@ class _Shell(ShellComplete):
 
     def get_completions(self, args: list[str], incomplete: str) -> list[CompletionItem[str]]:
         if args and args[0] in OF_WORDS and isinstance(self.cli, click.Group):
-            from rosml.cli import words_completion  # no other command needs it
+            from rosml.cli.run import words_completion  # no other command needs it
 
             return words_completion.items(self.cli.commands[args[0]], args[1:], incomplete)
         return super().get_completions(args, incomplete)

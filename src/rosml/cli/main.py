@@ -55,26 +55,26 @@ def cli() -> None:
     """
 
 
-COMMANDS = (
-    "attach",
-    "catalogue",
-    "ci",
-    "containerize",
-    "diff",
-    "explain",
-    "generate",
-    "image",
-    "join",
-    "listing",
-    "locks",
-    "part",
-    "plan",
-    "publish",
-    "run",
-    "setup",
-    "status",
-)
-"""The modules of this package that have a command: `main` in each."""
+MODULES = {
+    "attach": "run",
+    "catalogue": "images",
+    "ci": "containerize",
+    "containerize": "containerize",
+    "diff": "images",
+    "explain": "images",
+    "generate": "images",
+    "image": "images",
+    "join": "images",
+    "listing": "images",
+    "locks": "images",
+    "part": "images",
+    "plan": "images",
+    "publish": "images",
+    "run": "run",
+    "setup": "machine",
+    "status": "images",
+}
+"""The modules that have a command, `main` in each, and the package of this one that they are in."""
 
 QUICK = completion.OF_WORDS
 """Every shell in a container waits for them, and importing the others takes longer than all that they do themselves."""
@@ -85,11 +85,11 @@ def needed() -> Iterable[str]:
     if completion.asked().endswith("_source"):
         return ()
     first = completion.begun() if completion.asked() else next(iter(sys.argv[1:]), "")
-    return (first,) if first in QUICK else QUICK if LACKING else COMMANDS
+    return (first,) if first in QUICK else QUICK if LACKING else MODULES
 
 
 for name in needed():
-    cli.add_command(import_module(f"rosml.cli.{name}").main)
+    cli.add_command(import_module(f"rosml.cli.{MODULES[name]}.{name}").main)
 
 
 def _absolute(path: str) -> str:

@@ -1,2 +1,1 @@
-"""What this machine has: the local registry and the builder, a call of buildx with its progress, base images, disk, an earlier revision.
-Uses registry, bake and below."""
+"""This machine: its set-up, the builder and the local registry, a call of buildx with its progress, git. Uses registry and base."""

@@ -1,1 +1,0 @@
-"""Apps: the ROS packages of a repository as a part, and the images with it."""

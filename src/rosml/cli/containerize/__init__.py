@@ -1,0 +1,1 @@
+"""Commands that build images of people's own packages."""

@@ -1,0 +1,112 @@
+"""`rosml ci`: what the action, the workflow and the component for GitLab call; people call `rosml containerize`."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from rosml import STATE
+from rosml.base import terminal
+from rosml.base.errors import RosmlError
+from rosml.cli.checkout import Group
+from rosml.cli.images.call import say
+
+if TYPE_CHECKING:
+    from rosml.containerize.ci import Image, Job
+
+KEPT = "interrupted: finished steps are kept where the builder is; run the job again"
+"""What is said after Ctrl-C."""
+
+
+@click.group("ci", cls=Group, kept=KEPT)
+def main() -> None:
+    """What 'rosml containerize' is in CI: for the files in containerize/, which pass inputs as variables.
+
+    \b
+    Example:
+      rosml ci build --out made
+    """
+
+
+def _job() -> tuple[Job, dict[str, str], Path]:
+    """The job, the inputs that it is given, and the folder of the packages."""
+    from rosml.containerize import ci, inputs
+
+    what, given = ci.commit(os.environ), ci.given(os.environ)
+    folder = (what.folder / given.get("build-context", ".")).resolve()
+    for sentence in inputs.answers(folder, {name.upper().replace("-", "_"): text for name, text in given.items()}):
+        say(sentence)
+    return ci.Job(inputs.values(given, folder, {}), os.environ, what, say), given, folder
+
+
+@main.command(alone=True)
+def login() -> None:
+    """Logs in to the registry, with docker."""
+    from rosml.containerize import ci
+
+    given = ci.given(os.environ)
+    registry, user = given.get("registry", ""), given.get("registry-user", "")
+    try:
+        done = subprocess.run(
+            ["docker", "login", "--username", user, "--password-stdin", registry],
+            input=given.get("registry-password", ""),
+            text=True,
+            check=False,
+        )
+    except OSError as error:
+        raise RosmlError(f"cannot run docker: {error.strerror}", "install Docker on this runner") from None
+    if done.returncode != 0:
+        text = f"{registry or 'the registry'} refuses {user or 'a user without a name'}"
+        raise RosmlError(text, "check the inputs registry, registry-user and registry-password")
+
+
+@main.command(alone=True)
+@click.option("--out", required=True, type=click.Path(path_type=Path), help="folder for reports, and what was made")
+def build(out: Path) -> None:
+    """Builds the images of a commit, tests them and pushes them."""
+    from rosml.containerize import ci
+    from rosml.machine.services import Services
+
+    job, given, folder = _job()
+    apart = ci.flag("enable-singlearch-push", given)
+    out = out / job.name
+    told, page = os.environ.get("GITHUB_OUTPUT", ""), os.environ.get("GITHUB_STEP_SUMMARY", "")
+    ci.tell(told, {"artifact": job.name, "folder": out})
+    images: list[Image] = []
+    try:
+        services = Services.of_docker(STATE)
+        services.require_builder()
+        images = job.build(folder, services, out, apart)
+    except RosmlError as error:
+        if page:
+            click.echo("\n".join(ci.errors(out, error)))  # commands of rosml's own
+        raise
+    finally:
+        ci.tell(page, ci.summary(images, out))
+    _done(images)
+
+
+@main.command(alone=True)
+@click.argument("folder", type=click.Path(exists=True, file_okay=False, path_type=Path))
+def index(folder: Path) -> None:
+    """Makes an index of what the jobs for one platform each left in FOLDER, and moves the tags to it."""
+    from rosml.containerize import ci
+    from rosml.registry import oci
+
+    job, _, _ = _job()
+    with oci.Registries(os.environ.get("SSL_CERT_FILE", "")) as registries:
+        images = job.index(folder, registries)
+    ci.tell(os.environ.get("GITHUB_STEP_SUMMARY", ""), ci.summary(images))
+    _done(images)
+
+
+def _done(images: list[Image]) -> None:
+    from rosml.containerize import ci
+
+    ci.tell(os.environ.get("GITHUB_OUTPUT", ""), ci.outputs(images))
+    for image in images:
+        terminal.echo(f"{image.target:<5}  {image.reference}@{image.digest}")

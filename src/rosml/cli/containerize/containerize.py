@@ -1,0 +1,95 @@
+"""`rosml containerize`: images of a repository with ROS packages."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from rosml import IN_CHECKOUT, ROOT, STATE
+from rosml.base import terminal
+from rosml.cli import options
+from rosml.cli.checkout import Command
+from rosml.cli.images.call import say
+from rosml.cli.options import Function
+from rosml.containerize import inputs
+
+if TYPE_CHECKING:
+    from rosml.machine.services import Services
+
+KEPT = "interrupted: no image was made; finished steps are kept, the next call carries on"
+"""What is said after Ctrl-C."""
+
+
+def _options(function: Function) -> Function:
+    """An option for each input of the table."""
+    for item in reversed(inputs.TABLE):
+        if item.gone or item.name in inputs.SECRET:
+            continue
+        text = f"{item.help} [{item.default}]" if item.default else item.help
+        name = f"--{item.name}/--no-{item.name}" if item.flag else f"--{item.name}"
+        function = click.option(name, item.variable, default=None, help=text)(function)
+    return function
+
+
+def _services() -> Services:
+    """What builds: what was set up for the checkout whose `./rosml` this is; the user's Docker if it is installed."""
+    from rosml.cli.machine import setup
+    from rosml.machine.services import Services
+
+    if not IN_CHECKOUT:
+        return Services.of_docker(STATE)
+    if not setup.is_up(ROOT):
+        setup.bring_up(ROOT)
+    services = Services.load(ROOT)
+    services.require_registry()
+    return services
+
+
+@click.command("containerize", cls=Command, alone=True, kept=KEPT)
+@click.argument("folder", type=click.Path(exists=True, file_okay=False, path_type=Path), default=".")
+@click.option("--lock", is_flag=True, help="take what is newest now, and write the lock file")
+@_options
+@options.JSON
+def main(folder: Path, lock: bool, as_json: bool, **given: str | bool | None) -> None:
+    """Builds images of the ROS packages in FOLDER: one to run them, and one to work on them.
+
+    \b
+    NAME:TAG      the base image with your packages built, and what they need to run; starts --command
+    NAME:TAG-dev  the base image with all dependencies and your sources
+    NAME:TAG-slim with --enable-slim: the first one without compilers and headers
+
+    If FOLDER has a file containerize.lock, which --lock writes, they are built from what that says: base image, repositories and
+    packages.
+
+    Each option can be a variable instead, such as BASE_IMAGE, in the environment or in a file .env in FOLDER. Passwords and
+    keys can only be variables: GIT_HTTPS_PASSWORD, GIT_SSH_PRIVATE_KEY.
+
+    \b
+    Example:
+      rosml containerize --base-image ros-torch:jazzy-base-cu130 --command "ros2 launch my_package all.launch.py"
+    """
+    from rosml.containerize import build
+
+    folder = folder.resolve()
+    said = {
+        item.name: str(value).lower() if item.flag else str(value)
+        for item in inputs.TABLE
+        if (value := given.get(item.variable)) is not None
+    }
+    values = inputs.values(said, folder, os.environ)
+    for sentence in inputs.answers(folder, os.environ):
+        say(sentence)
+    services = _services()
+    services.require_builder()
+    built = build.App(folder, values, os.environ, services, say, renew=lock).build()
+    if as_json:
+        terminal.echo(json.dumps(built.to_json(), indent=2))
+        return
+    for image in built.images:
+        terminal.echo(f"{image.target:<5}  {image.reference}")
+    for name, text in built.summary():
+        terminal.echo(f"{name:<5}  {text}")

@@ -1,0 +1,1 @@
+"""Commands that make images, say what there is, and publish it."""

@@ -1,0 +1,256 @@
+"""What the commands of a publishing run share: their options, and the run that these ask for."""
+
+from __future__ import annotations
+
+import json
+import re
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from rosml import ROOT
+from rosml.base import file_lock, terminal
+from rosml.cli import options
+from rosml.cli.options import Function
+
+if TYPE_CHECKING:
+    from rosml.images.image_set.model import ImageSet
+    from rosml.images.publish.pipeline import Pipeline
+    from rosml.machine.services import Services
+
+KEPT = "interrupted: no tag points at what is not finished; what was finished is kept, the next call carries on"
+"""What is said after Ctrl-C."""
+
+
+def say(line: str) -> None:
+    """Tells people what begins now."""
+    terminal.echo(click.style(f"==> {line}", bold=True), err=True)
+
+
+def wait_for_turn() -> None:
+    """Waits until no other publishing run of this checkout is under way; the turn ends with the command."""
+    turn = file_lock.turn(
+        ROOT / ".state/publish.lock", lambda: say("waiting for another publishing run of this checkout")
+    )
+    click.get_current_context().with_resource(turn)
+
+
+def _namespace(_context: click.Context, _parameter: click.Parameter, value: str) -> str:
+    """A part of a repository's name, checked before it becomes one."""
+    if not re.fullmatch(r"[a-z0-9]+([._-]+[a-z0-9]+)*(/[a-z0-9]+([._-]+[a-z0-9]+)*)*", value):
+        raise click.BadParameter(f"{value!r} is no part of a repository's name, such as rosml or my-team/rosml")
+    return value
+
+
+def sharing(*names: str) -> Callable[[Function], Function]:
+    """Options that several commands share, by name."""
+
+    def decorate(function: Function) -> Function:
+        for name in reversed(names):
+            function = _OPTIONS[name](function)
+        return function
+
+    return decorate
+
+
+_OPTIONS: dict[str, Callable[[Function], Function]] = {
+    "registry": options.registry("where images go"),
+    "matrix": options.MATRIX,
+    "namespace": click.option(
+        "--namespace",
+        default="rosml",
+        show_default=True,
+        callback=_namespace,
+        help="first part of the repositories' names",
+    ),
+    "only": options.ONLY,
+    "architecture": click.option(
+        "--architecture",
+        "architectures",
+        multiple=True,
+        metavar="NAME",
+        callback=options.words,
+        help="work for it; repeatable; this machine's own if left out",
+    ),
+    "serve": click.option(
+        "--serve",
+        multiple=True,
+        metavar="NAME",
+        callback=options.words,
+        help="architectures that this registry serves; repeatable; all of the matrix if left out",
+    ),
+    "force": click.option(
+        "--force", is_flag=True, envvar="ROSML_FORCE", help="make everything anew, without the builder's cache"
+    ),
+    "plan": click.option(
+        "--plan",
+        "plan_file",
+        type=click.Path(path_type=Path, exists=True),
+        help="what 'plan' wrote: its date and images",
+    ),
+    "shard": click.option("--shard", default="", metavar="NAME", help="of --plan: only what it builds"),
+    "date": click.option(
+        "--date", default="", metavar="TIME", help="the run's date, such as 2026-11-22T03:00:00Z; now"
+    ),
+    "since": click.option(
+        "--since", default="", metavar="REV", help="only images that differ from a git revision: for pull requests"
+    ),
+    "at-most": click.option(
+        "--at-most",
+        type=click.IntRange(min=1),
+        default=4,
+        show_default=True,
+        help="with --since: so many of them, chosen to have one for all that changed",
+    ),
+    "require-scan": click.option(
+        "--require-scan", is_flag=True, help="images get tags only after a scan by the policy that found them clean"
+    ),
+    "sign": click.option(
+        "--sign",
+        is_flag=True,
+        envvar="ROSML_SIGN",
+        help="sign indexes, with the key that COSIGN_KEY names or as the workflow; without a signature none gets a tag",
+    ),
+    "policy": click.option(
+        "--policy",
+        type=click.Path(path_type=Path),
+        default=ROOT / "scan.yaml",
+        help="the file that says which vulnerabilities keep an image from its tags; scan.yaml if left out",
+    ),
+    "json": options.JSON,
+}
+
+
+@dataclass
+class Call:
+    """What the commands of a publishing run are called with."""
+
+    registry: str = ""
+    matrix: Path = ROOT / "matrix.yaml"
+    only: tuple[str, ...] = ()
+    architectures: tuple[str, ...] = ()
+    serve: tuple[str, ...] = ()
+    force: bool = False
+    plan_file: Path | None = None
+    shard: str = ""
+    date: str = ""
+    as_json: bool = False
+    since: str = ""
+    at_most: int = 4
+    require_scan: bool = False
+    sign: bool = False
+    policy: Path = ROOT / "scan.yaml"
+
+    def changed(self, image_set: ImageSet) -> tuple[str, ...]:
+        """The images to build of those that differ from the revision; ends the command where there are none."""
+        from rosml.base import ci
+        from rosml.images.bake import pull_request
+        from rosml.images.bake.inputs import Inputs
+        from rosml.images.builds.base_images import native_architecture
+        from rosml.images.publish import revision
+
+        found = revision.since(self.since, Inputs(ROOT, image_set))
+        choice = pull_request.choose(image_set, found, self.architectures or (native_architecture(),), self.at_most)
+        say(str(choice))
+        ci.summary(f"\n## Images that differ from {self.since}\n\n{choice}\n")
+        if not choice.built:
+            if self.as_json:
+                terminal.echo(json.dumps({"counts": {}, "outcomes": []}))
+            raise click.exceptions.Exit(0)
+        return choice.built
+
+    @cached_property
+    def image_set(self) -> ImageSet:
+        """All that the matrix describes, with the locks of this checkout."""
+        from rosml.images.image_set import load
+
+        return load.load(self.matrix, ROOT)
+
+    def pipeline(self, reading: bool = False) -> Pipeline:
+        """The run, after the registry and the repositories of packages were asked how things are.
+
+        Args:
+            reading: nothing will be made. What images stand on is judged for all of its architectures, and with a
+                registry named, no service of this machine is needed.
+        """
+        from rosml.base import clock
+        from rosml.images.image_set import selection
+        from rosml.images.publish import pipeline as running
+        from rosml.images.publish import plan as planning
+        from rosml.images.publish import plan_file
+        from rosml.images.publish.sign import Signer
+        from rosml.images.scan import policy
+        from rosml.machine import trust
+        from rosml.registry import oci, repositories
+
+        started = time.monotonic()
+        image_set = self.image_set
+        upstream: Mapping[str, str] = {}
+        if self.plan_file:
+            plan = plan_file.read_plan(self.plan_file, self.shard)
+            self.date, self.registry = self.date or plan.date, self.registry or plan.registry
+            self.only = self.only or plan.targets
+            self.architectures = self.architectures or plan.architectures
+            self.serve, self.force = self.serve or plan.serve, self.force or plan.force
+            upstream = plan.upstream
+        elif self.shard:
+            raise click.UsageError("--shard is one of a plan: add --plan FILE")
+        selection.require_architectures(image_set, self.serve)  # with a typo nothing would ever get a tag
+        if self.since:
+            if self.only:
+                raise click.UsageError("--since says which images; leave --only out")
+            self.only = self.changed(image_set)
+        selection.select(image_set, self.only)
+        if self.date:
+            clock.checked_date(self.date)
+        services = self.services(reading)
+        if not self.registry:
+            services.require_registry()
+        place = repositories.destination(self.registry or services.place)
+        signer = Signer.find(ROOT, trust.trusting(services)) if self.sign else None  # told before anything is built
+        client = oci.Registry(place.host, ca_bundle=services.ca_bundle)
+        date = self.date or clock.now()
+        if not self.force:
+            clock.require_not_ahead(date, clock.now())
+        scanning = running.policy_digest(policy.load(self.policy), date) if self.require_scan else ""
+        found = planning.survey(
+            services,
+            image_set,
+            client,
+            place.prefix,
+            self.only,
+            self.architectures,
+            self.force,
+            scanning,
+            date,
+            upstream=upstream,
+            whole=reading,
+        )
+        for remark in found.remarks:
+            say(remark)
+        return running.Pipeline(
+            found, client, place.host, place.prefix, say, self.serve, signer=signer, started=started
+        )
+
+    def services(self, reading: bool) -> Services:
+        """Those of this machine; none are needed where nothing will be made and a registry is named."""
+        from rosml.base.errors import RosmlError
+        from rosml.machine.services import Services
+
+        try:
+            return Services.load(ROOT, required=not (reading and self.registry))
+        except RosmlError as error:
+            raise (options.unnamed(error) if reading else error) from None
+
+    def report(self, pipeline: Pipeline) -> None:
+        """Prints what was done; ends with 1 where something failed."""
+        from rosml.cli.images import report
+
+        report.show(pipeline, self.as_json)
+        if pipeline.failed:
+            raise SystemExit(1)

@@ -1,0 +1,39 @@
+"""`rosml diff`: which images a change reaches."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from rosml import ROOT
+from rosml.base import terminal
+from rosml.cli import options
+from rosml.cli.checkout import Command
+
+
+@click.command("diff", cls=Command, prints=True)
+@click.argument("version", metavar="[REVISION]", default="HEAD")
+@options.MATRIX
+@options.JSON
+def main(version: str, matrix: Path, as_json: bool) -> None:
+    """Says which images differ from a git revision or another matrix file, and why. Without REVISION: from HEAD.
+
+    \b
+    Examples:
+      rosml diff               what the uncommitted changes would build
+      rosml diff v1.2 --json   all of it since a tag, for machines
+    """
+    from rosml.base import ci
+    from rosml.cli.images import tables
+    from rosml.images.bake import diff as changes
+    from rosml.images.bake.inputs import Inputs
+    from rosml.images.image_set import load
+    from rosml.images.publish import revision
+
+    found = revision.since(version, Inputs(ROOT, load.load(matrix, ROOT)))
+    ci.summary(changes.markdown(found))
+    if as_json:
+        terminal.echo(changes.as_json(found), nl=False)
+    else:
+        tables.print_difference(found)

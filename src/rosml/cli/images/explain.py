@@ -1,0 +1,33 @@
+"""`rosml explain`: why there is an image, or why not."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import click
+
+from rosml import ROOT
+from rosml.base import terminal
+from rosml.cli import completion, options
+from rosml.cli.checkout import Command
+
+
+@click.command("explain", cls=Command, alone=True, prints=True)
+@click.argument("name", type=completion.Name("targets"))
+@options.MATRIX
+@options.JSON
+def main(name: str, matrix: Path, as_json: bool) -> None:
+    """Says why an image exists, or why it does not. NAME is a target or a tag, with the registry or without. Dated tags
+    are not in the matrix: leave the date out.
+
+    \b
+    Examples:
+      rosml explain jazzy-robot
+      rosml explain ros-torch:jazzy-base-cu128
+    """
+    from rosml.images.image_set import load
+    from rosml.images.image_set.explain import explained
+
+    found = explained(load.load(matrix, ROOT), name)
+    terminal.echo(json.dumps(found.to_json(), indent=2, ensure_ascii=False) if as_json else found.text)

@@ -1,0 +1,95 @@
+"""Writes docker-bake.hcl (and schemas, tables of the documentation, and files for CI) from matrix.yaml.
+
+\b
+Examples:
+  rosml generate          after a change of matrix.yaml
+  rosml generate --check  whether anybody forgot that
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from rosml import ROOT
+from rosml.base import files, terminal
+from rosml.base.errors import RosmlError
+from rosml.cli import command, options
+from rosml.cli.checkout import Command
+
+if TYPE_CHECKING:  # imported where it is needed: what is fast stays fast
+    from rosml.images.image_set.model import ImageSet
+
+COMMAND = "rosml generate"
+
+
+@click.command("generate", cls=Command, prints=True, help=__doc__)
+@click.option("--check", is_flag=True, help="Write nothing; exit 1 with a diff if a generated file is stale.")
+@options.MATRIX
+@click.option(
+    "--output",
+    type=click.Path(path_type=Path),
+    help="Write this bake file instead, and nothing else.",
+)
+def main(check: bool, matrix: Path, output: Path | None) -> None:
+    if output and output.exists() and output.resolve() == matrix.resolve():
+        raise click.UsageError(f"--output {output} would overwrite the matrix; name another file")
+    from rosml.images.image_set import load, missing
+
+    image_set = load.load(matrix, ROOT)
+    wanted, lost = generated(image_set, output), missing.lost(image_set)
+    if check:
+        verify(wanted, lost)
+    else:
+        write(wanted, lost, None if output else ROOT)
+
+
+def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
+    """Every generated file with its content; nothing but the bake file where that is to be written elsewhere."""
+    from rosml.images.bake import bake_file, inputs
+
+    inputs.Inputs(ROOT, image_set).check()
+    if output:
+        return {output: bake_file.render(image_set)}
+    from rosml.containerize import ci_files, page
+    from rosml.images.catalogue import readme
+    from rosml.images.catalogue.model import Published
+    from rosml.images.matrix import schema
+
+    return {
+        ROOT / "docker-bake.hcl": bake_file.render(image_set),
+        ROOT / "matrix.schema.json": schema.render(),
+        ROOT / "catalogue.schema.json": schema.render(Published, "src/rosml/images/catalogue/model.py", read=True),
+        ROOT / "README.md": readme.render(files.text(ROOT / "README.md"), image_set),
+        ROOT / "docs/containerize.md": page.render(files.text(ROOT / "docs/containerize.md")),
+        **{ROOT / path: ci_files.render(path, files.text(ROOT / path)) for path in ci_files.FILES},
+    }
+
+
+def write(wanted: dict[Path, str], lost: RosmlError | None = None, within: Path | None = None) -> None:
+    """Writes the files that changed.
+
+    Args:
+        lost: locks that should be there; images without them are in no group.
+        within: the folder that links may not lead out of; None for a file that the user named.
+    """
+    changed = files.write_all(wanted, within)
+    for file in wanted:
+        terminal.echo(f"{files.shown(file)}: {'written' if file in changed else 'is up to date'}", err=True)
+    if lost:
+        command.warn(lost.message, lost.remedy)
+
+
+def verify(wanted: dict[Path, str], lost: RosmlError | None) -> None:
+    """Compares the files; raises RosmlError if one is stale, or if locks are lost: whoever then generates and commits
+    would commit the loss."""
+    differences = {file: files.difference(file, content) for file, content in wanted.items()}
+    stale = [files.shown(file) for file, text in differences.items() if text]
+    terminal.echo("".join(differences.values()), nl=False)
+    found = [(lost.message, lost.remedy)] if lost else []
+    found += [(f"{', '.join(stale)}: stale", f"run '{COMMAND}' and commit the result")] if stale else []
+    if found:
+        problems, remedies = zip(*found, strict=True)
+        raise RosmlError("\n".join(problems), remedy="; then ".join(remedies))

@@ -1,0 +1,127 @@
+"""`rosml image`: one image, from nothing to a tag in the local registry."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from rosml import ROOT
+from rosml.base import terminal
+from rosml.base.errors import RosmlError
+from rosml.cli import completion
+from rosml.cli.checkout import Command
+from rosml.cli.images.call import KEPT, Call, say, sharing, wait_for_turn
+from rosml.cli.machine import setup
+
+if TYPE_CHECKING:
+    from rosml.images.image_set.model import Image, ImageSet
+    from rosml.machine.services import Services
+
+
+@click.command("image", cls=Command, kept=KEPT)
+@click.argument("target", default="", type=completion.Name("targets"))
+@sharing("matrix", "namespace")
+@click.option(
+    "--platform",
+    default="",
+    metavar="PLATFORM",
+    help="build and test for it, such as linux/arm64; no tag moves where it is not the machine's own",
+)
+@click.option(
+    "--on",
+    default="",
+    metavar="IMAGE",
+    help="install the ROS of TARGET on IMAGE, which is somebody else's, in the place of its operating system's image",
+)
+@sharing("force", "json")
+def main(target: str, matrix: Path, namespace: str, platform: str, on: str, force: bool, as_json: bool) -> None:
+    """Builds TARGET and what it stands on, runs its structure tests, and moves its tags in the local registry.
+
+    Sets this machine up first, if it is not. Makes only what is missing or out of date. 'status' and the catalogue know the
+    image afterwards.
+
+    Without TARGET: the first of matrix.yaml's defaults that this machine can build.
+
+    \b
+    Examples:
+      rosml image jazzy-base-torch-cu130
+      rosml image ros1-bookworm-base --json
+      rosml image jazzy-base --on nvidia/cuda:13.0.1-cudnn-runtime-ubuntu24.04
+    """
+    from rosml.cli.images import summary
+    from rosml.images.builds import default, disk
+    from rosml.images.builds.base_images import native_architecture
+    from rosml.images.builds.maker import require_buildable
+    from rosml.images.image_set import apt_source, explain, selection
+    from rosml.images.publish import promote
+    from rosml.machine.services import Services
+
+    call = Call(matrix=matrix, force=force)
+    image_set = call.image_set
+    # A typo is told before anything else happens.
+    native = native_architecture()
+    architecture = selection.architecture_of(image_set, platform) if platform else native
+    named = explain.image(image_set, target) if target else None
+    if named:
+        require_buildable(named, architecture)
+        apt_source.source(image_set.matrix, named.distribution)
+    if on and (named is None or named.stack):
+        text = "--on installs the ROS of one target" + (f", and {target} has a framework" if named else "")
+        raise RosmlError(text, "name a ROS image, such as jazzy-base; 'rosml join' adds parts", exit_code=2)
+    if not setup.is_up(ROOT):
+        setup.bring_up(ROOT)
+    services = Services.load(ROOT)
+    services.require_registry()
+    services.require_builder("" if architecture == native else image_set.matrix.architectures[architecture].platform)
+    if on:
+        assert named
+        found = _on(on, named, image_set, services, image_set.matrix.architectures[architecture].platform, namespace)
+        terminal.echo(json.dumps(found, indent=2) if as_json else f"image    {found['reference']}")
+        return
+    wanted = named or default.default(services, image_set, architecture, say)
+    call.registry, call.only = f"{services.registry}/{namespace}", (wanted.target,)
+    call.architectures = call.serve = (architecture,)
+    wait_for_turn()
+    run = call.pipeline()
+    there = {target.removeprefix("part-") for target, name in run.plan.by_key if run.plan.made((target, name))}
+    disk.require(services.state, disk.needed_mb(run.plan.forecast, wanted, there), wanted.target)
+    run.build()
+    run.join()
+    run.test([wanted.target])
+    moves = None
+    if architecture == native and not run.failed:
+        run.index()
+        moves = promote.Promotion(run).run()
+    made = summary.of_image(run, wanted, architecture, moves)
+    terminal.echo(json.dumps(made.to_json(), indent=2) if as_json else made.text())
+
+
+def _on(
+    name: str, image: Image, image_set: ImageSet, services: Services, platform: str, namespace: str
+) -> dict[str, str]:
+    """Installs the ROS of an image on another one, and pushes the result into the local registry.
+
+    Raises:
+        RosmlError: the image is not there or has ROS, nothing fits, or a step failed.
+    """
+    from rosml.containerize import adopt, base
+    from rosml.images.builds.push import COMPRESSION
+    from rosml.registry import oci
+
+    found = base.find(name, services, (platform,))
+    values = {"ros-distro": image.distribution, "ros-component": image.component, "disable-ros-installation": "false"}
+    onto = adopt.with_ros(found, services, values, (platform,), say, image_set)
+    if not onto.adopted:
+        has = found.environment.get("ROS_DISTRO") or "in /opt/ros"
+        raise RosmlError(f"{found.name} has ROS already: {has}", "build on it as it is", exit_code=2)
+    place = oci.parse(found.name)
+    tag = re.sub(r"^sha256:(.{12}).*", r"\1", place.reference)
+    reference = f"{services.registry}/{namespace}/{place.repository.rpartition('/')[2]}:{tag}-{image.target}"
+    output = f"type=image,push=true,{COMPRESSION}"
+    digest = adopt.make(onto, services, os.environ, (platform,), reference, output)
+    return {"target": image.target, "on": found.reference, "reference": reference, "digest": digest}

@@ -1,0 +1,59 @@
+"""Puts an image together in a registry, from a ROS image and parts: no Docker, no builder, no layer is pulled."""
+
+from __future__ import annotations
+
+import json
+import os
+
+import click
+
+from rosml.base import terminal
+from rosml.cli import options
+from rosml.cli.checkout import Command
+
+KEPT = "interrupted: no tag was moved; what was pushed is found again by the next call"
+"""What is said after Ctrl-C."""
+
+
+@click.command("join", cls=Command, alone=True, kept=KEPT)
+@click.argument("ros_image")
+@click.argument("parts", nargs=-1, required=True, metavar="PART...")
+@click.option("--tag", required=True, metavar="REFERENCE", help="the image to make: registry, repository and tag")
+@click.option(
+    "--platform", "platforms", multiple=True, metavar="PLATFORM", help="only for it, such as linux/arm64; repeatable"
+)
+@click.option("--allow-unlisted", is_flag=True, help="go on where an image has no list of its files to be compared")
+@options.JSON
+def main(
+    ros_image: str, parts: tuple[str, ...], tag: str, platforms: tuple[str, ...], allow_unlisted: bool, as_json: bool
+) -> None:
+    """Joins ROS_IMAGE and PARTs, and moves a tag to the result.
+
+    All are complete references, in any registry. Layers are mounted where they are in the tag's registry, and copied where
+    they are not. For every platform that all of them have. Credentials are those of 'docker login'.
+
+    \b
+    Example:
+      rosml join ghcr.io/me/rosml/ros:ros1-bookworm-core \\
+        ghcr.io/me/rosml/part:{common-cpu-py311,tensorflow-cc-cpu,tensorflow-cpu-py311} --tag ghcr.io/me/mine:latest
+    """
+    from rosml.base.units import duration, size
+    from rosml.images.join.joiner import Joiner
+    from rosml.registry import oci
+
+    def say(line: str) -> None:
+        terminal.echo(line, err=True)
+
+    with (
+        oci.Registries(os.environ.get("SSL_CERT_FILE", "")) as clients,
+        Joiner(clients, allow_unlisted=allow_unlisted, say=say) as joiner,
+    ):
+        found = joiner.join(ros_image, parts, tag, platforms)
+    if as_json:
+        terminal.echo(json.dumps(found.to_json(), indent=2))
+        return
+    terminal.echo(f"{found.reference}@{found.digest}")
+    counts = ((found.mounted, "mounted"), (found.present, "there already"), (found.copied, "copied"))
+    ways = ", ".join(f"{number} {what}" for number, what in counts if number)
+    terminal.echo(f"{', '.join(found.manifests)}: {found.layers} layers ({ways})")
+    terminal.echo(f"{size(found.uploaded)} uploaded in {duration(found.seconds)}")

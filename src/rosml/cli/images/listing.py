@@ -1,0 +1,40 @@
+"""`rosml list`: images with their facts."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from rosml import ROOT
+from rosml.base import terminal
+from rosml.cli import completion, options
+from rosml.cli.checkout import Command
+
+
+@click.command("list", cls=Command, alone=True, prints=True)
+@click.argument("groups", nargs=-1, type=completion.Name("groups"), metavar="[GROUP]...")
+@options.MATRIX
+@options.JSON
+def main(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
+    """Lists every image with its facts; with GROUPs, those that are in all of them.
+
+    \b
+    Examples:
+      rosml list
+      rosml list ros1-trixie tensorflow --json
+    """
+    from rosml.cli.images import tables
+    from rosml.images.bake.inputs import Inputs
+    from rosml.images.image_set import load, selection
+
+    image_set = load.load(matrix, ROOT)
+    images = selection.members(image_set, groups)
+    if not images:
+        terminal.echo(selection.none_in(groups), err=True)
+    if as_json:
+        inputs = Inputs(ROOT, image_set)
+        inputs.check()
+        terminal.echo(tables.images_as_json(inputs, images), nl=False)
+    elif images:
+        tables.print_images(images)

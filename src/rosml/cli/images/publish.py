@@ -1,0 +1,386 @@
+"""`rosml publish`: the steps of a publishing run, and what is done with published tags."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import time
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from rosml import ROOT
+from rosml.base import files, terminal
+from rosml.cli.checkout import Group
+from rosml.cli.images.call import KEPT, Call, say, sharing, wait_for_turn
+from rosml.cli.options import place_of
+
+if TYPE_CHECKING:
+    from rosml.images.publish.pipeline import Pipeline
+    from rosml.images.scan.judge import Run
+    from rosml.images.scan.results import Results
+
+
+ELSEWHERE = {name: f"rosml {name}" for name in ("image", "part", "plan", "status")} | {
+    "join": "rosml publish join-images"
+}
+
+
+@click.group("publish", cls=Group, kept=KEPT, elsewhere=ELSEWHERE)
+def main() -> None:
+    """Builds, tests and publishes images of matrix.yaml: the steps of a publishing run, and what is done with published tags.
+
+    \b
+    Examples:
+      rosml publish all --registry ghcr.io/me/rosml --only 'ros1-bookworm-*' --serve amd64
+      rosml publish undo --registry ghcr.io/me/rosml
+    """
+
+
+_STEP = ("registry", "matrix", "only", "architecture", "serve", "force", "plan", "shard", "date", "json")
+_GATED = (*_STEP, "require-scan", "policy", "sign")
+
+
+def _step(name: str, help_text: str, options: tuple[str, ...] = _STEP) -> None:
+    """A command for a step of the pipeline."""
+
+    @main.command(name, help=f"{help_text}\n\n\b\nExample:\n  rosml publish {name} --plan plan.json --shard amd64-1")
+    @sharing(*options)
+    def command_of_step(**options: Any) -> None:
+        from rosml.images.publish.steps import STEPS
+
+        call = Call(**options)
+        wait_for_turn()
+        pipeline = call.pipeline()
+        STEPS[name.removesuffix("-images")](pipeline)
+        call.report(pipeline)
+
+
+@main.command()
+@sharing("matrix", "json")
+@click.option(
+    "--plan", "plan_file", type=click.Path(path_type=Path, exists=True), required=True, help="what 'plan' wrote"
+)
+def repositories(plan_file: Path, matrix: Path, as_json: bool) -> None:
+    """Makes the repositories that a plan writes into, one after the other, before several machines push at once.
+
+    Registries such as ghcr.io make a repository at the first push, and refuse other pushes into it meanwhile. What was made
+    before stays as it is.
+
+    \b
+    Example:
+      rosml publish repositories --plan plan.json
+    """
+    from rosml.base.errors import RosmlError
+    from rosml.containerize import rosdep_index
+    from rosml.images.image_set import load as loading
+    from rosml.images.matrix import source
+    from rosml.images.publish.plan_file import read_plan
+    from rosml.registry.repositories import make, repository_path
+
+    plan = read_plan(plan_file)
+    client, prefix = place_of(plan.registry, ROOT)
+    found = plan.repositories(loading.image_set(source.read(matrix)))  # without its locks: it names repositories
+    made, failed = list[str](), dict[str, str]()
+    with client:
+        for name in [*found, rosdep_index.NAME] if found else []:  # a job of the night writes rosdep's lists besides
+            place = repository_path(prefix, name)
+            try:
+                if make(client, place):
+                    made.append(name)
+                    say(f"made {client.host}/{place}")
+            except RosmlError as error:
+                failed[name] = error.message
+                say(f"failed: {error.message}; {error.remedy}")
+    if as_json:
+        terminal.echo(json.dumps({"made": made, "failed": failed}))
+    raise SystemExit(bool(failed))
+
+
+_step("build", "Builds ROS images and parts that are not as they should be, and pushes them by digest.")
+_step("join-images", "Puts images with frameworks together in the registry, from ROS images and parts; pulls nothing.")
+_step("test", "Runs the structure tests of images that have not passed them, on their architecture.")
+
+
+@main.command(name="images")
+@sharing(*_STEP)
+@click.option("--minutes", type=click.FloatRange(min=0), help="begin nothing more after so many")
+def images(minutes: float | None, **options: Any) -> None:
+    """Builds, joins and tests images, each as soon as it can be: what 'build', 'join-images' and 'test' do one after the other.
+
+    A run that ends early leaves images that were tested, and get their tags; the next one goes on.
+
+    \b
+    Example:
+      rosml publish images --plan plan.json --shard amd64-1 --minutes 310
+    """
+    call = Call(**options)
+    wait_for_turn()
+    pipeline = call.pipeline()
+    pipeline.images(math.inf if minutes is None else minutes)
+    call.report(pipeline)
+
+
+_step("index", "Makes indexes of images whose architectures are all there, tested and alike. No tag moves.", _GATED)
+_step("promote", "Moves tags to the indexes of images that passed everything; remembers where they were.", _GATED)
+
+
+@main.command(name="all")
+@sharing("registry", "matrix", "only", "since", "at-most", "architecture", "serve", "force", "date")
+@sharing("require-scan", "policy", "sign", "json")
+def everything(**options: Any) -> None:
+    """Builds, joins, tests and publishes all that is not as it should be: every step, one after the other.
+
+    Scans where --require-scan is given, with the database that 'scan --fetch' left. Signs where --sign is given, with
+    cosign ('rosml setup signer').
+
+    Interrupted at any point, the next call goes on where it was.
+
+    \b
+    Examples:
+      rosml publish all --only 'ros1-bookworm-core*' --serve amd64
+      rosml publish all --since origin/main --at-most 2 --serve amd64
+    """
+    from rosml.images.publish.steps import STEPS
+
+    call = Call(**options)
+    wait_for_turn()
+    pipeline = call.pipeline()
+    for name, step in STEPS.items():
+        if name == "index" and call.require_scan:
+            _scan(call, pipeline)
+        step(pipeline)
+    call.report(pipeline)
+
+
+def _scan(
+    call: Call,
+    pipeline: Pipeline,
+    fetch: bool = False,
+    database: str = "",
+    reports: Path | None = None,
+    results: Results | None = None,
+) -> Run:
+    """Scans by a call's policy, with the database that is there or is fetched."""
+    from rosml.images.scan import policy
+    from rosml.images.scan.trivy import ScannerFailed, Trivy
+    from rosml.machine import trust
+
+    rules = policy.load(call.policy)
+    try:
+        trivy: Trivy | ScannerFailed = Trivy.find(ROOT, environment=trust.trusting(pipeline.plan.services))
+        if fetch and isinstance(trivy, Trivy):
+            trivy.fetch(rules.policy.database, database, say)
+    except ScannerFailed as error:  # every image says so
+        trivy = error
+    return pipeline.scan(rules, trivy, reports, results)
+
+
+@main.command()
+@sharing("registry", "matrix", "only", "plan", "shard", "date", "policy", "json")
+@click.option("--fetch", is_flag=True, help="fetch the database of vulnerabilities first; once per run")
+@click.option("--database", default="", metavar="REFERENCE", help="the one that all machines of a run take, by digest")
+@click.option(
+    "--reports", type=click.Path(path_type=Path, file_okay=False), help="a folder for SARIF, a file per image"
+)
+@click.option(
+    "--output",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="write what was found there, for 'record', and nothing into the registry: reading is enough",
+)
+def scan(fetch: bool, database: str, reports: Path | None, output: Path | None, **options: Any) -> None:
+    """Scans images for known vulnerabilities, by the policy in scan.yaml. Needs 'rosml setup scanner'.
+
+    Exits with 3 where the policy stops an image, with 4 where the scanner failed and nothing is known.
+
+    \b
+    Examples:
+      rosml publish scan --fetch --only 'ros1-bookworm-core*' --reports sarif
+      rosml publish scan --plan plan.json --fetch --output scan.json
+    """
+    from rosml.cli.images import report
+    from rosml.cli.images.tables import print_scan
+    from rosml.images.scan.results import Results
+
+    call = Call(**options)
+    wait_for_turn()
+    pipeline = call.pipeline()
+    results = Results(output, pipeline.plan.date) if output else None
+    run = _scan(call, pipeline, fetch, database, reports, results)
+    if results:
+        results.write()
+    if not call.as_json:
+        print_scan(run)
+    report.show(pipeline, call.as_json)
+    raise SystemExit(run.outcome.exit_code)
+
+
+@main.command()
+@sharing("policy", "json")
+def database(policy: Path, as_json: bool) -> None:
+    """Prints which database of vulnerabilities is the newest, by digest: for 'scan --database' on several machines.
+
+    \b
+    Example:
+      rosml publish scan --fetch --database "$(rosml publish database)"
+    """
+    from rosml.images.scan import trivy
+    from rosml.images.scan.policy import load
+    from rosml.machine.services import Services
+    from rosml.registry import oci
+
+    def head(reference: str) -> str:
+        place = oci.parse(reference)
+        return registries(place.host).head(place.repository, place.reference)
+
+    with oci.Registries(Services.load(ROOT).ca_bundle) as registries:
+        found = trivy.resolve(load(policy).policy.database, head)
+    terminal.echo(json.dumps({"database": found}) if as_json else found)
+
+
+@main.command()
+@sharing("registry", "matrix", "only", "plan", "date", "json")
+@click.argument("file", type=click.Path(path_type=Path, exists=True, dir_okay=False))
+def record(file: Path, **options: Any) -> None:
+    """Writes into the registry what 'scan --output FILE' found on a machine that may not.
+
+    \b
+    Example:
+      rosml publish record scan.json --plan plan.json
+    """
+    from rosml.images.publish import scan_results
+
+    call = Call(**options)
+    wait_for_turn()
+    pipeline = call.pipeline()
+    scan_results.record(pipeline, file)
+    call.report(pipeline)
+
+
+@main.command(alone=True)
+@click.argument("file", type=click.Path(path_type=Path, exists=True, dir_okay=False))
+@click.option(
+    "--open", "unpublished", type=click.IntRange(min=0), required=True, help="how many images are not published"
+)
+def issue(file: Path, unpublished: int) -> None:
+    """Keeps one issue of the repository at GitHub, with the text of FILE, for as long as images are not published. In a job of GitHub
+    Actions, with its token as GITHUB_TOKEN.
+
+    \b
+    Example:
+      rosml publish issue night.md --open 3
+    """
+    from rosml.images.publish.issue import LONGEST, Issues
+
+    api, repository = os.environ.get("GITHUB_API_URL", ""), os.environ.get("GITHUB_REPOSITORY", "")
+    issues = Issues(api, repository, os.environ.get("GITHUB_TOKEN", ""))
+    say(issues.keep(files.limited(file, 4 * LONGEST).decode(errors="replace"), unpublished))
+
+
+@main.command(alone=True)
+@sharing("registry", "json")
+@click.argument("run", default="")
+def undo(run: str, **options: Any) -> None:
+    """Moves the tags of RUN back to where they were; of the last run if left out.
+
+    RUN is the date of a run. A tag that has moved on since stays where it is. With --registry, it needs that registry
+    alone.
+
+    \b
+    Examples:
+      rosml publish undo
+      rosml publish undo 2026-11-22T03:00:00Z --registry ghcr.io/me/rosml
+    """
+    from rosml.base.clock import now
+    from rosml.cli.images import report
+    from rosml.images.publish import undo as undoing
+    from rosml.images.records.store import Records
+
+    started, call = time.monotonic(), Call(**options)
+    client, prefix = place_of(call.registry, ROOT)
+    with client:
+        date = now()
+        outcomes = undoing.undo(Records(client, prefix), date, run)
+        report.tell_outcomes(outcomes, date, client.uploaded, started, call.as_json)
+    if any(outcome.state == "failed" for outcome in outcomes):
+        raise SystemExit(1)
+
+
+@main.command(alone=True)
+@sharing("registry", "json")
+@click.argument("checkout", type=click.Path(path_type=Path, exists=True, file_okay=False), required=False)
+def rosdep(checkout: Path | None, as_json: bool, **options: Any) -> None:
+    """Publishes rosdep's lists for 'rosml containerize': of ros/rosdistro on GitHub, or of a CHECKOUT of it.
+
+    They get the tags latest and of today. The same lists have the same digest.
+
+    \b
+    Example:
+      rosml publish rosdep --registry ghcr.io/me/rosml
+    """
+    from rosml.containerize import rosdep_index
+
+    client, prefix = place_of(options["registry"], ROOT)
+    repository = f"{prefix}/{rosdep_index.NAME}".removeprefix("/")
+    with client, rosdep_index.checkout(checkout) as folder:
+        tags = (f"{datetime.now(UTC):%Y%m%d}", "latest")
+        digest = rosdep_index.publish(folder, client, repository, tags)
+        names = [f"{client.host}/{repository}:{tag}" for tag in tags]
+    terminal.echo(json.dumps({"tags": names, "digest": digest}) if as_json else f"{names[0]}  {digest}")
+
+
+@main.command(alone=True)
+@sharing("registry", "matrix", "json")
+@click.option(
+    "--days",
+    type=click.IntRange(min=0, max=36500),
+    default=30,
+    show_default=True,
+    help="dated tags younger than that stay",
+)
+@click.option(
+    "--newest",
+    type=click.IntRange(min=0),
+    default=3,
+    show_default=True,
+    help="so many dated tags of each image stay in any case",
+)
+@click.option("--apply", is_flag=True, help="remove it; without that, only says what would go")
+def prune(days: int, newest: int, apply: bool, **options: Any) -> None:
+    """Says what the registry no longer needs, and with --apply removes it.
+
+    What a kept tag leads to stays: an index, its images, and what is attached to them. With --registry, it needs that
+    registry alone.
+
+    \b
+    Examples:
+      rosml publish prune --days 60
+      rosml publish prune --apply
+    """
+
+    from rosml.images.image_set import load as loading
+    from rosml.images.matrix import source
+    from rosml.images.publish.prune import STAYS, Pruner
+
+    call = Call(**options)
+    image_set = loading.image_set(source.read(call.matrix))  # without its locks: it names repositories
+    client, prefix = place_of(call.registry, ROOT)
+    with client:
+        pruner = Pruner(client, prefix, image_set, datetime.now(UTC).date(), days, newest)
+        found = pruner.find()
+        if not call.as_json:
+            for repository, tag in found.tags:
+                terminal.echo(f"{repository}:{tag}")
+            for repository, digest in found.manifests:
+                terminal.echo(f"{repository}@{digest}")
+            terminal.echo(f"{len(found.tags)} tags and {len(found.manifests)} manifests can go; {found.kept} tags stay")
+        if apply:
+            for line in pruner.remove(found):
+                say(line if STAYS in line else f"removed: {line}")
+    if call.as_json:  # at the end: an error while it is removed is an object of its own
+        terminal.echo(json.dumps(found.to_json(), indent=2))
+    elif not apply and (found.tags or found.manifests):
+        terminal.echo("nothing was removed; add --apply")

@@ -1,0 +1,202 @@
+"""What a publishing run will do, or did: as tables, as JSON, and as the summary of a job in CI."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections import Counter
+
+from rosml.base import ci, terminal
+from rosml.base.problems import counted, some
+from rosml.base.units import duration, size
+from rosml.cli.images import tables
+from rosml.images.image_set.missing import UNLOCKED
+from rosml.images.image_set.model import Image
+from rosml.images.publish import shards as dealing
+from rosml.images.publish.pipeline import Outcome, Pipeline
+from rosml.images.publish.plan import Task, changes
+from rosml.images.publish.plan_file import Planned, PlannedTask
+from rosml.images.records import store
+
+
+def tasks(pipeline: Pipeline) -> list[Task]:
+    """What is to be done about every item."""
+    return [pipeline.plan.task(item) for item in pipeline.plan.items]
+
+
+def planned(pipeline: Pipeline, shards: int, why: bool) -> Planned:
+    """What is to be done, and which of so many machines builds what. `why`: with the names of the inputs that changed."""
+    found = tasks(pipeline)
+    plan = pipeline.plan
+    # What is only to be tested needs a machine as well. A scan needs none of a kind.
+    here = [task for task in found if task.item.architecture in plan.architectures]
+    work = dealing.Work(
+        frozenset(task.item.key for task in here if task.item.making in task.steps),
+        frozenset(task.item.key for task in here if "test" in task.steps),
+        {key: entry.seconds for key, entry in plan.known.items() if not entry.failed},
+    )
+    wanted = {image.target for image in plan.images}
+    return Planned(
+        version=1,
+        date=plan.date,
+        registry=f"{pipeline.host}/{pipeline.prefix}",
+        architectures=plan.architectures,
+        serve=tuple(pipeline.serving),
+        force=plan.force,
+        upstream=plan.upstream,
+        targets=tuple(image.target for image in plan.images),
+        shards=dealing.deal(plan.forecast, shards, lambda image: image.target in wanted, work),
+        tasks=tuple(
+            PlannedTask(
+                target=task.item.target,
+                architecture=task.item.architecture,
+                kind=task.item.kind,
+                steps=task.steps,
+                why=task.why,
+                hindered=task.hindered,
+                inputs=_changed(pipeline, task) if why else (),
+            )
+            for task in found
+            if task.steps or task.hindered
+        ),
+        unchanged=sum(not task.steps and not task.hindered for task in found),
+        remarks=tuple(plan.remarks),
+    )
+
+
+def tell(plan: Planned) -> None:
+    """Tells CI of a plan: its shards, for the matrix of the jobs that build, and what there is to do."""
+    ci.output("shards", json.dumps([{"name": shard.name, "runner": shard.runner} for shard in plan.shards]))
+    counts = Counter(step for task in plan.tasks for step in task.steps)
+    lines = [f"- {step}: {number}" for step, number in counts.items()] or ["- nothing to do"]
+    lines += [f"- as they should be: {plan.unchanged}"]
+    unlocked = {task.target for task in plan.tasks if task.kind != "part" and task.hindered.startswith(UNLOCKED)}
+    lines += [f"- without a lock: {counted(len(unlocked), 'image')}, which cannot be built yet"] if unlocked else []
+    lines += [*(f"- {remark}" for remark in plan.remarks), ""]
+    rows = tables.shard_rows(plan.shards)
+    found = "\n".join(lines) + "\n" + (ci.table(tables.SHARDS, rows) if rows else "")
+    ci.summary(f"\n## Plan of {plan.date} for {plan.registry}\n\n{found}")
+
+
+def _changed(pipeline: Pipeline, task: Task) -> tuple[str, ...]:
+    """Names of the inputs that differ from those that an item was made from."""
+    if not task.steps or task.item.key not in pipeline.plan.known:
+        return ()
+    return tuple(changes(pipeline.plan, pipeline.records, task.item))
+
+
+def print_plan(pipeline: Pipeline, why: bool) -> None:
+    """A line for each item that something is to be done about, and counts of the others."""
+    found = tasks(pipeline)
+    todo = [task for task in found if task.steps]
+    rows = []
+    for task in todo:
+        changed = _changed(pipeline, task) if why else ()
+        reason = "; ".join([*task.why, *([f"changed: {some(changed)}"] if changed else [])])
+        rows.append((task.item.target, task.item.architecture, ", ".join(task.steps), reason))
+    tables.show(("image", "architecture", "to do", "why"), rows, wrapped=["why"])
+    hindered = Counter(task.hindered.partition(":")[0] for task in found if task.hindered)
+    unchanged = len(found) - len(todo) - sum(hindered.values())
+    unlocked = {task.item.target: task.item.thing for task in found if task.hindered.startswith(UNLOCKED)}
+    rest = "".join(f", {number} {reason}" for reason, number in hindered.items() if reason != UNLOCKED)
+    terminal.console().print(f"{len(todo)} to do, {unchanged} as they should be{rest}", style="dim")
+    tables.print_unlocked([thing for thing in unlocked.values() if isinstance(thing, Image)])
+
+
+def show(pipeline: Pipeline, as_json: bool) -> None:
+    """What a run did, on standard output; and in CI's summary, where there is one."""
+    tell_outcomes(pipeline.outcomes, pipeline.plan.date, pipeline.uploaded, pipeline.started, as_json)
+    ci.summary(markdown(pipeline))
+
+
+def tell_outcomes(outcomes: list[Outcome], date: str, uploaded: int, started: float, as_json: bool) -> None:
+    """Outcomes of a command on standard output.
+
+    Args:
+        date: of the run. uploaded: bytes that the registry got. started: when it began, by the monotonic clock.
+        as_json: as an object, and not as a table.
+    """
+    if as_json:
+        content = {
+            "date": date,
+            "seconds": round(time.monotonic() - started, 2),
+            "uploaded": uploaded,
+            "counts": dict(Counter(f"{outcome.step} {outcome.state}" for outcome in outcomes)),
+            "outcomes": [outcome.to_json() for outcome in outcomes],
+        }
+        print(json.dumps(content, indent=2))
+        return
+    colours = {"done": "green", "failed": "red"}
+    rows = []
+    for it in _interesting(outcomes):
+        state = tables.coloured(it.state, colours[it.state])
+        rows.append((it.step, it.target, it.architecture, state, duration(it.seconds), _first(it)))
+    tables.show(("step", "image", "architecture", "state", "time", "what"), rows, right=["time"], wrapped=["what"])
+    out = terminal.console()
+    for reason, number in _waiting(outcomes).items():
+        out.print(f"waits: {number} times: {reason}", style="yellow")
+    if unlocked := _unlocked(outcomes):
+        out.print(f"waits: {unlocked} without a lock", style="yellow")
+    text = ", ".join(_counts(outcomes)) or "nothing to do: everything is as it should be"
+    out.print(text, _effort(uploaded, started), sep="\n", style="dim")
+
+
+def _interesting(outcomes: list[Outcome]) -> list[Outcome]:
+    """Those that people want to read of: what was done or failed; what merely waits is counted."""
+    return [outcome for outcome in outcomes if outcome.state != "waits"]
+
+
+def _first(outcome: Outcome) -> str:
+    """The first line of an outcome's reason."""
+    return outcome.reason.partition("\n")[0]
+
+
+def _counts(outcomes: list[Outcome]) -> list[str]:
+    """How many there are of each step and state, and how long they took together."""
+    counts = Counter((outcome.step, outcome.state) for outcome in outcomes)
+    seconds = {key: sum(x.seconds for x in outcomes if (x.step, x.state) == key) for key in counts}
+    return [
+        f"{step}: {number} {state}" + (f" in {duration(seconds[step, state])}" if seconds[step, state] >= 1 else "")
+        for (step, state), number in counts.items()
+    ]
+
+
+def _effort(uploaded: int, started: float) -> str:
+    """What a run cost: bytes and time."""
+    return f"{size(uploaded)} uploaded, {duration(time.monotonic() - started)}"
+
+
+def _waiting(outcomes: list[Outcome]) -> Counter[str]:
+    """How often something waits for what; without what waits for a lock."""
+    return Counter(x.reason for x in outcomes if x.state == "waits" and UNLOCKED not in x.reason)
+
+
+def _unlocked(outcomes: list[Outcome]) -> int:
+    """How many images and parts wait for a lock, whichever."""
+    return len({x.target for x in outcomes if x.state == "waits" and UNLOCKED in x.reason})
+
+
+def markdown(pipeline: Pipeline) -> str:
+    """The summary of a job in CI."""
+    outcomes = pipeline.outcomes
+    touched = {(outcome.target, outcome.architecture) for outcome in outcomes}
+    alone = [task for task in tasks(pipeline) if task.item.key not in touched]
+    skipped = sum(not task.steps and not task.hindered for task in alone)
+    effort = _effort(pipeline.uploaded, pipeline.started)
+    lines = ["", f"## Publishing run of {pipeline.plan.date}", "", *(f"- {text}" for text in _counts(outcomes))]
+    lines += [f"- {skipped} left alone, as they should be", f"- {effort}", ""]
+    rows = []
+    for outcome in _interesting(outcomes):
+        entry = pipeline.plan.known.get((outcome.target, outcome.architecture or store.INDEX))
+        facts = (
+            size(entry.size) if entry and entry.size else "",
+            f"`{entry.digest[:19]}`" if entry and entry.digest else "",
+        )
+        what = (outcome.step, f"`{outcome.target}`", outcome.architecture, outcome.state)
+        rows.append((*what, duration(outcome.seconds), *facts, _first(outcome)))
+    if rows:
+        columns = ("step", "image", "architecture", "state", "time", "size", "digest", "what")
+        lines += [ci.table(columns, rows)]
+    lines += [f"- waits, {counted(number, 'time')}: {reason}" for reason, number in _waiting(outcomes).items()]
+    lines += [f"- waits: {unlocked} without a lock"] if (unlocked := _unlocked(outcomes)) else []
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,147 @@
+"""The end of `rosml image`: what was made and where the time went, on one screen or as JSON."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+from rosml.base.errors import RosmlError
+from rosml.base.units import duration, size
+from rosml.images.builds import base_images
+from rosml.images.image_set.model import Image, tags_of
+from rosml.images.publish.pipeline import Pipeline
+from rosml.images.publish.plan import ABSENT, WAITING
+from rosml.images.records.store import INDEX
+from rosml.images.records.tag_moves import Move
+from rosml.machine import buildx
+
+
+@dataclass
+class Summary:
+    """What publishing one image came to.
+
+    Attributes:
+        target: the bake target.
+        reference: what to put after FROM: the main tag; the digest where no tag is made.
+        tags: all references that point at the image. moved: tags that pointed elsewhere, or nowhere, before.
+        digest: digest of the index behind the tags. manifest: of the image manifest that was tested.
+        compressed, unpacked: bytes. parts: bytes of `compressed` that are parts, which images of a stack share.
+        uploaded: bytes that this call added to the registry.
+        passed, failed: structure tests. versions: of what was found inside.
+        seconds: time by step. made: targets that were built or joined now.
+        builder: the command that builds a Dockerfile on top of it with the same builder.
+    """
+
+    target: str
+    reference: str
+    digest: str = ""
+    manifest: str = ""
+    tags: list[str] = field(default_factory=list)
+    moved: list[str] = field(default_factory=list)
+    compressed: int = 0
+    parts: int = 0
+    unpacked: int = 0
+    uploaded: int = 0
+    passed: int = 0
+    failed: int = 0
+    versions: dict[str, str] = field(default_factory=dict)
+    seconds: dict[str, float] = field(default_factory=dict)
+    made: list[str] = field(default_factory=list)
+    builder: str = ""
+
+    def to_json(self) -> dict[str, Any]:
+        """For `--json`."""
+        return asdict(self)
+
+    def text(self) -> str:
+        """The summary as aligned lines."""
+        shared = f" ({size(self.parts)} of it parts, which other images share)" if self.parts else ""
+        tagged = [
+            ("digest", self.digest),
+            ("tags", ", ".join(tag.rsplit("/", 1)[1] for tag in self.tags)),
+            ("tags moved", ", ".join(self.moved) or "none: all pointed here already"),
+        ]
+        seconds = ", ".join(f"{name} {duration(value)}" for name, value in self.seconds.items())
+        rows = [
+            ("FROM", self.reference),
+            *(tagged if self.tags else [("tags", "none: a tag is for all platforms of an image")]),
+            ("build on it", self.builder),
+            ("size", f"{size(self.compressed)} compressed{shared}, {size(self.unpacked)} unpacked"),
+            ("new in registry", size(self.uploaded)),
+            ("made now", ", ".join(self.made) or "nothing: all of it was there"),
+            ("structure tests", f"{self.passed} passed, {self.failed} failed"),
+            ("time", seconds or "nothing to do"),
+        ]
+        width = max(len(name) for name, _ in rows)
+        title = f"{self.target} is built, tested and {'published' if self.tags else 'pushed by its digest'}"
+        return "\n".join(["", title, "-" * len(title), *(f"{name.ljust(width)}  {value}" for name, value in rows)])
+
+
+def require_whole(run: Pipeline, image: Image, architecture: str, tagged: bool) -> None:
+    """Checks that a run left an image as it should be.
+
+    Raises:
+        RosmlError: it did not; says which step failed first, or what the image waits for.
+    """
+    plan = run.plan
+    if failed := next((outcome for outcome in run.outcomes if outcome.state == "failed"), None):
+        known = plan.known.get((failed.target, failed.architecture or INDEX))
+        remedy = known.failed.get("remedy", "") if known else ""
+        text = f"{failed.step} of {failed.target} failed, so {image.target} gets no tag: {failed.reason}"
+        raise RosmlError(text, remedy or "mend what failed, then run it again: what was finished is kept")
+    if tagged:
+        index = plan.known.get((image.target, INDEX))
+        wrong = plan.unready(image, run.serving) or (
+            f"its tags were moved back on {index.held[:10]}" if index and index.held else ""
+        )
+    else:
+        wrong = "; ".join(plan.reasons(plan.by_key[image.target, architecture]))
+    if wrong:
+        waits = next((o.reason for o in run.outcomes if o.target == image.target and o.state == "waits"), wrong)
+        remedy = "make it anew: --force, or ROSML_FORCE=1 for make"
+        if waits.startswith(ABSENT):
+            remedy = "try it later, or build from what is tested before its release: ROS_CHANNEL=testing rosml image"
+        elif waits.startswith(WAITING):
+            remedy = f"use a machine that reaches the base image, or {base_images.name_another(image.os)}"
+        raise RosmlError(f"{image.target} gets no tag: {waits}", remedy)
+
+
+def of_image(run: Pipeline, image: Image, architecture: str, moves: list[Move] | None) -> Summary:
+    """What a run came to for one image.
+
+    Args:
+        run: that ended. image, architecture: of which.
+        moves: of tags; None where it was to move none.
+
+    Raises:
+        RosmlError: the image is not as it should be.
+    """
+    require_whole(run, image, architecture, tagged=moves is not None)
+    plan, repository = run.plan, run.reference(image.repository)
+    entry = plan.known[image.target, architecture]
+    parts = [plan.known[plan.image_set.part_by_name[name].target, architecture] for name in image.parts]
+    seconds: dict[str, float] = {}
+    for outcome in run.outcomes:
+        if outcome.seconds:
+            seconds[outcome.step] = seconds.get(outcome.step, 0.0) + outcome.seconds
+    done = [outcome for outcome in run.outcomes if outcome.state == "done"]
+    found = Summary(
+        image.target,
+        f"{repository}@{entry.digest}",
+        manifest=entry.digest,
+        compressed=entry.size,
+        parts=sum(part.size for part in parts),
+        unpacked=entry.unpacked,
+        uploaded=run.uploaded,
+        passed=entry.passed,
+        failed=len(entry.failures),
+        versions=dict(entry.versions),
+        seconds=seconds,
+        made=[outcome.target for outcome in done if outcome.step in ("build", "join")],
+        builder=buildx.command_on_it(plan.services),
+    )
+    if moves is not None:
+        found.tags = [f"{repository}:{tag}" for tag in tags_of(image)]
+        found.reference, found.digest = found.tags[0], plan.known[image.target, INDEX].digest
+        found.moved = [m.tag for m in moves if (m.repository, m.new) == (image.repository, found.digest)]
+    return found

@@ -1,0 +1,169 @@
+"""Tables for people of images, differences, shards, states and findings."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from rosml.base import ci, terminal
+from rosml.base.problems import counted, some
+from rosml.images.bake.diff import Difference, how_many, rows
+from rosml.images.bake.inputs import Inputs
+from rosml.images.image_set import missing
+from rosml.images.image_set.facts import facts
+from rosml.images.image_set.model import Image
+from rosml.images.publish.plan_file import Shard
+from rosml.images.publish.status import STATES, Cause, ImageStatus, age
+from rosml.images.scan.judge import Run
+from rosml.images.scan.sarif import COLUMNS, finding_rows, summary
+
+if TYPE_CHECKING:
+    from rich.text import Text
+
+MANY = 12
+"""From more names on, they are folded in a summary."""
+
+COLOURS = {"critical": "bold red", "high": "red", "medium": "yellow"}
+
+
+def show(
+    columns: Sequence[str],
+    rows: Iterable[Iterable[str | Text]],
+    right: Collection[str] = (),
+    wrapped: Collection[str] = (),
+) -> None:
+    """Prints a table; nothing where it has no rows."""
+    table = terminal.table(*columns, right=right, wrapped=wrapped)
+    for row in rows:
+        table.add_row(*row)
+    if table.row_count:
+        terminal.show(table)
+
+
+def coloured(text: str, style: str) -> Text:
+    """A cell in a style of rich's."""
+    from rich.text import Text  # slow to import, and only needed here
+
+    return Text(text, style)
+
+
+def print_difference(difference: Difference) -> None:
+    """Prints it in few lines, whatever the number of images."""
+    out, columns = terminal.console(), ("what", "why", "which")
+    if difference.registry:
+        out.print(f"registry: {' → '.join(difference.registry)}; all names change")
+    show(columns, rows(difference), wrapped=columns)
+    counts = [how_many(difference, name) for name in ("added", "removed", "changed")]
+    out.print(", ".join([*counts, f"{difference.same} same"]), style="dim")
+
+
+def images_as_json(inputs: Inputs, images: Sequence[Image]) -> str:
+    """Images with the digests of their inputs by architecture."""
+    return json.dumps([{**facts(image), "inputs": inputs.digests(image)} for image in images], indent=2) + "\n"
+
+
+def print_images(images: Sequence[Image]) -> None:
+    """Prints images, a row each."""
+    size = "GB unpacked (forecast)"
+    rows = []
+    for image in images:
+        versions = ", ".join(f"{name} {version}" for name, version in image.versions.items())
+        state, gigabytes = "" if image.locked else "missing", f"{image.disk.unpacked / 1000:.1f}"
+        rows.append((image.target, versions, ", ".join(image.platforms), image.tags[0], state, gigabytes))
+    show(("target", "versions", "platforms", "main tag", "lock", size), rows, right=[size])
+    out = terminal.console()
+    parts = {name for image in images for name in image.parts}
+    out.print(f"{counted(len(images), 'image')}, {counted(len(parts), 'part')}", style="dim")
+    print_unlocked(images)
+
+
+def print_unlocked(images: Collection[Image]) -> None:
+    """A line for those of some images that lack a lock, or one for each of the two things that help; nothing if none does."""
+    lost = sum(bool(image.lost) for image in images)
+    waiting = sum(not image.locked for image in images) - lost
+    for count, remedy in ((lost, missing.RESTORE), (waiting, missing.ASK_PYTORCH)):
+        if count:
+            text = f"{counted(count, 'image')} without a lock, which cannot be built yet: {remedy}"
+            terminal.console().print(text, style="yellow")
+
+
+SHARDS = ("shard", "runner", "distributions", "images", "parts", "minutes (estimate)", "GB download", "GB disk")
+
+
+def shard_rows(shards: Iterable[Shard]) -> list[tuple[str, ...]]:
+    """A row for each shard, with estimates of what it takes."""
+    rows = []
+    for shard in shards:
+        takes = shard.estimates
+        counts = (str(len(shard.targets)), str(len(shard.parts)), f"{takes.seconds / 60:.0f}")
+        sizes = (f"{megabytes / 1000:.1f}" for megabytes in (takes.download_mb, takes.disk_mb))
+        rows.append((shard.name, shard.runner, ", ".join(shard.distributions), *counts, *sizes))
+    return rows
+
+
+def print_scan(run: Run) -> None:
+    """Prints a run: each image's line and its findings that stop it or are ignored, the worst first; what is wrong with the
+    policy's entries, and the run's outcome."""
+    said: set[str] = set()
+    for image in run.images:
+        terminal.echo(summary(image))
+        found = finding_rows([it for it in image.findings if it.fails or it.ignored])
+        show(COLUMNS, ([coloured(first, COLOURS.get(first, "")), *others] for first, *others in found))
+        for note in image.notes:
+            if note not in said:
+                terminal.echo(f"note: {note}")
+        said.update(image.notes)
+    for problem in run.problems:
+        terminal.echo(problem)
+    states = {(image.database.updated, image.database.digest) for image in run.images if image.database}
+    for updated, digest in sorted(states):
+        terminal.echo(f"database of {updated}, {digest}")
+    terminal.echo(f"{counted(len(run.images), 'image')}: {run.outcome.value}")
+
+
+def print_status(found: list[ImageStatus], causes: Sequence[Cause], ahead: Mapping[str, int]) -> None:
+    """A line for each image, a block for each cause, and how many images there are of each state."""
+    rows = (
+        (it.target, coloured(it.state, STATES[it.state]), age(it.age), ", ".join(it.platforms), it.reason)
+        for it in found
+    )
+    show(("image", "state", "age", "platforms", "why"), rows, wrapped=["why"])
+    out = terminal.console()
+    for cause in causes if len(found) > 1 else ():
+        head = f"{counted(len(cause.targets), 'image')} {cause.state}"
+        out.print(f"{head}: {cause.reason or some(cause.targets)}", style=STATES[cause.state], markup=False)
+        if cause.reason:
+            out.print(f"  {some(cause.targets)}", style="dim", markup=False)
+        for line in cause.log.split("\n") if cause.log else ():
+            out.print(f"  | {line}", style="dim", markup=False)
+    out.print(f"{_counts(found)}; {_ahead(ahead)}", style="dim")
+
+
+def _counts(found: Sequence[ImageStatus]) -> str:
+    """How many images there are of each state."""
+    counts = Counter(item.state for item in found)
+    text = ", ".join(f"{counts[name]} {name}" for name in STATES if counts[name])
+    return f"{counted(len(found), 'image')}: {text}"
+
+
+def _ahead(ahead: Mapping[str, int]) -> str:
+    """What a further run would do."""
+    steps = ", ".join(f"{name} {number}" for name, number in ahead.items())
+    return f"a further run would {steps}" if steps else "a further run has nothing to do"
+
+
+def status_markdown(place: str, found: Sequence[ImageStatus], causes: Sequence[Cause], ahead: Mapping[str, int]) -> str:
+    """How the images of a registry stand, for the owner of a repository: numbers, then each cause with its images and the last
+    lines of its log."""
+    lines = [f"## Images of {place}", "", f"{_counts(found)}. {_ahead(ahead).capitalize()}.", ""]
+    for cause in causes:
+        reason = f": {ci.code(cause.reason)}" if cause.reason else ""
+        lines += [f"### {counted(len(cause.targets), 'image')} {cause.state}{reason}", ""]
+        names = ", ".join(f"`{name}`" for name in cause.targets)
+        many = len(cause.targets) > MANY
+        lines += [f"<details><summary>{some(cause.targets)}</summary>\n\n{names}\n</details>" if many else names, ""]
+        if cause.log:
+            lines += [ci.code(cause.log), ""]
+    return "\n".join(lines)

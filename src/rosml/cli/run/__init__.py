@@ -1,0 +1,1 @@
+"""Commands that start containers, and enter them."""

@@ -1,0 +1,45 @@
+"""`rosml attach`: enters a container that is there, by docker or podman."""
+
+from __future__ import annotations
+
+import os
+
+import click
+
+from rosml.base.errors import RosmlError
+from rosml.cli.run import container as cli
+from rosml.run import words
+
+
+@click.command("attach", cls=cli.Words, alone=True, context_settings=cli.SETTINGS, options_metavar="[OPTIONS]")
+@click.option("--no-it", is_flag=True, expose_value=False, help="neither a terminal nor standard input")
+@cli.showing
+@click.argument("name", required=False, expose_value=False)
+@click.argument("command", nargs=-1, type=click.UNPROCESSED, expose_value=False)
+@click.pass_context
+def main(context: click.Context, /) -> None:
+    """Opens another shell in a container that runs: with ROS, and as the same user. Without NAME, it is the container that
+    `rosml run` started in this folder. One that has ended is started again.
+
+    The first word that is no option is the container's name, or a point for that of this folder. What follows it is the
+    command, and reaches the container as it is. Options of `docker exec`, such as -e and --workdir, go to the engine.
+
+    \b
+    Examples:
+      rosml attach
+      rosml attach . ros2 topic list
+      rosml attach robot htop
+    """
+    from rosml.run import attach, engine
+    from rosml.run.person import person
+
+    line: words.Line = context.meta[cli.LINE]
+    if line.image in ("", attach.HERE):
+        cli.enter_folder(line, "rosml attach")
+        return
+    program = engine.program(os.environ)
+    found = engine.container(program, line.image)
+    if found is None:
+        remedy = f"{program} ps --all lists them; rosml attach . COMMAND runs a command in the container of this folder"
+        raise RosmlError(f"no container named {line.image}", remedy)
+    cli.enter(program, line, person(os.environ), found)

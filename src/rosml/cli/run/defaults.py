@@ -1,0 +1,64 @@
+"""The files with defaults of `rosml run`, and the question whether a project's file may have what it wants."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Collection
+from dataclasses import replace
+
+from rosml.base.errors import RosmlError
+from rosml.cli import command
+from rosml.cli.run import container, question
+from rosml.run import defaults, words
+
+
+def read(line: words.Line, options: Collection[str], refused: Collection[str], folder: str) -> defaults.Files:
+    """The files that count for a command line: none with --no-defaults.
+
+    Args:
+        line: what somebody typed. options, refused: as in `defaults.files`. folder: the current one.
+    """
+    if line.asks("no-defaults"):
+        return defaults.Files()
+    return defaults.files(os.environ, folder, options, refused)
+
+
+def require(typed: words.Line, file: defaults.File | None) -> bool:
+    """Asks whether a project's file may have what it wants, unless somebody allowed that already. Where nothing runs, says that
+    it would ask.
+
+    Args:
+        typed: what somebody typed: the file's image and command count where this names none.
+
+    Returns:
+        Whether it may; False only where nothing runs.
+
+    Raises:
+        RosmlError: they say no, or there is no terminal to ask on, or the engine would read a pipe or a device.
+    """
+    from rosml.run import consent
+
+    if file is None:
+        return True
+    trusted = defaults.is_own(file.owner, os.environ)
+    used = file.line if typed.image in ("", defaults.HERE) else replace(file.line, image="", command=())
+    if not consent.wanted(used, trusted):
+        return True
+    place, digest = consent.memory(os.environ), consent.digest(file)
+    if consent.is_allowed(file, digest, place):
+        return True
+    name = defaults.shown(file.path)
+    wanted = consent.wanted(file.line, trusted, file.leads, os.path.dirname(file.path))
+    items = [defaults.shown(item) for item in wanted]
+    said = f"{name} wants what you have not allowed: {', '.join(items)}"
+    if container.only_shown(typed):
+        command.warn(said, "rosml run will ask you first")
+        return False
+    if not question.possible():
+        raise RosmlError(said, "call it once in a terminal, where rosml asks you; --no-defaults leaves the file out", 2)
+    whose = "" if trusted else f", a file of another user ({file.owner}),"
+    until = "Allow this until the file or what it names changes?"
+    if not question.agreed("\n  ".join([f"{name}{whose} wants:", *items]), until):
+        raise RosmlError(f"{name} is not allowed", "--no-defaults leaves it out", exit_code=2)
+    question.keep(place, consent.with_file(file, digest, place))
+    return True

@@ -1,0 +1,273 @@
+"""`rosml run`: starts an image, by docker or podman."""
+
+from __future__ import annotations
+
+import os
+from contextlib import suppress
+from dataclasses import replace
+from functools import cache
+
+import click
+
+from rosml.base import terminal
+from rosml.base.errors import RosmlError
+from rosml.cli import command
+from rosml.cli.run import container, defaults, trust
+from rosml.run import plugins, words
+from rosml.run.context import Context, Person
+from rosml.run.defaults import HERE, Files
+
+RESERVED = ("new", "no-defaults", trust.OPTION, "check", "verbose", "dry-run", "json", "export", "help")
+"""Options of the command itself: no plugin can have one of these names, and no file with defaults can have one of them."""
+
+IMAGE = 'write image = "…" into .rosml.toml'
+"""How a folder gets an image of its own."""
+
+
+@cache
+def found() -> plugins.Found:
+    """The plugins; they are looked for once."""
+    return plugins.found(RESERVED)
+
+
+class Run(container.Words):
+    """A command that has the options of plugins as well."""
+
+    def get_params(self, ctx: click.Context) -> list[click.Parameter]:
+        """The command's own options, with those of the plugins after the first."""
+        first, *others = super().get_params(ctx)
+        options = {name: text for plugin in found().plugins for name, text in plugin.options.items()}
+        added = (click.Option([f"--{x}"], is_flag=True, expose_value=False, help=options[x]) for x in options)
+        return [first, *added, *others]
+
+
+@click.command(
+    "run",
+    cls=Run,
+    alone=True,
+    context_settings=container.SETTINGS,
+    options_metavar="[OPTIONS OF ROSML, DOCKER OR PODMAN]",
+)
+@click.option(
+    "--new", is_flag=True, expose_value=False, help="another container, although one runs; the engine names it"
+)
+@click.option("--no-defaults", is_flag=True, expose_value=False, help="read neither .rosml.toml nor your own run.toml")
+@click.option(
+    f"--{trust.OPTION}",
+    is_flag=True,
+    expose_value=False,
+    help="let images of this repository start as root, to make your user: now and from now on",
+)
+@container.showing
+@click.option(
+    "--check",
+    is_flag=True,
+    expose_value=False,
+    help="say what keeps nodes of ROS apart from others, and start no command",
+)
+@click.option(
+    "--export",
+    metavar="FORMAT",
+    type=click.Choice(["devcontainer", "compose"]),
+    help="print a file for editors (devcontainer) or for docker compose (compose), and run nothing",
+)
+@click.argument("image", required=False, expose_value=False)
+@click.argument("command", nargs=-1, type=click.UNPROCESSED, expose_value=False)
+@click.pass_context
+def main(context: click.Context, /, export: str | None) -> None:
+    """Starts a container of an image: as you, on your terminal, with your time zone, your GPUs and your display. It is removed
+    when it ends.
+
+    The first word that is no option is the image. What follows it is the command, and reaches the container as it is. All
+    options of `docker run` and `podman run` go to the engine, such as -v, -e, --name and -p.
+
+    In a folder whose container runs, the same call opens another shell in it, as does a call without an image.
+
+    Defaults are in .rosml.toml of the project, and in ~/.config/rosml/run.toml. A point is the image that they name.
+
+    The engine is docker, or podman where there is no docker; ROSML_ENGINE names one. The exit code is the command's,
+    or 125 where nothing starts.
+
+    \b
+    Examples:
+      rosml run ghcr.io/me/rosml/ros:jazzy-base
+      rosml run --mws ghcr.io/me/rosml/ros:jazzy-base colcon build
+      rosml run -e ROS_DOMAIN_ID=7 -v ./bags:/bags IMAGE ros2 bag play /bags/first
+      rosml run --ros-network IMAGE ros2 topic list
+      rosml run --check --ros-network IMAGE
+      rosml run --dry-run IMAGE
+      rosml run --export compose IMAGE >compose.yaml
+      rosml run
+      rosml run . colcon build
+    """
+    from rosml.run import attach, engine
+    from rosml.run.person import person
+
+    line: words.Line = context.meta[container.LINE]
+    caller = person(os.environ)
+    own = [f"--{name}" for plugin in found().plugins for name in plugin.options]
+    files = defaults.read(line, own, [f"--{name}" for name in RESERVED], caller.folder)
+    image = files.under(line).image
+    if line.image == HERE and not image:
+        raise RosmlError("no file names the image of this folder", f"rosml run IMAGE, or {IMAGE}", exit_code=2)
+    asked = next((x for x in ("new", "check") if line.asks(x)), f"export {export}" if export else "")
+    if asked and not image:
+        text = f"--{asked.partition(' ')[0]} needs an image, and none is named"
+        raise RosmlError(text, f"rosml run --{asked} IMAGE, or {IMAGE}", exit_code=2)
+    if not line.image and not asked:
+        try:
+            enter(line, image)
+            return
+        except attach.NoContainer:
+            if not image:
+                raise
+    program = engine.program(os.environ)
+    if export:
+        show(program, line, caller, files, export)
+    elif line.asks("check"):
+        check_ros(program, line, caller, files)
+    else:
+        start(program, line, caller, files)
+
+
+def enter(line: words.Line, image: str) -> None:
+    """Enters the container of the current folder, as no image is typed. An option may have taken the image as its value.
+
+    Args:
+        image: the one of the files with defaults; empty where they name none.
+
+    Raises:
+        RosmlError: there is none, or there are several, or it cannot be entered.
+    """
+    from rosml.run import attach
+
+    remedy = "write the image after it: rosml run … IMAGE"
+    if line.taken and not image and not set(line.engine[-1].names) <= attach.PASSED:
+        raise RosmlError(f"no image is named: {line.taken}", remedy, exit_code=2)
+    try:
+        container.enter_folder(line, "rosml run without an image")
+    except RosmlError as error:
+        if line.taken and error.exit_code == 2:
+            error.remedy += f"; {line.taken}: if it is the image, {remedy}"
+        raise
+
+
+def start(program: str, line: words.Line, caller: Person, files: Files) -> None:
+    """Starts an image, or shows how. One that is not there is pulled, unless the command is only shown. Where it runs for this
+    folder already, enters that container.
+
+    Args:
+        program: the engine's command. line: what somebody typed. files: what they need not type. A container that runs has
+            their options already.
+
+    Raises:
+        RosmlError: there is no such image, or another container has the name, or the image has no workspace, or a file of
+            defaults wants what is not allowed.
+    """
+    from rosml.run import attach, concerns, engine
+    from rosml.run.host import host, write
+
+    if line.asks("verbose"):
+        for text in files.said(line):
+            terminal.echo(text, err=True)
+    typed, line = line, files.under(line)
+    name = "" if line.has("replace") else concerns.name_of(line, caller)
+    facts = engine.ask(program, line.image, name)
+    if facts.taken:
+        attach.check_same(program, line, caller, facts.taken, facts.image)
+        container.enter(program, typed, caller, facts.taken)
+        return
+    defaults.require(typed, files.project)
+    if facts.image is None:
+        if container.only_shown(line):
+            raise engine.lacking(program, line.image)
+        engine.pull(program, line)
+        facts = engine.ask(program, line.image, "")
+    if facts.image is None:
+        raise engine.still_lacking(program, line.image)
+    machine = host(os.environ)
+    plan = planned(trust.settled(Context(line, facts.engine, caller, facts.image, machine)))
+
+    def prepare() -> None:
+        for folder in plan.folders:
+            if not machine.has(folder):
+                with suppress(OSError):  # then the engine does what it can
+                    machine.path(folder).mkdir(parents=True)
+        for file, content in plan.files.items():
+            write(machine.path(file), content)
+
+    container.perform(line, plan.argv, prepare)
+
+
+def planned(context: Context) -> plugins.Plan:
+    """What the plugins add; what people should know is said."""
+    plan = plugins.plan(context, found().plugins)
+    for text, remedy in (*found().notes, *plan.notes):
+        command.warn(text, remedy)
+    return plan
+
+
+def looked_at(program: str, line: words.Line, caller: Person) -> Context:
+    """What is known of an image that is not started.
+
+    Args:
+        program: the engine's command.
+
+    Raises:
+        RosmlError: the engine does not have it.
+    """
+    from rosml.run import engine
+    from rosml.run.host import host
+
+    facts = engine.ask(program, line.image, "")
+    if facts.image is None:
+        raise engine.lacking(program, line.image)
+    return Context(line, facts.engine, caller, facts.image, host(os.environ))
+
+
+def check_ros(program: str, line: words.Line, caller: Person, files: Files) -> None:
+    """Says what ROS in a container of an image depends on. An image that a project's file names is not looked into before
+    somebody allows it.
+
+    Args:
+        program, line, files: as in `start`.
+
+    Raises:
+        RosmlError: the engine does not have the image, or it has no ROS.
+    """
+    from rosml.cli.run import check
+
+    context = looked_at(program, files.under(line), caller)
+    allowed = defaults.require(line, files.project)
+    context, typed = trust.settled(context), line.image not in ("", HERE)
+    check.show(context, plugins.plan(context, found().plugins).argv, into=typed or allowed)
+
+
+def show(program: str, line: words.Line, caller: Person, files: Files, kind: str) -> None:
+    """Shows what would run, as a file.
+
+    Args:
+        program, line, files: as in `start`. kind: of file.
+
+    Raises:
+        RosmlError: the engine does not have the image, or such a file cannot say that, or another option shows something else.
+    """
+    from rosml.run import compose, devcontainer, export
+
+    if other := next((x for x in ("check", "dry-run", "json") if line.asks(x)), ""):
+        raise RosmlError(f"--export does not go with --{other}", "leave out one of them", exit_code=2)
+    whole = files.under(line)
+    if kind == "devcontainer":
+        whole = replace(whole, command=line.command)  # an editor has its own in the place of a default
+    context = export.lasting(looked_at(program, whole, caller))
+    defaults.require(line, files.project)
+    context = trust.settled(context)
+    if kind == "devcontainer":
+        context = devcontainer.bare(context)
+    plan = planned(context)
+    for file in plan.files:
+        command.warn(f"the export does not make {file}", "rosml run makes it whenever it starts a container")
+    call = export.call(context, plan.argv)
+    text = devcontainer.text(call) if kind == "devcontainer" else compose.text(call)
+    with container.printing():
+        terminal.echo(text, nl=False)

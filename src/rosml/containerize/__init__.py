@@ -1,0 +1,1 @@
+"""Images of people's own ROS packages: the packages as a part, joined with a base image."""

@@ -1,0 +1,103 @@
+"""ROS on a base image that has none: which one, and a base image of it alone."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+from rosml import ROOT
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.base.file_lock import turn
+from rosml.containerize import bake_file
+from rosml.containerize.base import Base
+from rosml.containerize.cache import BASE
+from rosml.images.builds import adopted, base_images, variables
+from rosml.images.builds.adopted import Adopted
+from rosml.images.image_set import system
+from rosml.images.image_set.load import load
+from rosml.images.image_set.model import ImageSet
+from rosml.machine import buildx
+from rosml.machine.services import Services
+
+
+def with_ros(
+    base: Base,
+    services: Services,
+    values: Mapping[str, str],
+    platforms: tuple[str, ...],
+    say: Callable[[str], None],
+    image_set: ImageSet | None = None,
+) -> Base:
+    """The base image itself if it has ROS; else the same with what is to be installed on it.
+
+    Args:
+        values: of all inputs. platforms: that the app is for.
+        image_set: what there is to install; what rosml's own matrix describes if left out.
+
+    Raises:
+        RosmlError: no ROS can be installed on it, or not the one that is named (exit code 2).
+    """
+    if base.environment.get("ROS_DISTRO") or values["disable-ros-installation"] == "true":
+        return base
+    image_set = image_set or load(ROOT / "matrix.yaml")
+    known = {facts.ros_distro or name for name, facts in image_set.matrix.distributions.items()}
+    found = adopted.look(services, base.reference, platforms[0], known)
+    if found.ros:
+        if values["ros-distro"]:
+            return base
+        text = f"{base.name} has {' and '.join(found.ros)} in /opt/ros, and does not say which ROS it is"
+        raise RosmlError(text, f"add --ros-distro {found.ros[0]}", exit_code=2)
+    architectures = [platform.split("/")[1] for platform in platforms]
+    named = values["ros-distro"]
+    image = system.choose(image_set, found, base.name, named, values["ros-component"], architectures)
+    lasting = image_set.matrix.distributions[image.distribution].lts
+    kind = "the newest long-term release" if lasting else "the first choice"
+    why = "" if named else f", {kind} for {found.title or found.id}; --ros-distro names another"
+    say(f"it has no ROS: {image.distribution}-{image.component} is installed on it{why}")
+    if base.entrypoint:
+        words = adopted.called(base.entrypoint)
+        found_words = " ".join(
+            shlex.join(words or base.entrypoint).split()
+        )  # a line for people, whatever an image says
+        said = "runs before each command" if words else "takes no command, and is left out"
+        say(f"its entrypoint {said}: {found_words}")
+    sync = variables.sync_date(services, image_set, image.distribution, say)
+    own = base_images.reference(services, image_set.matrix.operating_systems, image.os) if image.wheels else ""
+    onto = Adopted(base.reference, image_set, image, base.environment, base.user, base.entrypoint, sync or "", own)
+    ours = {"ROS_DISTRO": image.ros_distro, "ROS_VERSION": str(image.ros)}
+    return replace(base, environment={**base.environment, **ours}, adopted=onto)
+
+
+def make(
+    base: Base,
+    services: Services,
+    environment: Mapping[str, str],
+    platforms: tuple[str, ...],
+    tag: str,
+    output: str,
+) -> str:
+    """Makes a base image of one that has no ROS.
+
+    Args:
+        base: as `with_ros` gives it. environment: of the process. platforms: what it is for.
+        tag: its full name. output: where the builder hands it, as buildx takes it.
+
+    Returns:
+        Its digest.
+
+    Raises:
+        RosmlError: a step failed.
+    """
+    assert base.adopted
+    state = services.state / "adopted"
+    state.mkdir(parents=True, exist_ok=True)
+    file = state / "bake.json"
+    with turn(state / "lock", lambda: None):
+        files.write(
+            file, bake_file.render_base(base, services, environment, platforms, tag, output, adopted.empty(state))
+        )
+        call = buildx.Bake(BASE, f"image-{base.adopted.image.target}-on", file)
+        _progress, metadata = buildx.run(services, call)
+    return metadata.get("containerimage.digest", "")

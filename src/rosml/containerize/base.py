@@ -1,0 +1,229 @@
+"""The image that an app is built on: found in a registry, and read."""
+
+from __future__ import annotations
+
+import contextlib
+import posixpath
+import re
+import subprocess
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from pydantic import BaseModel, TypeAdapter
+
+from rosml.base import untrusted
+from rosml.base.errors import RosmlError
+from rosml.base.problems import unknown
+from rosml.containerize import lock
+from rosml.images.builds.adopted import Adopted
+from rosml.images.image_set.labels import PREFIX, RUNTIME, VERSION
+from rosml.images.matrix.names import DATED, main_tag
+from rosml.machine.services import NAMESPACE, Services
+from rosml.registry import oci
+from rosml.registry.credentials import DOCKER_HUB
+from rosml.registry.documents import Config, Platform, Settings
+
+
+@dataclass(frozen=True)
+class Base:
+    """A base image.
+
+    Attributes:
+        name: as people write it, with its registry and tag. digest: of its index, or of its manifest.
+        environment: its variables, of the first platform that was asked for. labels: those of its configuration.
+        user, entrypoint: as whom it starts, and what before a command.
+        local: whether it is in the user's Docker, and in no registry that answers.
+        adopted: what is installed on it, if it has no ROS.
+    """
+
+    name: str
+    digest: str
+    environment: Mapping[str, str]
+    labels: Mapping[str, str] = field(default_factory=dict)
+    user: str = ""
+    entrypoint: tuple[str, ...] = ()
+    local: bool = False
+    adopted: Adopted | None = None
+
+    @property
+    def reference(self) -> str:
+        """What the builder takes, whatever becomes of the tag; Docker finds its own images by their names alone."""
+        if self.local:
+            return self.name
+        return f"{self.repository}@{self.digest}"
+
+    @property
+    def repository(self) -> str:
+        """Its name without a tag or digest."""
+        return re.sub(r":[^:/]+$", "", self.name.partition("@")[0])
+
+
+def candidates(text: str, services: Services) -> tuple[str, ...]:
+    """Complete references that a user may mean, the likeliest first."""
+    text = text.removeprefix(f"{DOCKER_HUB}/")
+    if oci.has_registry(text):
+        return (text,)
+    # An app there is found by its whole name alone: otherwise it could take the place of any image of Docker Hub.
+    local = (f"{services.registry}/{NAMESPACE}/{text}",) if services.registry else ()
+    return (*local, oci.complete(text))
+
+
+def find(text: str, services: Services, platforms: tuple[str, ...], digest: str = "") -> Base:
+    """The base image of that name: in a registry, or else in the user's Docker if that builds.
+
+    Args:
+        digest: if it is to be that one, wherever its tag is now.
+
+    Raises:
+        RosmlError: there is none, or it is for other platforms.
+    """
+    names = candidates(text, services)
+    refused: RosmlError | None = None
+    near = ""
+    with oci.Registries(services.ca_bundle) as registries:
+        for name in names:
+            place = oci.parse(name)
+            registry = registries(place.host)
+            try:
+                manifest = registry.manifest(place.repository, digest or place.reference)
+            except RosmlError as error:  # it does not answer, or wants to know who asks
+                refused = error
+                continue
+            if manifest is not None:
+                return _read(registry, place, manifest, platforms)
+            if place.host == services.registry and not digest:  # others may have thousands of tags
+                near = unknown("tag", place.reference, registry.tags(place.repository)).partition("; ")[2]
+    if services.builder_kind != "buildkitd" and (found := _in_docker(text, digest)):
+        return found
+    if refused:
+        if len(names) == 1:
+            raise refused
+        problem = f"there is no image {text} in the local registry, and {refused.message}"
+        raise RosmlError(problem, near or refused.remedy)
+    if digest:
+        text = f"there is no image {text} with the digest {digest} of the lock file (looked for {', '.join(names)})"
+        raise RosmlError(text, lock.RENEW, exit_code=2)
+    raise RosmlError(
+        f"there is no image {text} (looked for {', '.join(names)})",
+        f"{near} 'rosml list' has all names; 'rosml image TARGET' builds one; 'docker login' for a private one".strip(),
+        exit_code=2,
+    )
+
+
+def runtime(base: Base) -> str:
+    """The name of the image without compilers that belongs to one of ours; empty if it says of none.
+
+    Programs that were built on one run on the other. It is in the same repository, and of the same day and the same versions if
+    the tag says them.
+    """
+    labels = base.labels
+    component, distribution = labels.get(RUNTIME, ""), labels.get(f"{PREFIX}distribution", "")
+    if not component or not distribution:
+        return ""
+    stack, day = labels.get(f"{PREFIX}stack"), DATED.search(base.name)
+    own, spelled = main_tag(distribution, labels.get(f"{PREFIX}component", ""), stack), labels.get(VERSION, "")
+    versions = spelled.removeprefix(own) if f":{spelled}" in base.name else ""
+    return f"{base.repository}:{main_tag(distribution, component, stack)}{versions}{day[0] if day else ''}"
+
+
+def differing(base: Base, other: Base) -> list[str]:
+    """What labels of one of our images say otherwise than those of another one: versions, systems, days."""
+    own = {f"{PREFIX}{name}" for name in ("component", "runtime", "app")}
+    names = {name for labels in (base.labels, other.labels) for name in labels if name.startswith(PREFIX)} - own
+    return sorted(name.removeprefix(PREFIX) for name in names if base.labels.get(name) != other.labels.get(name))
+
+
+def _in_docker(text: str, digest: str) -> Base | None:
+    """An image that the user's Docker has: of a digest, if one is wanted."""
+    try:
+        command = ["docker", "image", "inspect", text]
+        done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, check=False)
+        [facts] = _INSPECTED.validate_python(untrusted.json_value(done.stdout))
+    except (OSError, ValueError):
+        return None
+    known = [facts.Id, *(name.partition("@")[2] for name in facts.RepoDigests or [])]
+    if digest and digest not in known:
+        return None
+    return _base(text, facts.Id, facts.Config, local=True)
+
+
+class _Inspected(BaseModel):
+    """What Docker says of one of its images."""
+
+    Id: str
+    RepoDigests: list[str] | None = None
+    Config: Settings | None = None
+
+
+_INSPECTED = TypeAdapter(list[_Inspected])
+
+
+def _base(name: str, digest: str, settings: Settings | None, local: bool = False) -> Base:
+    """A base image of what its configuration says."""
+    said = settings or Settings()
+    if not re.fullmatch(r"([A-Za-z0-9_][A-Za-z0-9_.-]*(:[A-Za-z0-9_][A-Za-z0-9_.-]*)?)?", said.User or ""):
+        raise RosmlError(f"{name} starts as a user of no name: {said.User!r}", "set another USER in an image on it", 2)
+    variables = {name: value for name, _, value in (item.partition("=") for item in said.Env or ())}
+    entrypoint = tuple(said.Entrypoint or ())
+    if entrypoint and "/" in entrypoint[0]:  # it may be meant from the folder in which the image starts
+        place = posixpath.normpath(posixpath.join(said.WorkingDir or "/", entrypoint[0]))
+        entrypoint = (place, *entrypoint[1:])
+    return Base(name, digest, variables, said.Labels or {}, said.User or "", entrypoint, local)
+
+
+def _read(registry: oci.Registry, place: oci.Reference, found: oci.Manifest, platforms: tuple[str, ...]) -> Base:
+    manifests = {} if found.is_index else {"": found}
+    for entry in found.members:
+        facts = entry.platform or Platform()
+        name = _platform(facts)
+        if facts.os != "unknown" and (not platforms or name in platforms):
+            manifest = registry.manifest(place.repository, entry.digest)
+            if manifest is not None:
+                manifests[name] = manifest
+    configs = {name: registry.config(place.repository, item, str(place)) for name, item in manifests.items()}
+    if not found.is_index:
+        configs = {_platform(config.facts): config for config in configs.values()}
+    missing = [name for name in platforms if name not in configs]
+    if missing or not configs:
+        text = f"{place} is not for {', '.join(missing)}" if missing else f"{place} has no image for any platform"
+        raise RosmlError(text, "name another base image, or other platforms", exit_code=2)
+    config = configs[platforms[0]] if platforms else next(iter(configs.values()))
+    return _base(str(place), found.digest, config.facts.config)
+
+
+def require_kept(registries: oci.Registries, references: Iterable[str], platforms: tuple[str, ...]) -> None:
+    """Checks that tags lose no platform by an image for some.
+
+    Raises:
+        RosmlError: the image of one is for others as well (exit code 2), or a registry does not answer.
+    """
+    for reference in references:
+        place = oci.parse(reference)
+        registry = registries(place.host)
+        found = registry.manifest(place.repository, place.reference)
+        there = _platforms(registry, place, found) if found else []
+        if not {name.replace("arm64/v8", "arm64") for name in platforms}.issuperset(there):
+            every = ",".join(dict.fromkeys([*there, *platforms]))
+            architecture = platforms[0].partition("/")[2].replace("/", "-")
+            raise RosmlError(
+                f"{reference} is for {', '.join(there)}, and would be for {', '.join(platforms)} alone; no tag was moved",
+                f"name all: --platform {every}; or give this image a tag of its own, such as --image-tag"
+                f" {place.reference}-{architecture}, as enable-singlearch-push does in CI",
+                exit_code=2,
+            )
+
+
+def _platforms(registry: oci.Registry, place: oci.Reference, found: oci.Manifest) -> list[str]:
+    """What an image is for; nothing if it is none."""
+    facts: list[Platform | Config] = [entry.platform for entry in found.members if entry.platform]
+    if not found.is_index:
+        with contextlib.suppress(RosmlError):
+            facts.append(registry.config(place.repository, found).facts)
+    known = [item for item in facts if item.architecture and item.os != "unknown"]
+    names = {f"{_platform(item)}{'/' + item.variant if item.variant else ''}" for item in known}
+    return sorted(name.replace("arm64/v8", "arm64") for name in names)
+
+
+def _platform(facts: Platform | Config) -> str:
+    """A platform as people name it, without a variant."""
+    return "/".join(filter(None, (facts.os, facts.architecture)))

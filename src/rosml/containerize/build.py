@@ -1,0 +1,716 @@
+"""An app built: its part, and the images that are joined from it and a base image."""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import re
+import shutil
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.base.file_lock import turn
+from rosml.base.problems import SHOWN
+from rosml.base.units import duration
+from rosml.containerize import adopt, bake_file, contents, junit, lock, report, rosdep_index, sources, within, workspace
+from rosml.containerize import base as bases
+from rosml.containerize import cache as caches
+from rosml.containerize.cache import IDENTIFIED
+from rosml.containerize.git import Access
+from rosml.containerize.left_out import LeftOut
+from rosml.containerize.names import SLIM, Names
+from rosml.images.image_set.system import CALLED, DEBIAN
+from rosml.machine import buildx, git
+from rosml.machine.services import Services
+from rosml.registry import oci
+
+_LACKING = re.compile(
+    r"Unable to locate package ([a-z0-9][a-z0-9.+-]*)|Package '([^' ]+)' has no installation candidate"
+)
+"""How apt names a package that no source has."""
+
+TIME = 1767225600
+"""2026-01-01T00:00:00Z: of images whose sources are in no commit."""
+
+
+@dataclass(frozen=True)
+class Made:
+    """An image that was made. `digest` is that in the registry, or its id in Docker."""
+
+    target: str
+    reference: str
+    digest: str
+
+
+@dataclass
+class Built:
+    """What building an app came to.
+
+    Attributes:
+        base: the base image by its digest.
+        images: what was made.
+        packages: ROS packages of the app. keys: what each key of rosdep became.
+        installed: packages of the operating system that the run image has beyond its base.
+        changed: files of the base image that these packages change.
+        replaced: packages and files of the base image that they replace or remove; if there are some, the run image does not
+            share its layers with the base image alone.
+        slim_replaced: the same of the slim image and its base; None if there is no slim image.
+        outside: what the packages installed outside of the install space, which is in no image.
+        lost, slim_lost: what files of the install space need, the build had and the run image or the slim image lacks.
+        absent: what they need, and neither an image nor the build has.
+        forgotten: launch files and programs, as `PACKAGE NAME`, that are not installed, with a place of each. unstarted: what of that
+            the command starts.
+        upstream: repositories that were imported. downstream: those of the downstream workspace.
+        added: the packages of apt and pip that were added, with their versions, as `lock.Packages` has them.
+        lock: what the images were built from, as a lock file says it. locked: the lock file, if it was written.
+        described: images that have an SBOM and a list of files beside them in the registry.
+        tests: of the packages. slim_tests: the same, as they ran in the slim image. downstream_tests: of packages that use them.
+        reports: folder of their JUnit files; empty where an earlier build passed them.
+        seconds: what it took.
+    """
+
+    base: str
+    images: list[Made] = field(default_factory=list)
+    packages: list[str] = field(default_factory=list)
+    keys: dict[str, Any] = field(default_factory=dict)
+    installed: list[str] = field(default_factory=list)
+    changed: list[str] = field(default_factory=list)
+    replaced: list[str] = field(default_factory=list)
+    slim_replaced: list[str] | None = None
+    outside: list[str] = field(default_factory=list)
+    lost: list[str] = field(default_factory=list)
+    slim_lost: list[str] = field(default_factory=list)
+    absent: list[str] = field(default_factory=list)
+    forgotten: dict[str, str] = field(default_factory=dict)
+    unstarted: list[str] = field(default_factory=list)
+    upstream: list[sources.Repository] = field(default_factory=list)
+    downstream: list[sources.Repository] = field(default_factory=list)
+    added: dict[str, Any] = field(default_factory=dict)
+    lock: lock.Lock | None = None
+    locked: str = ""
+    described: list[str] = field(default_factory=list)
+    tests: junit.Tests = field(default_factory=junit.Tests)
+    slim_tests: junit.Tests = field(default_factory=junit.Tests)
+    downstream_tests: junit.Tests = field(default_factory=junit.Tests)
+    reports: str = ""
+    seconds: float = 0.0
+
+    def to_json(self) -> dict[str, Any]:
+        """For `--json`."""
+        return asdict(self) | {"lock": self.lock.model_dump() if self.lock else None}
+
+    def facts(self) -> dict[str, Any]:
+        """What another build from the same would come to, for `take`."""
+        names = ("packages", "keys", "installed", "changed", "replaced", "outside", "slim_replaced", "added")
+        found = {name: getattr(self, name) for name in (*names, "lost", "slim_lost", "absent", "forgotten")}
+        return found | {"tests": [self.tests.count, self.tests.skipped]}
+
+    def take(self, facts: Mapping[str, Any]) -> None:
+        """Takes what an earlier build from the same came to."""
+        self.packages, self.keys = facts["packages"], facts["keys"]
+        self.installed, self.changed, self.replaced = facts["installed"], facts["changed"], facts["replaced"]
+        self.outside, self.slim_replaced, self.added = facts["outside"], facts["slim_replaced"], facts["added"]
+        self.lost, self.slim_lost, self.absent = facts["lost"], facts["slim_lost"], facts["absent"]
+        self.forgotten = facts["forgotten"]
+        self.tests = junit.Tests(*facts["tests"])
+
+    def summary(self) -> Iterator[tuple[str, str]]:
+        """What people are told at the end: what about, and a sentence."""
+        yield (
+            "app",
+            f"{_count(len(self.packages), 'ROS package')}, {_count(len(self.installed), 'package')} of apt added",
+        )
+        for which, replaced in (
+            ("the base image", self.replaced),
+            ("the base image of the slim one", self.slim_replaced),
+        ):
+            if replaced:
+                names = ", ".join(replaced[:3]) + (" …" if len(replaced) > 3 else "")
+                yield (
+                    "",
+                    f"not joined to {which}, of which its packages change {_count(len(replaced), 'thing')}: {names}",
+                )
+        if self.outside:
+            names = ", ".join(f"/{name}" for name in self.outside[:3]) + (" …" if len(self.outside) > 3 else "")
+            yield "", f"installed outside of the install space, and in no image: {names}"
+        for which, found in (
+            ("the run image lacks what the build has", self.lost),
+            ("the slim image lacks what the build has", self.slim_lost),
+            ("neither the build nor an image has", self.absent),
+            ("the command starts what is in no image", self.unstarted),
+        ):
+            if found:
+                yield (
+                    "",
+                    f"{which}: {'; '.join(found[:3])}" + (f"; and {len(found) - 3} more" if len(found) > 3 else ""),
+                )
+        tests = self.tests
+        where = f"reports: {self.reports}" if self.reports else "in an earlier build from the same"
+        passed = f"{tests.count - tests.skipped} passed, {tests.skipped} skipped; {where}"
+        yield "tests", passed if tests.count else "none ran"
+        for where, tests, ran in (
+            ("in the slim image", self.slim_tests, False),
+            ("of packages that use yours", self.downstream_tests, bool(self.downstream)),
+        ):
+            if tests.count or ran:
+                yield "", f"{where}: {tests.count - tests.skipped} passed, {tests.skipped} skipped"
+        if self.locked:
+            yield "lock", self.locked
+        if self.described:
+            yield "sbom", f"beside {' and '.join(self.described)} in the registry"
+        yield "time", duration(self.seconds)
+
+
+class App:
+    """One repository with ROS packages, on its way to images.
+
+    Args:
+        folder: the repository.
+        values: of all inputs, as `inputs.values` gives them.
+        environment: of the process.
+        services: builder and registry of this machine.
+        say: tells people what begins now.
+        renew: takes what is newest and writes the lock file, in the place of following it.
+
+    Raises:
+        RosmlError: a value is wrong (exit code 2).
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        values: Mapping[str, str],
+        environment: Mapping[str, str],
+        services: Services,
+        say: Callable[[str], None],
+        renew: bool = False,
+    ) -> None:
+        self._folder, self._values, self._environment = folder, values, environment
+        self._services, self._say, self._renew = services, say, renew
+        self._lock_file = lock.place(folder, values["lock-file"], renew)
+        self._names = Names(values, folder.name, services)
+        if "run" in self._names.targets and not values["command"]:
+            raise RosmlError(
+                "there is no command for the run image", "add --command 'ros2 launch …', or --target dev", exit_code=2
+            )
+        if not values["base-image"]:
+            raise RosmlError("there is no base image", "add --base-image, such as ros:jazzy-base", exit_code=2)
+        # By what is made: two calls may work side by side, and those that make the same take turns.
+        name = f"{self._names.app}@{values['image-tag']}".replace("/", "+").replace(":", "=")
+        self._state = services.state / "containerize" / name
+
+    @property
+    def report(self) -> Path:
+        """Folder of what the tests left, with `results` of the packages' own; one for each platform if there are several."""
+        return self._state / "report"
+
+    def build(self) -> Built:
+        """Builds the images.
+
+        Raises:
+            RosmlError: an input is wrong, or a step or a test failed.
+        """
+        self._state.mkdir(parents=True, exist_ok=True)
+        with turn(self._state / "lock", lambda: self._say(f"waiting for another call that makes {self._names.app}")):
+            return self._build()
+
+    def _build(self) -> Built:
+        started = time.monotonic()
+        locked = None if self._renew else lock.read(self._lock_file, self._folder)
+        named = self._values["base-image"]
+        digest = locked.base_image.of(named) if locked else ""
+        base = bases.find(named, self._services, self._names.platforms, digest)
+        self._say(f"base image {base.name}")
+        base = adopt.with_ros(base, self._services, self._values, self._names.platforms, self._say)
+        if not self._names.loads:
+            with oci.Registries(self._services.ca_bundle) as registries:
+                tags = [tag for target in self._names.targets for tag in self._names.tags(target)]
+                bases.require_kept(registries, tags, self._names.platforms)
+        if locked:
+            self._say(f"{self._lock_file} says which versions")
+            if missing := locked.lacks(self._names.platforms):
+                self._say(f"it has no packages for {', '.join(missing)}: they are the newest; {lock.RENEW}")
+        built = Built(base.reference)
+        built.upstream, built.downstream = self._import(locked)
+        slim = self._slim(base, locked)
+        inputs = self._inputs(base, slim, locked)
+        with contextlib.ExitStack() as stack:
+            cache = None
+            if self._values["cache"] and not self._renew:
+                cache = stack.enter_context(caches.Cache(self._values["cache"], self._services.ca_bundle))
+            self._make(inputs, built, cache, locked)
+        if self._renew and built.lock:
+            self._write_lock(built.lock)
+            built.locked = str(self._lock_file)
+        built.seconds = time.monotonic() - started
+        return built
+
+    def _make(
+        self, inputs: bake_file.Inputs, built: Built, cache: caches.Cache | None, locked: lock.Lock | None
+    ) -> None:
+        """Builds what no cache has, and joins the images."""
+        file = self._state / "bake.json"
+        left = {name: self._state / f"{name}.tar" for name in (bake_file.REPORT, bake_file.RESULTS, bake_file.ASKED)}
+        said: report.Said | None = None
+        known: dict[str, str] = {}
+        kept: dict[str, str] = {}
+        facts = None
+        named = bool(self._values["rosdep-index"])
+        if named or not cache:
+            inputs = self._with_lists(inputs, locked)
+        if cache:
+            keys = self._keys(inputs)
+            known, facts = cache.found(keys), cache.report(keys)
+            if {*inputs.stages} - known.keys():
+                facts = None
+            if not named and IDENTIFIED not in known:  # it is what reads them
+                inputs = self._with_lists(inputs, locked)
+            kept = {stage: cache.reference(tag) for stage, tag in keys.stages.items() if stage not in known}
+        arguments = (inputs, self._names, self._services, [*self._environment], left, known, kept)
+        if facts:
+            self._say(f"nothing to build: {self._values['cache']} has it")
+            built.take(facts)
+        else:
+            shutil.rmtree(self.report, ignore_errors=True)
+            for archive in left.values():
+                archive.unlink(missing_ok=True)
+            files.write(file, bake_file.render(*arguments))
+            self._packages(file, left[bake_file.ASKED])
+            said = report.Said(left[bake_file.REPORT], self._state / "said", self._names.platforms)
+            _take(built, said, slim=inputs.slim is not None)
+            if self._values["tests"] == "true":
+                self._test(left[bake_file.RESULTS], built)
+                self._require_complete(built)
+            if cache:
+                cache.keep(keys, built.facts(), said.details())
+        self._require_started(built)
+        unlinked = [target for target, replaced in (("run", built.replaced), (SLIM, built.slim_replaced)) if replaced]
+        made = self._locked(inputs, built)
+        if locked and not locked.lacks(self._names.platforms):
+            made = locked  # it may have more: of another platform, or of a slim image
+        built.lock = made
+        files.write(file, bake_file.render(*arguments, unlinked=unlinked, lock=made.line()))
+        for target in self._names.targets:
+            call = buildx.Bake(target, f"containerize-{self._state.name}-{target}", file)
+            _progress, metadata = buildx.run(self._services, call)
+            digest = metadata.get(f"containerimage.{'config.' if self._names.loads else ''}digest", "")
+            built.images.append(Made(target, self._names.reference(target), digest))
+        if self._values["sbom"] == "true" and not self._names.loads:
+            if said:
+                self._describe(built, said.detail)
+            elif cache:
+                self._describe(built, functools.partial(cache.detail, keys))
+
+    def _packages(self, file: Path, asked: Path) -> None:
+        """Builds all that there is before the images.
+
+        Args:
+            file: the bake file. asked: the archive of its target `ASKED`.
+
+        Raises:
+            RosmlError: a step failed.
+        """
+        jobs = {"PARALLEL_JOBS": self._values["parallel-jobs"]}
+        name = f"containerize-{self._state.name}"
+        call = buildx.Bake(bake_file.PACKAGES, name, file, variables=jobs, foreign=bake_file.FOREIGN)
+        try:
+            buildx.run(self._services, call)
+        except RosmlError as error:
+            self._explain(error, file, asked)
+            raise
+
+    def _explain(self, error: RosmlError, file: Path, left: Path) -> None:
+        """Says of packages that apt does not have which rule of rosdep names them, and who asks for that, if that is why a
+        build failed. The steps behind it do not know: they run again only if the packages are others.
+
+        Args:
+            file: the bake file. left: the archive of its target `ASKED`.
+        """
+        lacking = {name for names in _LACKING.findall(error.message) for name in names if name}
+        if not lacking:
+            return
+        with contextlib.suppress(RosmlError):
+            buildx.run(self._services, buildx.Bake(bake_file.ASKED, f"containerize-{self._state.name}-asked", file))
+            asked = report.Said(left, self._state / "asked", self._names.platforms).dependencies()
+            wrong = []
+            for key, answers in asked.keys.items():
+                by = ", ".join(
+                    name for name, kinds in asked.packages.items() if any(key in keys for keys in kinds.values())
+                )
+                for name in sorted(lacking & {name for answer in answers for name in answer.names}):
+                    wrong.append(key)
+                    by = by or "a package of the downstream workspace"
+                    error.message += f"\n  rosdep's rule for {key}, which {by} asks for, names {name}"
+            if wrong:
+                error.remedy = (
+                    "if the archive never had it, correct the rule, or name other lists with --rosdep-index; or leave out what"
+                    f" your packages run without: --skip-keys '{' '.join(sorted(set(wrong)))}'"
+                )
+
+    def _describe(self, built: Built, load: Callable[[str], bytes]) -> None:
+        """Attaches an SBOM and a list of files to the images to run. Some registries take no such thing.
+
+        Args:
+            load: gives what a build says of an image's contents, by a name as in `report.Said.details`.
+        """
+        owners = {
+            name: repository
+            for repository in built.upstream
+            for name in workspace.names(self._state / "manifests" / "upstream" / repository.path)
+        }
+        with oci.Registries(self._services.ca_bundle) as registries:
+            for image in built.images:
+                if image.target not in report.DESCRIBED:
+                    continue
+                place = oci.parse(image.reference)
+
+                def said(platform: str, kind: str, target: str = image.target) -> bytes:
+                    return load(f"{target}/{platform}/{kind}")
+
+                try:
+                    contents.attach(registries(place.host), place.repository, image.digest, said, owners)
+                except RosmlError as error:
+                    self._say(f"{image.reference} lacks its SBOM or its list of files: {error.message}")
+                else:
+                    built.described.append(image.reference)
+
+    def _write_lock(self, made: lock.Lock) -> None:
+        """Writes the lock file; says what of it is lost."""
+        try:
+            before = lock.read(self._lock_file, self._folder)
+        except RosmlError as error:
+            self._say(f"written anew: {error.message}")
+            before = None
+        if before:
+            made = made.with_other_architectures(before)
+            if lost := sorted(before.apt.keys() - made.apt.keys()):
+                self._say(f"the lock file has no packages for {', '.join(lost)} any more: name all platforms at once")
+        files.write(self._lock_file, made.text())
+
+    def _locked(self, inputs: bake_file.Inputs, built: Built) -> lock.Lock:
+        """What the images are built from."""
+        slim = inputs.slim and lock.Image(name=self._values["slim-base-image"], digest=inputs.slim.digest)
+        named, rosdep = self._values["rosdep-index"], None
+        if inputs.rosdep and (named or self._renew):  # otherwise they are others every day, and the image is the same
+            rosdep = lock.Image(name=named, digest=inputs.rosdep)
+        return lock.Lock(
+            base_image=lock.Image(name=self._values["base-image"], digest=inputs.base.digest),
+            slim_base_image=slim,
+            rosdep_index=rosdep,
+            repositories=_pins(built.upstream),
+            downstream=_pins(built.downstream),
+            **built.added,
+        )
+
+    def _slim(self, base: bases.Base, locked: lock.Lock | None) -> bases.Base | None:
+        """The base image of the slim image; None if there is to be no slim image, or if none belongs to the base image."""
+        if SLIM not in self._names.targets:
+            return None
+        named = self._values["slim-base-image"]
+        name = named or bases.runtime(base)
+        reason = f"there is no {name}" if name else f"{base.name} does not say which base image has no compilers"
+        digest = locked.slim_base_image.of(named) if locked and locked.slim_base_image else ""
+        if name:
+            try:
+                found = bases.find(name, self._services, self._names.platforms, digest)
+            except RosmlError as error:
+                if named or digest or not (error.exit_code == 2 or base.local):  # it was not found
+                    raise
+            else:
+                others = [] if named else bases.differing(base, found)
+                if not others and locked and not digest:
+                    raise RosmlError(
+                        "the lock file has no slim image", f"{lock.RENEW} --enable-slim, or leave the image out", 2
+                    )
+                if not others:
+                    return found
+                reason = f"{name} is of another {', '.join(others)}"
+        self._names.targets = tuple(target for target in self._names.targets if target != SLIM)
+        self._say(f"no slim image: {reason}; name one with --slim-base-image")
+        return None
+
+    def _import(self, locked: lock.Lock | None) -> tuple[list[sources.Repository], list[sources.Repository]]:
+        """Fetches the upstream sources, and those of the downstream workspace."""
+        values = self._values
+        access = Access(
+            https_server=values["git-https-server"],
+            https_user=values["git-https-user"],
+            https_password=values["git-https-password"],
+            ssh_key=values["git-ssh-private-key"],
+            ssh_known_hosts=values["git-ssh-known-host-keys"],
+        )
+        fetch = functools.partial(
+            sources.fetch,
+            self._folder,
+            cache=self._services.state / "cache" / "git",
+            access=access,
+            local=values["allow-file-urls"] == "true",
+            say=self._say,
+        )
+        named = values["downstream-workspace"]
+        upstream = fetch(
+            self._state / "upstream",
+            recursive=values["enable-recursive-vcs-import"] == "true",
+            file=values["vcs-import-file"],
+            without=named,
+            pins=locked.repositories if locked else None,
+        )
+        place = self._state / "downstream"
+        if not named:
+            shutil.rmtree(place, ignore_errors=True)
+            place.mkdir()
+            return upstream, []
+        if not within.there(self._folder / named, self._folder):
+            text = f"downstream-workspace: there is no file {named} in {self._folder}"
+            raise RosmlError(text, "name a .repos file there; other forms of industrial_ci do not count", exit_code=2)
+        # Who adds it after the lock file was written gets the newest.
+        pins = locked.downstream if locked and locked.downstream else None
+        return upstream, fetch(place, recursive=False, file=named, pins=pins)
+
+    def _inputs(self, base: bases.Base, slim: bases.Base | None, locked: lock.Lock | None) -> bake_file.Inputs:
+        """What the build reads, written down for it."""
+        values, folder, state = self._values, self._folder, self._state
+        distribution = base.environment.get("ROS_DISTRO") or values["ros-distro"]
+        conditions = distribution
+        if distribution == DEBIAN:
+            row = {base.adopted.image.distribution, DEBIAN} if base.adopted else {DEBIAN}
+            conditions = CALLED if values["ros-distro"] in row else values["ros-distro"] or CALLED
+            if conditions != CALLED:
+                self._say(f"conditions in package.xml compare $ROS_DISTRO with {conditions}, which --ros-distro names")
+        elif values["ros-distro"] not in ("", distribution):
+            self._say(f"ROS_DISTRO={values['ros-distro']} is not used: the base image has {distribution}")
+        if not distribution:
+            text = f"{base.name} does not say which ROS it has"
+            raise RosmlError(text, "add --ros-distro, such as jazzy", exit_code=2)
+        names = ("upstream", "downstream", "manifests", "requests", "empty")
+        upstream, downstream, manifests, requests, empty = (state / name for name in names)
+        workspace.stage(folder, state / "staged" / "target", self._lock_file, LeftOut(folder))
+        empty.mkdir(parents=True, exist_ok=True)
+        roots = {"target": folder, "upstream": upstream, "downstream": downstream}
+        named = bake_file.mirrors_with_a_password(self._environment)
+        if named and values["allow-mirror-password"] != "true":
+            text = f"{' and '.join(named)} has a password, and steps that ask the mirror run code of the repository"
+            remedy = "name a mirror without a password; if you trust all of that code, add --allow-mirror-password"
+            raise RosmlError(text, remedy, exit_code=2)
+        counts = workspace.write_manifests(roots, manifests, self._say)
+        if values["downstream-workspace"] and not counts["downstream"]:
+            text = f"downstream-workspace: the repositories of {values['downstream-workspace']} have no package"
+            raise RosmlError(text, "name some that have, or leave the input out", exit_code=2)
+        workspace.write_requests({**values, "ros-distro": distribution}, folder, upstream, base.environment, requests)
+        if locked:
+            locked.write_requests(requests)
+        if self._renew:  # what an earlier build installed is not what is newest
+            (requests / "renewed").write_text(f"{time.time()}\n")
+        for path in workspace.empty_submodules(folder):
+            self._say(f"the submodule {path} is not there: git submodule update --init --recursive")
+        if found := workspace.pointers(state / "staged" / "target"):
+            more = f" and {_count(len(found) - 1, 'file')} more" if len(found) > 1 else ""
+            self._say(f"{found[0]}{more} of Git LFS: only a pointer is there, and gets into the images: git lfs pull")
+        packages = _count(counts["target"] + counts["upstream"], "package")
+        if counts["downstream"]:
+            packages += f", and {counts['downstream']} that use them,"
+        self._say(f"{packages} for {', '.join(self._names.platforms)}")
+        if additional := workspace.additional_files(values["additional-files-dir"], folder):
+            workspace.stage(additional, state / "additional")
+        contexts = {
+            "manifests": manifests,
+            "target": state / "staged",
+            "upstream": upstream,
+            "downstream": downstream,
+            "requests": requests,
+            "additional": state / "additional" if additional else empty,
+            "rosdep": empty,
+        }
+        if local := buildx.local_servers(self._services):
+            self._say(
+                f"{' and '.join(local)}: on this machine, so steps of the build share its network: the repository's code"
+                " reaches what listens here"
+            )
+        hooked = (requests / "identification.sh").stat().st_size > 0
+        for warning in () if hooked else workspace.stale(requests, manifests):  # a script may make such packages
+            self._say(warning)
+        commit = git.commit(folder, self._say) or git.Commit("", TIME)
+        return bake_file.Inputs(
+            base, distribution, values, contexts, empty, hooked, commit.hash, commit.time, slim, conditions=conditions
+        )
+
+    def _with_lists(self, inputs: bake_file.Inputs, locked: lock.Lock | None) -> bake_file.Inputs:
+        """The same with rosdep's lists, if there are some beside those of the image."""
+        named = self._values["rosdep-index"]
+        pin = locked.rosdep_index.of(named) if locked and locked.rosdep_index else ""
+        finder = rosdep_index.Finder(self._services, self._folder, self._say)
+        found = finder.find(named, inputs.base, pin, locked is not None)
+        if not found:
+            return inputs
+        index, digest = found
+        if not digest:
+            index = rosdep_index.copied(index, self._state / "rosdep")
+        return replace(inputs, contexts={**inputs.contexts, "rosdep": index}, rosdep=digest)
+
+    def _keys(self, inputs: bake_file.Inputs) -> caches.Keys:
+        """What the stages of the build are made from."""
+        values, contexts = self._values, inputs.contexts
+        names = ["manifests", "requests", "additional"]
+        if values["rosdep-index"]:  # others are the newest, and change every day for nothing
+            names.append("rosdep")
+        given = {"base": inputs.base.digest, "platforms": self._names.platforms, "ros": inputs.distribution}
+        if inputs.base.adopted:
+            given[caches.ADOPTED] = inputs.base.adopted.inputs
+        if inputs.slim:
+            given["slim"] = inputs.slim.digest
+        return caches.keys(
+            given | {"skip-keys": values["skip-keys"], "conditions": inputs.conditions},
+            [
+                *(contexts[name] for name in names),
+                *(bake_file.SCRIPTS / name for name in ("containerize", "build", "ros")),
+            ],
+            contexts["upstream"],
+            contexts["target"],
+            contexts["downstream"],
+            f"{values['cmake-args']}\0{values['colcon-args']}" if values["colcon-args"] else values["cmake-args"],
+            values["tests"],
+            inputs.hooked,
+        )
+
+    def _test(self, left: Path, built: Built) -> None:
+        """Reads what the tests left.
+
+        Raises:
+            RosmlError: one failed; no image is made.
+        """
+        found = report.tests(left, self.report, self._names.platforms)
+        built.tests, built.slim_tests, built.downstream_tests = found.target, found.slim, found.downstream
+        built.reports = str(self.report if len(self._names.platforms) > 1 else self.report / report.TARGET)
+        self._require_passed(built)
+
+    def _require_complete(self, built: Built) -> None:
+        """Checks that the install space has in the images what it had where it was built and tested.
+
+        Raises:
+            RosmlError: something is lost; no image is made.
+        """
+        for which, lost in (("run", built.lost if "run" in self._names.targets else []), (SLIM, built.slim_lost)):
+            if lost:
+                raise RosmlError(
+                    f"the {which} image would lack what the tests had; no image was made{_lines(lost)}",
+                    "install it with the package that it is of, or name the package that has it as exec_depend in"
+                    " package.xml; --no-tests makes the images all the same",
+                )
+
+    def _require_started(self, built: Built) -> None:
+        """Checks that what the command starts is installed, if the app has it.
+
+        Raises:
+            RosmlError: it is not; no image is made.
+        """
+        if not {"run", SLIM} & {*self._names.targets}:
+            return
+        built.unstarted = unstarted(self._values["command"], built.forgotten)
+        if built.unstarted and self._values["tests"] == "true":
+            raise RosmlError(
+                f"the command starts what is not installed; no image was made{_lines(built.unstarted)}",
+                "install it: install(DIRECTORY launch DESTINATION share/${PROJECT_NAME}) or install(PROGRAMS …) in"
+                " CMakeLists.txt, data_files or entry_points in setup.py; --no-tests makes the images all the same",
+            )
+
+    def _require_passed(self, built: Built) -> None:
+        """Checks that no test failed.
+
+        Raises:
+            RosmlError: one did; no image is made.
+        """
+        reports = f"\n  reports: {self.report}"
+        ran = built.tests.count and not built.tests.failures
+        if built.slim_replaced is not None and ran and not built.slim_tests.count:
+            text = f"none of {built.tests.count} tests ran in the slim image; no image was made"
+            raise RosmlError(text, "leave the slim image out, --no-enable-slim, or report this")
+        for tests, where, remedy in (
+            (
+                built.tests,
+                "",
+                "correct the packages or their tests; --no-tests makes the images without asking them",
+            ),
+            (
+                built.downstream_tests,
+                " in packages that use yours",
+                "correct yours or theirs, or leave --downstream-workspace out",
+            ),
+            (
+                built.slim_tests,
+                " in the slim image, and passed where the packages were built",
+                "name what they need to run in package.xml, as exec_depend; or leave the slim image out: --no-enable-slim",
+            ),
+        ):
+            if tests.failures:
+                count = f"{len(tests.failures)} of {tests.count} tests failed"
+                raise RosmlError(f"{count}{where}; no image was made{_lines(tests.failures)}{reports}", remedy)
+
+
+STARTS = re.compile(r"\b(roslaunch|rosrun|ros2\s+launch|ros2\s+run)\s+(?:-\S+\s+)*([\w.-]+)\s+([\w.-]+)")
+"""A program of ROS that starts something of a package."""
+
+
+def unstarted(command: str, forgotten: Mapping[str, str]) -> list[str]:
+    """What a command starts of a package that does not install it.
+
+    Args:
+        forgotten: as in `Built`.
+    """
+    asked = dict.fromkeys(f"{package} {name}" for _, package, name in STARTS.findall(command))
+    return [
+        f"{key.partition(' ')[2]} of {key.partition(' ')[0]}: {forgotten[key]}" for key in asked if key in forgotten
+    ]
+
+
+def _lines(found: Sequence[str]) -> str:
+    """Lines for a message: the first of many."""
+    more = [f"and {len(found) - SHOWN} more"] if len(found) > SHOWN else []
+    return "".join(f"\n    {line}" for line in [*found[:SHOWN], *more])
+
+
+def _take(built: Built, said: report.Said, slim: bool) -> None:
+    """Takes what rosml's own steps said. `slim`: of the slim image as well."""
+    dependencies, apps = said.dependencies(), said.apps()
+    slim_apps = said.slim_apps() if slim else []
+    built.packages = [*dependencies.packages]
+    _require_built(built.packages, apps)
+    built.keys = dependencies.model_dump()["keys"]
+    built.installed, built.changed, built.outside = apps[0].packages, apps[0].changed, apps[0].outside
+    built.lost = sorted({line for app in apps for line in app.lost})
+    built.slim_lost = sorted({line for app in slim_apps for line in app.lost}.difference(built.lost))
+    built.absent = sorted({line for app in (*apps, *slim_apps) for line in app.absent})
+    built.forgotten = {key: place for app in apps for key, place in app.forgotten.items()}
+    built.replaced = _replaced(apps)
+    built.slim_replaced = _replaced(slim_apps) if slim else None
+    built.added = lock.added(app.model_dump() for app in (*apps, *slim_apps)).model_dump()
+
+
+def _require_built(packages: Sequence[str], apps: Iterable[report.Facts]) -> None:
+    """Checks that all packages with a manifest are in the install space, on every platform.
+
+    Raises:
+        RosmlError: colcon passed some over; no image is made.
+    """
+    if missing := [name for name in packages if not all(name in app.built for app in apps)]:
+        raise RosmlError(
+            f"colcon has not built {', '.join(missing)}; no image was made",
+            "look for what it says of them above, such as a <build_type> that it does not know; or put COLCON_IGNORE into them",
+        )
+
+
+def _pins(repositories: Iterable[sources.Repository]) -> dict[str, lock.Pin]:
+    return {item.path: lock.Pin(url=item.url, version=item.version, commit=item.commit) for item in repositories}
+
+
+def _replaced(apps: Iterable[report.Facts]) -> list[str]:
+    """What the packages of an app replace or remove of its base image, on any platform."""
+    return sorted({name for app in apps for name in (*app.replaced, *app.removed)})
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}{'' if number == 1 else 's'}"

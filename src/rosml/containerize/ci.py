@@ -1,0 +1,440 @@
+"""`rosml containerize` in CI: what GitHub and GitLab say of a commit, which tags its images get, and what they are told.
+
+The files in `containerize/` and the workflow pass every input as a variable and call `rosml ci`. `SETTINGS` has what they know
+beyond the table of inputs; `ci_files.py` writes both into them.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from pydantic import TypeAdapter, ValidationError
+
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.base.problems import first_of
+from rosml.containerize import base as bases
+from rosml.containerize import inputs, junit
+from rosml.containerize.build import App
+from rosml.containerize.inputs import Input
+from rosml.containerize.lock import Digest
+from rosml.containerize.names import SLIM, listed, listed_platforms
+from rosml.containerize.report import KINDS, TARGET
+from rosml.machine.services import Services
+from rosml.registry import oci
+from rosml.registry.credentials import DOCKER_HUB
+
+
+@dataclass(frozen=True)
+class Setting:
+    """An input in CI.
+
+    Attributes:
+        input: what it is. github, gitlab: its value where nobody says anything, as the forge writes it; that of the table if
+            empty. server: the input that names a server, and the server, for which it is GitHub's token of the job otherwise.
+    """
+
+    input: Input
+    github: str = ""
+    gitlab: str = ""
+    server: tuple[str, str] | None = None
+
+    @property
+    def token(self) -> str:
+        """What GitHub evaluates where nobody says anything: the job's token, which is sent to no other server."""
+        return f"inputs.{self.server[0]} == '{self.server[1]}' && github.token || ''" if self.server else ""
+
+
+OWN = (
+    Setting(Input("registry", "registry to log in to"), "ghcr.io", "$CI_REGISTRY"),
+    Setting(Input("registry-user", "user there"), "${{ github.actor }}", "$CI_REGISTRY_USER"),
+    Setting(
+        Input("registry-password", "password or token there"), "", "$CI_REGISTRY_PASSWORD", ("registry", "ghcr.io")
+    ),
+    Setting(Input("build-context", "folder of the repository with your packages"), ".", "."),
+    Setting(
+        Input("enable-singlearch-push", "give tags with the platform, such as latest-arm64, and no others"), "false"
+    ),
+    Setting(Input("enable-checkout", "check your repository out"), "true"),
+    Setting(Input("enable-checkout-lfs", "with files of Git LFS"), "true"),
+    Setting(Input("enable-checkout-submodules", "with submodules: false, true or recursive"), "recursive"),
+)
+"""Inputs that only CI has."""
+
+_DEFAULTS: dict[str, tuple[Any, ...]] = {
+    "target": ("run", "run"),
+    "platform": ("", "amd64"),
+    "enable-slim": ("true", "true"),
+    "image-name": ("ghcr.io/${{ github.repository }}", "$CI_REGISTRY_IMAGE"),
+    "push": ("true", "true"),
+    "git-https-server": ("github.com", "$CI_SERVER_HOST"),
+    "git-https-user": ("${{ github.actor }}", "gitlab-ci-token"),
+    "git-https-password": ("", "$CI_JOB_TOKEN", ("git-https-server", "github.com")),
+}
+"""Inputs of the table that CI knows a better default for: what their settings have."""
+
+SETTINGS = (*(Setting(item, *_DEFAULTS.get(item.name, ())) for item in inputs.TABLE), *OWN)
+"""All inputs in CI, in their order."""
+
+SECRET = (*inputs.SECRET, "registry-password")
+"""Inputs that a workflow is given as secrets."""
+
+FILE = "images.json"
+"""What a job made, for the one that makes the index."""
+
+_TAG = re.compile(r"[^A-Za-z0-9_.-]")
+
+Say = Callable[[str], None]
+
+
+def given(environment: Mapping[str, str]) -> dict[str, str]:
+    """What inputs are given, by name. A forge that has inputs beside variables passes both: `INPUT_TARGET` counts before
+    `TARGET`, and `DEFAULT_TARGET` after it."""
+    found = {}
+    for item in (setting.input for setting in SETTINGS):
+        names = (f"INPUT_{item.variable}", item.variable, f"DEFAULT_{item.variable}")
+        if value := next(filter(None, map(environment.get, names)), ""):
+            found[item.name] = value
+    return found
+
+
+def flag(name: str, told: Mapping[str, str]) -> bool:
+    """Whether an input that only CI has is true.
+
+    Raises:
+        RosmlError: it is neither true nor false (exit code 2).
+    """
+    value = told.get(name, "false").lower()
+    if value not in ("true", "false"):
+        raise RosmlError(f"{name} is true or false, not {value!r}", f"check {name}", exit_code=2)
+    return value == "true"
+
+
+# ---- The commit ------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Commit:
+    """What is built.
+
+    Attributes:
+        branch: its name, or that of a pull request's, with small letters, digits and hyphens. tag: of git, if it is one.
+        default: it is the default branch. folder: the checkout.
+    """
+
+    branch: str
+    tag: str
+    default: bool
+    folder: Path
+
+
+def commit(environment: Mapping[str, str]) -> Commit:
+    """What the forge says.
+
+    Raises:
+        RosmlError: this is no job of GitHub or GitLab (exit code 2).
+    """
+    if environment.get("GITHUB_ACTIONS") == "true":
+        # The ref of an event pull_request_target is the default branch, and what is built may be anybody's.
+        head, ref = environment.get("GITHUB_HEAD_REF", ""), environment.get("GITHUB_REF", "")
+        name = environment.get("GITHUB_REF_NAME", "")
+        tag = name if environment.get("GITHUB_REF_TYPE") == "tag" else ""
+        known = environment.get("DEFAULT_BRANCH") or (
+            name if environment.get("GITHUB_EVENT_NAME") == "schedule" else ""
+        )
+        default = not head and bool(known) and ref == f"refs/heads/{known}"
+        return Commit(_slug(head or name), tag, default, Path(environment.get("GITHUB_WORKSPACE", ".")))
+    if environment.get("GITLAB_CI") == "true":
+        branch = environment.get("CI_COMMIT_BRANCH", "")
+        default = bool(branch) and branch == environment.get("CI_DEFAULT_BRANCH")
+        name = environment.get("CI_COMMIT_REF_NAME", "")
+        return Commit(
+            _slug(name), environment.get("CI_COMMIT_TAG", ""), default, Path(environment.get("CI_PROJECT_DIR", "."))
+        )
+    raise RosmlError("this is no job of GitHub or GitLab", "call 'rosml containerize' here", exit_code=2)
+
+
+def _slug(name: str) -> str:
+    """A name as GitLab writes it where few characters are allowed."""
+    return re.sub(r"[^a-z0-9]", "-", name.lower())[:63].strip("-")
+
+
+def tags(target: str, values: Mapping[str, str], what: Commit) -> list[str]:
+    """The tags of an image. Nothing but the default branch moves the tag that the inputs name.
+
+    Args:
+        target: run, dev or slim. values: of all inputs. what: is built.
+    """
+    end = "" if target == "run" else f"-{target}"
+    own = values["image-tag"] if target == "run" else values[f"{target}-image-tag"] or f"{values['image-tag']}{end}"
+    latest = values["enable-push-as-latest"] == "true"
+    if what.tag:
+        release = _TAG.sub("-", what.tag)
+        bare = [f"{release}{end}"] if latest or values["image-tag"] == "latest" else []
+        return [*bare, f"{own}-{release}"]
+    if what.default:
+        return list(dict.fromkeys([own, *([f"latest{end}"] if latest else [])]))
+    return [f"{own}_{what.branch}_ci"]
+
+
+# ---- Images ----------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Image:
+    """An image that is in its registry.
+
+    Attributes:
+        target: run, dev or slim. name: without a tag. tags: that the commit's images get. end: of its own tags, such as `-arm64`.
+        platforms: that it is for. digest: its digest.
+    """
+
+    target: str
+    name: str
+    tags: tuple[str, ...]
+    end: str
+    platforms: tuple[str, ...]
+    digest: Digest
+
+    @property
+    def reference(self) -> str:
+        """Its name with its first tag."""
+        return f"{self.name}:{self.tags[0]}{self.end}"
+
+
+_IMAGES = TypeAdapter(list[Image])
+
+_MOST = 1 << 20
+"""Bytes of such a file."""
+
+
+class Job:
+    """A job of CI that builds a repository, or makes an index of what others built.
+
+    Args:
+        values: of all inputs of the table. environment: of the process. what: is built.
+        say: tells people what begins now.
+    """
+
+    def __init__(self, values: Mapping[str, str], environment: Mapping[str, str], what: Commit, say: Say) -> None:
+        run, dev, slim = (_complete(values[name]) for name in ("image-name", "dev-image-name", "slim-image-name"))
+        self._values = {**values, "image-name": run, "dev-image-name": dev, "slim-image-name": slim}
+        self._names = {"run": run, "dev": dev or run, "slim": slim or run}
+        self._environment, self._what, self._say = environment, what, say
+        self._platforms = listed_platforms(values["platform"])
+
+    @property
+    def name(self) -> str:
+        """What this job makes, in a word: of artifacts, and of folders."""
+        parts = (self._names["run"], *tags("run", self._values, self._what)[:1], *self._platforms)
+        return "containerize-" + re.sub(r"[^a-z0-9._]+", "-", "-".join(parts).lower())
+
+    def build(self, folder: Path, services: Services, out: Path, apart: bool) -> list[Image]:
+        """Builds and tests; keeps reports and `images.json`.
+
+        Args:
+            folder: the repository. services: the builder. out: for what is kept.
+            apart: each platform gets tags of its own, and no index.
+
+        Raises:
+            RosmlError: a step or a test failed.
+        """
+        made: list[Image] = []
+        shutil.rmtree(out, ignore_errors=True)
+        for platforms in [(name,) for name in self._platforms] if apart else [self._platforms]:
+            end = f"-{platforms[0].partition('/')[2].replace('/', '-')}" if apart else ""
+            made += self._build(folder, services, out, platforms, end)
+        files.write(out / FILE, json.dumps([asdict(image) for image in made], indent=2) + "\n")
+        return made
+
+    def _build(self, folder: Path, services: Services, out: Path, platforms: tuple[str, ...], end: str) -> list[Image]:
+        wanted = {target: tuple(tags(target, self._values, self._what)) for target in self._names}
+        values = {
+            **self._values,
+            "platform": ",".join(platforms),
+            "image-tag": wanted["run"][0] + end,
+            "dev-image-tag": wanted["dev"][0] + end,
+            "slim-image-tag": wanted["slim"][0] + end,
+            "enable-push-as-latest": "false",
+        }
+        if values["push"] == "true":  # all tags, before the first one moves
+            with oci.Registries(services.ca_bundle) as registries:
+                for target in {*listed(values["target"])} | ({SLIM} if values["enable-slim"] == "true" else set()):
+                    found = [f"{self._names[target]}:{tag}{end}" for tag in wanted.get(target, ())]
+                    bases.require_kept(registries, found, platforms)
+        app = App(folder, values, self._environment, services, self._say)
+        shutil.rmtree(app.report, ignore_errors=True)
+        try:
+            built = app.build()
+        finally:
+            _keep(app.report, out / f"reports{end}")
+        if built.lock:
+            files.write(out / f"containerize{end}.lock", built.lock.text())
+        made = [
+            Image(image.target, self._names[image.target], wanted[image.target], end, platforms, image.digest)
+            for image in built.images
+        ]
+        if values["push"] == "true":
+            with oci.Registries(services.ca_bundle) as registries:
+                for image in made:
+                    _move(registries, image, 1)
+        return made
+
+    def made(self, folder: Path) -> list[Image]:
+        """What the jobs for one platform each left, and one for all. They are found by their names: a job may have left other
+        things, such as what its tests wrote.
+
+        Args:
+            folder: what the jobs kept.
+
+        Raises:
+            RosmlError: what one left is damaged.
+        """
+        jobs = [Job({**self._values, "platform": name}, {}, self._what, self._say).name for name in self._platforms]
+        return [image for name in dict.fromkeys((self.name, *jobs)) for image in _read(folder / name / FILE)]
+
+    def index(self, folder: Path, registries: oci.Registries) -> list[Image]:
+        """Makes an index of the images that jobs for one platform each pushed, and moves the tags to it: all of them, when all
+        images are there. Nothing is made of images that were not pushed.
+
+        Args:
+            folder: what the jobs kept.
+
+        Raises:
+            RosmlError: an image is missing.
+        """
+        if self._values["push"] != "true":
+            return []
+        found, made = self.made(folder), []
+        for target in [*listed(self._values["target"]), SLIM]:
+            wanted = (target, self._names.get(target, ""), tuple(tags(target, self._values, self._what)))
+            members = [image for image in found if (image.target, image.name, image.tags) == wanted]
+            if target == SLIM and not members:  # it is made where the base image has one without compilers
+                continue
+            there = {name: image for image in members for name in image.platforms}
+            missing = [name for name in self._platforms if name not in there]
+            if missing and target == SLIM and not self._values["slim-base-image"]:
+                self._say(f"no slim image: there is none for {', '.join(missing)}")
+                continue
+            if missing:
+                text = f"there is no {wanted[0]} image {wanted[1]}:{wanted[2][0]} for {', '.join(missing)}"
+                raise RosmlError(f"{text}; no tag was moved", "look at the jobs that build for these platforms")
+            made.append(_join([there[name] for name in self._platforms], registries))
+        for image in made:
+            bases.require_kept(registries, [f"{image.name}:{tag}" for tag in image.tags], image.platforms)
+        for image in made:
+            _move(registries, image, 0)
+        return made
+
+
+def _complete(name: str) -> str:
+    """A name of an image as registries know it; without one of them, it is Docker Hub's, as for docker."""
+    name = name.lower()
+    return name if not name or oci.has_registry(name) else f"{DOCKER_HUB}/{name}"
+
+
+def _keep(report: Path, out: Path) -> None:
+    """Copies JUnit files; those of each platform into a folder of its own, and those of slim images and downstream packages beside
+    them."""
+    alone = any((report / name).is_dir() for name in KINDS)
+    for folder in [report] if alone else sorted(report.glob("*")):
+        for name in KINDS:
+            if (folder / name).is_dir():
+                end = "" if name == TARGET else f"-{name}"
+                shutil.copytree(folder / name, out / f"{folder.name}{end}", symlinks=True)
+
+
+def _join(members: list[Image], registries: oci.Registries) -> Image:
+    """The index of images for one platform each; without a tag."""
+    first, entries = members[0], []
+    place = oci.parse(first.reference)
+    registry = registries(place.host)
+    for image in members:
+        manifest = registry.manifest(place.repository, image.digest)
+        if manifest is None:
+            raise RosmlError(f"{image.name}@{image.digest} is gone", "run all jobs again")
+        system, architecture, *variant = image.platforms[0].split("/")
+        platform = {"os": system, "architecture": architecture, **({"variant": variant[0]} if variant else {})}
+        entries.append({**manifest.descriptor, "platform": platform})
+    content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries}
+    digest = registry.put_manifest(place.repository, "", content, oci.INDEX)
+    platforms = tuple(name for image in members for name in image.platforms)
+    return Image(first.target, first.name, first.tags, "", platforms, digest)
+
+
+def _move(registries: oci.Registries, image: Image, first: int) -> None:
+    """Moves tags of an image to its digest: all, but for some first ones that are there."""
+    place = oci.parse(image.reference)
+    for tag in image.tags[first:]:
+        registries(place.host).tag(place.repository, image.digest, tag + image.end)
+
+
+def _read(file: Path) -> list[Image]:
+    """What a job made; nothing if it left no such file.
+
+    Raises:
+        RosmlError: the file is damaged.
+    """
+    data = files.regular(file, _MOST)
+    try:
+        return _IMAGES.validate_json(data) if data is not None else []
+    except ValidationError as error:
+        raise RosmlError(f"{file} is damaged: {first_of(error)}", "run all jobs again") from None
+
+
+# ---- What the forge is told ------------------------------------------------------------------------------------------
+
+
+def outputs(images: list[Image]) -> dict[str, str]:
+    """Outputs of the action: name and digest of the first image of each target."""
+    found: dict[str, str] = {}
+    for image in images:
+        before = "" if image.target == "run" else f"{image.target}-"
+        found.setdefault(f"{before}image", image.reference)
+        found.setdefault(f"{before}digest", image.digest)
+    return found
+
+
+def summary(images: list[Image], out: Path | None = None) -> Iterator[str]:
+    """Lines of Markdown for the page of a run. `out` is where reports are kept."""
+    if images:
+        yield from ("| image | platforms | digest |", "| --- | --- | --- |")
+    for image in images:
+        names = "<br>".join(f"`{image.name}:{tag}{image.end}`" for tag in image.tags)
+        yield f"| {names} | {', '.join(image.platforms)} | `{image.digest}` |"
+    tests = reported(out) if out else junit.Tests()
+    if tests.count or tests.failures:
+        yield from ("", f"{tests.count} tests, {len(tests.failures)} failed, {tests.skipped} skipped")
+    yield from (f"- `{line.replace('`', '')}`" for line in tests.failures)
+
+
+def reported(out: Path) -> junit.Tests:
+    """What the tests of a job said."""
+    found = junit.Tests()
+    for folder in sorted(out.glob("reports*/*")):
+        found = junit.add(found, junit.read(folder))
+    return found
+
+
+def errors(out: Path, error: RosmlError) -> Iterator[str]:
+    """Commands of GitHub's that show on the page of the run which tests failed, or else what did."""
+    failures = reported(out).failures
+    title = "Test failed" if failures else "rosml containerize"
+    for line in failures or (error.message,):
+        escaped = line.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+        yield f"::error title={title}::{escaped}"
+
+
+def tell(file: str, lines: Mapping[str, Any] | Iterator[str]) -> None:
+    """Appends to a file that GitHub reads after the step; nowhere where there is none."""
+    if not file:
+        return
+    text = [f"{name}={value}" for name, value in lines.items()] if isinstance(lines, Mapping) else list(lines)
+    with Path(file).open("a", encoding="utf-8") as stream:
+        stream.writelines(f"{line}\n" for line in text)

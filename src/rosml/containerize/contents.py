@@ -1,0 +1,96 @@
+"""What is in an app's images, attached to them in a registry: an SBOM, and the list of their files.
+
+Whoever has the name of an image knows its packages without pulling it, and `rosml join` knows whether a part has the same files.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+from urllib.parse import quote
+
+from rosml.containerize.sources import Repository
+from rosml.images.builds.contents import FILES, PACKAGES, manifests
+from rosml.images.join import file_lists
+from rosml.images.join.layers import platform
+from rosml.images.scan import packages
+from rosml.images.scan.sbom import FORMAT, MEDIA_TYPE
+from rosml.registry import oci
+
+KINDS = (PACKAGES, FILES)
+
+COMMIT = "io.rosml.commit"
+"""The property of a ROS package that says which commit of its repository it was built from."""
+
+
+def sbom(data: bytes, reference: str, sources: Mapping[str, Repository]) -> bytes:
+    """An SBOM in CycloneDX 1.5. The same packages give the same bytes.
+
+    Args:
+        data: the packages of the image, as `PACKAGES` has them.
+        reference: of the image, by its digest.
+        sources: upstream repositories of ROS packages, by the package's name.
+
+    Raises:
+        RosmlError: the data is damaged.
+    """
+    return packages.cyclonedx(packages.read(data), reference, lambda name: _origin(sources.get(name)))
+
+
+def _origin(source: Repository | None) -> dict[str, Any]:
+    """What an SBOM says of where a ROS package is from."""
+    if not source:
+        return {}
+    properties = [{"name": COMMIT, "value": source.commit}]
+    url = _public(source.url)
+    references = [{"type": "vcs", "url": url, "comment": source.version}] if url else []
+    return {"properties": properties} | ({"externalReferences": references} if references else {})
+
+
+def _public(url: str) -> str:
+    """The URL of a repository as CycloneDX takes it; empty for one of this machine."""
+    if "://" in url:
+        return "" if url.startswith("file:") else quote(url, safe=":/?#[]@!$&'()*+,;=~%")
+    host, colon, path = url.partition(":")
+    return f"ssh://{host}/{quote(path.lstrip('/'))}" if colon and not url.startswith("/") else ""
+
+
+def attach(
+    registry: oci.Registry,
+    repository: str,
+    digest: str,
+    load: Callable[[str, str], bytes],
+    sources: Mapping[str, Repository],
+) -> None:
+    """Attaches an SBOM and a list of files to an image, for each of its platforms. What is there stays.
+
+    Args:
+        digest: of the image, or of an index.
+        load: what a build said of it: from a platform, and `PACKAGES` or `FILES`.
+        sources: as `sbom` has them.
+
+    Raises:
+        RosmlError: the registry does not answer or refuses.
+    """
+    for manifest in manifests(registry, repository, digest):
+        has_files = bool(registry.referrers(repository, manifest.digest, file_lists.ARTIFACT))
+        has_sbom = _has_sbom(registry, repository, manifest.digest)
+        if has_files and has_sbom:
+            continue
+        name = platform(registry.config(repository, manifest).facts)
+        subject = manifest.descriptor
+        if not has_files:
+            data = load(name, FILES)
+            registry.attach(repository, subject, file_lists.ARTIFACT, data, file_lists.MEDIA_TYPE)
+        if not has_sbom:
+            data = sbom(load(name, PACKAGES), f"{registry.host}/{repository}@{manifest.digest}", sources)
+            registry.attach(repository, subject, MEDIA_TYPE, data, MEDIA_TYPE, FORMAT)
+
+
+def _has_sbom(registry: oci.Registry, repository: str, digest: str) -> bool:
+    """Whether an SBOM of ours is attached; others may attach theirs."""
+    for entry in registry.referrers(repository, digest, MEDIA_TYPE):
+        manifest = registry.manifest(repository, entry["digest"])
+        if manifest and manifest.annotations.items() >= FORMAT.items():
+            return True
+    return False

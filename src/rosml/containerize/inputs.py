@@ -1,0 +1,490 @@
+"""What a user can say about an app: one table, from which the command's options and their documentation are made.
+
+Names, variables and defaults are those of docker-ros (https://github.com/ika-rwth-aachen/docker-ros), so that its users keep
+their files. Values come from the command line, else from the environment, else from a file `.env` in the folder. A value of the
+command line counts where it is empty, too. A variable that is empty says nothing, as in `${VARIABLE:-default}`.
+
+The file `.env` comes with a repository that somebody else may have written, such as a pull request. It says what is built. What
+is done with the rights and secrets of the person, only the person says.
+"""
+
+from __future__ import annotations
+
+import functools
+import os
+import re
+import shlex
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.containerize import within
+
+YES, NO, UNPUSHED, WITH_SECRET = (
+    "yes",
+    "no",
+    "if nothing is pushed; a name without `/`",
+    "with its secret, or without one",
+)
+"""Whether `.env` may set an input. UNPUSHED: it names what is pushed, and what other builds and Docker take for it. WITH_SECRET: it names the server that gets a secret; whoever
+gives the secret names the server."""
+
+
+@dataclass(frozen=True)
+class Input:
+    """One thing that a user can say.
+
+    Attributes:
+        name: as an option of the command and an input of the action, such as `base-image`.
+        help: what it means, in one clause.
+        default: its value where nobody says anything.
+        flag: it is `true` or `false`.
+        gone: why it means nothing here, for a name of docker-ros that is answered and not followed.
+        in_repository: whether the file `.env` of a repository may set it: YES, NO, UNPUSHED or WITH_SECRET.
+    """
+
+    name: str
+    help: str = ""
+    default: str = ""
+    flag: bool = False
+    gone: str = ""
+    in_repository: str = YES
+
+    @property
+    def variable(self) -> str:
+        """Its name as a variable, such as `BASE_IMAGE`."""
+        return self.name.upper().replace("-", "_")
+
+
+def _gone(name: str, why: str) -> Input:
+    return Input(name, gone=why)
+
+
+_RECURSIVE = "take every file of that name in the repository and its upstream sources"
+
+TABLE = (
+    Input("base-image", "the image to build on; without a registry, one of the local registry or of Docker Hub"),
+    Input("command", "what the run image starts, as a shell reads it"),
+    Input("target", "images to build, separated by commas: run, dev", "run,dev"),
+    Input("platform", "platforms, separated by commas, such as linux/arm64; this machine's own if left out"),
+    Input("image-name", "name of the run image; the folder's name if left out", in_repository=UNPUSHED),
+    Input("image-tag", "its tag", "latest", in_repository=UNPUSHED),
+    Input("dev-image-name", "name of the dev image; that of the run image if left out", in_repository=UNPUSHED),
+    Input("dev-image-tag", "its tag; that of the run image with -dev if left out", in_repository=UNPUSHED),
+    Input(
+        "enable-slim",
+        "also build a slim image to run: on a base image without compilers and headers",
+        "false",
+        flag=True,
+    ),
+    Input(
+        "slim-base-image", "its base image; the one with -run in its name that belongs to the base image if left out"
+    ),
+    Input("slim-image-name", "name of the slim image; that of the run image if left out", in_repository=UNPUSHED),
+    Input("slim-image-tag", "its tag; that of the run image with -slim if left out", in_repository=UNPUSHED),
+    Input("push", "push the images to the registry that their names begin with", "false", flag=True, in_repository=NO),
+    Input(
+        "enable-push-as-latest",
+        "also give the tags latest, latest-dev and latest-slim",
+        "false",
+        flag=True,
+        in_repository=UNPUSHED,
+    ),
+    Input(
+        "ros-distro",
+        "the ROS distribution, if the base image does not say it; on Debian's ROS 1, the one that conditions in package.xml compare with",
+    ),
+    Input(
+        "ros-component",
+        "what is installed if the base image has no ROS: core, base and others of its distribution",
+        "core",
+    ),
+    Input(
+        "disable-ros-installation",
+        "install no ROS on a base image that seems to have none, such as one with a ROS built from its sources",
+        "false",
+        flag=True,
+    ),
+    Input("rmw-implementation", "the middleware, such as rmw_cyclonedds_cpp: installs it and sets the variable"),
+    Input("tests", "run the tests of your packages, and make no image if one fails", "true", flag=True),
+    Input(
+        "downstream-workspace",
+        "a .repos file with packages that use yours: they are built and tested with yours, and are in no image",
+    ),
+    Input("cmake-args", "arguments of CMake for all packages", "-DCMAKE_BUILD_TYPE=Release"),
+    Input("colcon-args", "arguments of colcon build, such as --executor sequential"),
+    Input(
+        "parallel-jobs",
+        "how many compilers run at the same time; if left out, as many as cores, and fewer if the builder has less than 2 GB"
+        " of memory for each",
+    ),
+    Input(
+        "cache",
+        "repository in a registry that keeps finished stages, for machines that have none; such as ghcr.io/me/robot-cache",
+        in_repository=NO,
+    ),
+    Input("skip-keys", "keys of rosdep that are left out, separated by blanks or commas"),
+    Input(
+        "rosdep-index",
+        "rosdep's lists: of a registry, such as ghcr.io/me/rosml/rosdep:latest, or of a checkout of ros/rosdistro; the newest"
+        " beside the base image if left out",
+        in_repository=NO,
+    ),
+    Input(
+        "sbom",
+        "attach an SBOM and a list of files to the images to run; in a registry, not in Docker",
+        "true",
+        flag=True,
+    ),
+    Input("lock-file", "what the images are built from, if it is there; --lock writes it", "containerize.lock"),
+    Input("additional-debs-file", "packages for apt, one a line", "docker/additional-debs.txt"),
+    Input("enable-recursive-additional-debs", _RECURSIVE, "false", flag=True),
+    Input("additional-pip-file", "requirements for pip, one a line", "docker/additional-pip-requirements.txt"),
+    Input("enable-recursive-additional-pip", _RECURSIVE, "false", flag=True),
+    Input("additional-files-dir", "folder that becomes /docker-ros/additional-files", "docker/additional-files"),
+    Input(
+        "before-dependency-identification-script",
+        "script that may change the sources before their dependencies are read",
+        "docker/before_dependency_identification.sh",
+    ),
+    Input(
+        "before-dependency-installation-script",
+        "script that runs before dependencies are installed",
+        "docker/before_dependency_installation.sh",
+    ),
+    Input("enable-recursive-before-dependency-installation-script", _RECURSIVE, "false", flag=True),
+    Input(
+        "after-dependency-installation-script",
+        "script that runs after dependencies are installed",
+        "docker/custom.sh",
+    ),
+    Input("enable-recursive-after-dependency-installation-script", _RECURSIVE, "false", flag=True),
+    Input("blacklisted-packages-file", "names of ROS packages to leave out", "docker/blacklisted-packages.txt"),
+    Input("enable-recursive-blacklisted-packages", _RECURSIVE, "false", flag=True),
+    Input("enable-recursive-vcs-import", "import every .repos file, also of what was imported", "true", flag=True),
+    Input("vcs-import-file", "the .repos file, if not every one is imported", ".repos"),
+    Input(
+        "allow-file-urls",
+        "let your .repos files name repositories of this machine, such as file:///srv/git/driver",
+        "false",
+        flag=True,
+        in_repository=NO,
+    ),
+    Input(
+        "allow-mirror-password",
+        "let steps that run code of the repository have the password in the address of your apt mirror",
+        "false",
+        flag=True,
+        in_repository=NO,
+    ),
+    Input(
+        "git-https-server", "server of private repositories, without https://", "github.com", in_repository=WITH_SECRET
+    ),
+    Input("git-https-user", "user on it"),
+    Input("git-https-password", "password or token on it; name it in the environment, not on the command line"),
+    Input("git-ssh-private-key", "key for private repositories over ssh; name it in the environment"),
+    Input("git-ssh-known-host-keys", "what ssh-keyscan says of their servers", in_repository=WITH_SECRET),
+    _gone("custom-script-file", "it is after-dependency-installation-script"),
+    _gone("slim-build-args", "no program is watched to find out what an image needs"),
+    _gone("additional-slim-build-args", "no program is watched to find out what an image needs"),
+    _gone(
+        "enable-industrial-ci",
+        "tests run here without it; its ROSDEP_SKIP_KEYS, NOT_TEST_BUILD, CMAKE_ARGS and DOWNSTREAM_WORKSPACE count",
+    ),
+    _gone(
+        "buildx-attestations",
+        "an SBOM is attached to images, and is not in them, so that the same sources have the same digest",
+    ),
+    _gone("docker-ros-git-ref", "the version of rosml decides"),
+)
+"""All inputs, in the order in which they are documented."""
+
+SECRET = ("git-https-password", "git-ssh-private-key")
+"""Inputs that are no options: other users of the machine see command lines."""
+
+_SECRET_OF = {"git-https-server": "git-https-password", "git-ssh-known-host-keys": "git-ssh-private-key"}
+"""The secret that the servers get which an input names."""
+
+_IMAGE = Input("image", in_repository=UNPUSHED)
+"""The run image with its tag, as docker-ros' local script knows it: image-name and image-tag in one."""
+
+_INDUSTRIAL_CI = ("ROSDEP_SKIP_KEYS", "NOT_TEST_BUILD")
+"""Variables of industrial_ci that have another name here. Those with the same name count anyway."""
+
+FILE = ".env"
+
+_PATTERNS = {
+    "ros-distro": ("[a-z][a-z0-9]*|Debian", "name one, such as jazzy"),
+    "rmw-implementation": ("rmw_[a-z0-9_]+", "name one, such as rmw_cyclonedds_cpp"),
+    "parallel-jobs": ("[1-9][0-9]{0,3}", "name a number, such as 1"),
+}
+"""Inputs that become a part of names of packages, or numbers of a script: how their values look, and what to do about others."""
+
+_PIECE = re.compile(r"""'([^']*)'|"((?:[^"\\]|\\.)*)"|\\(.)|([^\s'"\\]+)""", re.DOTALL)
+
+
+def default(name: str) -> str:
+    """The value of an input of the table where nobody says anything."""
+    return next(item.default for item in TABLE if item.name == name)
+
+
+def values(given: Mapping[str, str | None], folder: Path, environment: Mapping[str, str]) -> dict[str, str]:
+    """The value of each input, by name.
+
+    Args:
+        given: on the command line; None where it says nothing.
+        folder: the repository, where `.env` may be.
+        environment: of the process.
+
+    Raises:
+        RosmlError: `.env` cannot be read, or says what it may not say; or a value is none that its input can have (exit code 2).
+    """
+    variables = read_env(folder / FILE)
+    line = {name: value for name, value in given.items() if value is not None}
+    both = line.keys().isdisjoint(
+        ("image-name", "image-tag")
+    )  # whoever types one of them means the other one's default
+    of_repository = _said(_of_industrial_ci(environment, variables) | variables, both)
+    of_person = _said(environment, both) | line
+    found = {}
+    for item in TABLE:
+        if item.gone:
+            continue
+        value = of_person.get(item.name, of_repository.get(item.name, item.default))
+        if item.flag:
+            value = value.lower()
+            if value not in ("true", "false"):
+                raise RosmlError(f"{item.name} is true or false, not {value!r}", f"check {item.variable}", exit_code=2)
+        _require_possible(item.name, value)
+        found[item.name] = value
+    for name in (name for name in of_repository if name not in of_person):
+        _require_allowed(name, found, of_person, folder / FILE, variables)
+    return found
+
+
+def _said(variables: Mapping[str, str], image: bool) -> dict[str, str]:
+    """What variables say of inputs, by name; nothing of those that are empty.
+
+    Args:
+        image: `IMAGE` counts, before the variables for its name and its tag.
+    """
+    found = {item.name: text for item in TABLE if not item.gone and (text := variables.get(item.variable, ""))}
+    if image and (named := variables.get(_IMAGE.variable, "")):
+        name, colon, tag = named.rpartition(":")
+        if not colon or "/" in tag:
+            name, tag = named, ""
+        found |= {"image-name": name} | ({"image-tag": tag} if tag else {})
+    return found
+
+
+def _require_allowed(
+    name: str, values: Mapping[str, str], of_person: Mapping[str, str], file: Path, variables: Mapping[str, str]
+) -> None:
+    """Checks that a repository may set an input.
+
+    Args:
+        values: of all inputs. of_person: those that the person says. variables: of the repository's file.
+
+    Raises:
+        RosmlError: it may not (exit code 2).
+    """
+    item = next(item for item in TABLE if item.name == name)
+    secret = _SECRET_OF.get(name, "")
+    allowed = {
+        YES: True,
+        NO: False,
+        UNPUSHED: values["push"] == "false" and not ("/" in values[name] and name.endswith("-name")),
+        WITH_SECRET: not (secret in of_person and values[secret]),
+    }
+    if allowed[item.in_repository] or values[name] == item.default:
+        return
+    variable = item.variable if item.variable in variables else _IMAGE.variable
+    option = f"--{name}" if item.flag else f"--{name} {shlex.quote(values[name])}"
+    text = f"{file}:{_line_of(file, variable)}: {variable} is not for a repository to say"
+    if secret:
+        text += f": {secret.upper().replace('-', '_')} is yours, and goes to servers that you name"
+    elif values["push"] == "true":
+        text += ", as the images are pushed"
+    elif item.in_repository == UNPUSHED:
+        text += ", as it names a place of its own: a name without / is enough here"
+    raise RosmlError(text, f"if you want it, type {option}; or remove the line", exit_code=2)
+
+
+def _line_of(file: Path, variable: str) -> int:
+    """The line of a file that sets a variable; the last one counts."""
+    lines = file.read_text("utf-8-sig").split("\n")
+    pattern = re.compile(rf"\s*(export\s+)?{variable}=")
+    return max((number for number, line in enumerate(lines, 1) if pattern.match(line)), default=1)
+
+
+def _of_industrial_ci(environment: Mapping[str, str], file: Mapping[str, str]) -> dict[str, str]:
+    """What variables of industrial_ci say, by our names, if the user has switched it on."""
+    given = {**file, **environment}
+    if given.get("ENABLE_INDUSTRIAL_CI", "").lower() != "true":
+        return {}
+    found = {"SKIP_KEYS": given.get("ROSDEP_SKIP_KEYS", "")}
+    if given.get("NOT_TEST_BUILD", "").lower() == "true":
+        found["TESTS"] = "false"
+    return found
+
+
+def _require_possible(name: str, value: str) -> None:
+    """Checks what becomes a part of a shell's words, or of names of packages.
+
+    Raises:
+        RosmlError: it cannot be that (exit code 2).
+    """
+    if name in ("cmake-args", "colcon-args"):
+        problem, remedy = _problem_of_words(value), "write it as a shell reads it, such as -DNAME='a;b'"
+    else:
+        pattern, remedy = _PATTERNS.get(name, ("(?s:.*)", ""))
+        problem = "" if not value or re.fullmatch(pattern, value) else "that is none"
+    if problem:
+        raise RosmlError(f"{name}: {value!r}: {problem}", remedy, exit_code=2)
+
+
+def _problem_of_words(text: str) -> str:
+    """Why a shell cannot read a text as words alone; empty where it can."""
+    place = 0
+    while place < len(text):
+        if text[place].isspace():
+            place += 1
+            continue
+        piece = _PIECE.match(text, place)
+        if piece is None:
+            return "its quotation has no end"
+        begins = place == 0 or text[place - 1].isspace()
+        if found := re.search(r"^#|[;|&()<>`]" if begins else "[;|&()<>`]", piece[4] or ""):
+            return f"{found[0]} needs quotes"
+        place = piece.end()
+    return ""
+
+
+def answers(folder: Path, environment: Mapping[str, str]) -> Iterator[str]:
+    """A sentence for each variable that is set and means nothing here: of docker-ros, or of the file alone."""
+    file = read_env(folder / FILE)
+    for item in TABLE:
+        if item.gone and (environment.get(item.variable) or file.get(item.variable)):
+            yield f"{item.variable} is not used: {item.gone}"
+    known = {item.variable for item in (*TABLE, _IMAGE)} | {*_INDUSTRIAL_CI}
+    yield from (f"{name} in {FILE} is not used: there is no such input" for name in file if name not in known)
+
+
+def read_env(file: Path) -> dict[str, str]:
+    """The variables of a file of `NAME=VALUE` lines, as a shell reads them. Nothing is run or expanded.
+
+    Raises:
+        RosmlError: it cannot be read; or a line is no such line, or would need a shell (exit code 2).
+    """
+    content = files.regular(file, LARGEST_ENV)
+    if content is None:
+        return {}
+    try:
+        text = content.decode("utf-8-sig").replace("\r\n", "\n")
+    except UnicodeDecodeError:
+        raise RosmlError(f"{file} is not UTF-8", "save it as UTF-8", exit_code=2) from None
+    if "\0" in text:
+        raise RosmlError(f"{file}: it has a NUL character", "write lines of NAME='value' into it", exit_code=2)
+    found: dict[str, str] = {}
+    place = 0
+    while (place := _NOTHING.match(text, place).end()) < len(text):  # type: ignore[union-attr] # it matches anywhere
+        refusal = functools.partial(_damaged, file, text, place)
+        begun = _BEGIN.match(text, place)
+        if not begun:
+            raise refusal("it is not NAME=VALUE")
+        found[begun[1]], place = _unquoted(text, begun.end(), refusal)
+    return found
+
+
+LARGEST_TEXT = 1 << 20
+"""Bytes of a list or a script of a repository."""
+
+LARGEST_ENV = 256 << 10
+"""Bytes that a file of variables may have."""
+
+_NOTHING = re.compile(r"(?:[ \t\n]|(?<![^ \t\n])#[^\n]*)*+")
+"""Blanks, lines without anything, and comments."""
+
+_BEGIN = re.compile(r"(?:export[ \t]+)?([A-Za-z_][A-Za-z0-9_]*)=")
+
+_PART = re.compile(r"""'([^']*)'|"((?:[^"\\]|\\.)*+)"|\\(.)|([^ \t\n'"\\]++)""", re.DOTALL)
+"""A piece of a value. Only spaces, tabs and line ends are blanks for a shell."""
+
+
+def _damaged(file: Path, text: str, place: int, why: str) -> RosmlError:
+    line = text.count("\n", 0, place) + 1
+    return RosmlError(f"{file}:{line}: {why}", "write NAME='value'", exit_code=2)
+
+
+def _unquoted(text: str, place: int, refusal: Callable[[str], RosmlError]) -> tuple[str, int]:
+    """What a shell makes of the value of a variable that begins at a place, and where it ends.
+
+    Raises:
+        RosmlError: a quotation has no end, or a shell would make something else of it.
+    """
+    pieces: list[str] = []
+    while place < len(text) and text[place] not in " \t\n":
+        piece = _PART.match(text, place)
+        if piece is None:
+            raise refusal("its quotation has no end")
+        single, double, escaped, bare = piece.groups()
+        if re.search(r"(?<!\\)(\\\\)*(\$[A-Za-z_{(]|`)", double or bare or ""):
+            raise refusal("a shell would expand it: put the value into single quotes")
+        if double is not None:
+            pieces.append(re.sub(r"\\([$`\"\\\n])", lambda found: found[1].strip("\n"), double))
+        elif escaped != "\n":  # which joins two lines
+            pieces.append(single or escaped or bare or "")
+        place = piece.end()
+    end = text.find("\n", place)
+    end = len(text) if end < 0 else end
+    rest = text[place:end].strip(" \t")
+    if rest and not rest.startswith("#"):
+        raise refusal("a value with blanks needs quotes")
+    return "".join(pieces), end
+
+
+def text_of(folder: Path, name: str, recursive: bool, roots: tuple[Path, ...]) -> str:
+    """What a file of the repository says; of all files of that name where it is meant so. Empty if there is none.
+
+    Args:
+        folder: the repository. name: the file, below it.
+        recursive: every file of that name below the roots counts.
+        roots: the repository and its upstream sources.
+
+    Raises:
+        RosmlError: one cannot be read, is none, or leads out of its repository (exit code 2).
+    """
+    found = [(folder / name, folder)]
+    if recursive:
+        found = [(path, root) for root in roots for path in _called(os.path.basename(name), root)]
+    texts = []
+    for path, root in found:
+        if not within.there(path, root):
+            continue
+        try:
+            content = files.limited(path, LARGEST_TEXT)
+            if len(content) > LARGEST_TEXT:
+                raise RosmlError(f"{path} has more than {LARGEST_TEXT >> 20} MiB", "check the file", exit_code=2)
+            texts.append(content.decode().replace("\r\n", "\n"))
+        except (OSError, UnicodeDecodeError) as error:
+            reason = error.strerror if isinstance(error, OSError) else "not UTF-8"
+            raise RosmlError(f"cannot read {path}: {reason}", "check the file", exit_code=2) from None
+    return "".join(text if text.endswith("\n") or not text else f"{text}\n" for text in texts)
+
+
+def _called(name: str, root: Path) -> list[Path]:
+    """All that has a name below a folder, links to nothing as well, and nothing of git's."""
+    found = []
+    for path, folders, names in os.walk(root):
+        folders[:] = [below for below in folders if below != ".git"]
+        if name in folders or name in names:
+            found.append(Path(path, name))
+    return sorted(found)
+
+
+def lines_of(text: str) -> list[str]:
+    """The lines of a list, without comments and empty ones."""
+    stripped = (re.sub(r"(^|\s)#.*", "", line).strip() for line in text.split("\n"))
+    return [line for line in stripped if line]

@@ -1,0 +1,105 @@
+"""What of a folder is not sent to the builder: what `.dockerignore` names, virtual environments, and what colcon and catkin made."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from fnmatch import fnmatchcase
+from pathlib import Path
+
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.containerize import within
+
+FILE = ".dockerignore"
+MADE = {
+    "build": ("COLCON_IGNORE", "CATKIN_IGNORE"),
+    "build_isolated": ("CATKIN_IGNORE",),
+    "install": ("COLCON_IGNORE",),
+    "log": ("COLCON_IGNORE",),
+    "logs": ("../.catkin_tools",),
+    ".catkin_tools": ("CATKIN_IGNORE",),
+}
+"""Folders that colcon, catkin_make and catkin_tools make where they are called, each with what they put there."""
+
+SPACE = ".catkin"
+"""A file in each folder into which catkin installs, and in each that it makes to develop in."""
+
+MOST = 1 << 20
+"""Bytes of a `.dockerignore`."""
+
+
+class LeftOut:
+    """Says of files and folders below a root whether they stay where they are.
+
+    Raises:
+        RosmlError: `.dockerignore` cannot be read, or is no file of the folder (exit code 2).
+    """
+
+    def __init__(self, root: Path) -> None:
+        self._root = root
+        self._rules = _rules(_text(root / FILE, root))
+        self._brings_back = any(not leaves for leaves, _ in self._rules)
+
+    def __call__(self, path: Path) -> bool:
+        """Whether a file stays."""
+        names = path.relative_to(self._root).parts
+        found = False
+        for leaves, pattern in self._rules:
+            if leaves != found and any(_matches(pattern, names[:end]) for end in range(1, len(names) + 1)):
+                found = leaves
+        return found
+
+    def whole(self, folder: Path) -> bool:
+        """Whether a folder stays, with all that is in it."""
+        if folder.is_symlink():
+            return self(folder)
+        if (folder / "pyvenv.cfg").is_file() or (folder / SPACE).is_file():
+            return True
+        if folder.parent == self._root and any((folder / mark).exists() for mark in MADE.get(folder.name, ())):
+            return True
+        return not self._brings_back and self(folder)
+
+
+def _text(file: Path, root: Path) -> str:
+    if not within.there(file, root):
+        return ""
+    try:
+        return files.limited(file, MOST).decode("utf-8-sig", "replace")
+    except OSError as error:
+        raise RosmlError(f"{file}: cannot be read: {error.strerror}", "make it readable", exit_code=2) from None
+
+
+def _rules(text: str) -> list[tuple[bool, list[str]]]:
+    """The patterns of a `.dockerignore` in their order, each as the names of its path: the last one that a path, or a folder above
+    it, matches counts. True: it is left out; False: after `!`, it is not."""
+    found = []
+    for line in text.splitlines():
+        pattern = line.strip()
+        if pattern and not line.startswith("#"):
+            names = [name for name in pattern.removeprefix("!").strip().split("/") if name not in ("", ".")]
+            found.append((not pattern.startswith("!"), [_as_fnmatch(name) for name in names]))
+    return found
+
+
+def _as_fnmatch(name: str) -> str:
+    """A name with wildcards as Python has them: `[!a]` for `[^a]`, and `[*]` for `\\*`."""
+    return re.sub(r"\\(.)", r"[\1]", name).replace("[^", "[!")
+
+
+def _matches(pattern: list[str], path: Sequence[str]) -> bool:
+    """Whether a pattern is that of a path: `**` is any number of names. It takes no more steps than there are pairs of both."""
+    here = there = 0
+    star: tuple[int, int] | None = None
+    while there < len(path):
+        if here < len(pattern) and pattern[here] == "**":
+            star = here, there
+            here += 1
+        elif here < len(pattern) and fnmatchcase(path[there], pattern[here]):
+            here, there = here + 1, there + 1
+        elif star:
+            star = star[0], star[1] + 1
+            here, there = star[0] + 1, star[1]
+        else:
+            return False
+    return all(name == "**" for name in pattern[here:])

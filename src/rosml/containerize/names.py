@@ -1,0 +1,126 @@
+"""How an app's images are called, and where they go."""
+
+from __future__ import annotations
+
+import functools
+import re
+import shutil
+import subprocess
+from collections.abc import Mapping
+
+from rosml.base.errors import RosmlError
+from rosml.images.builds.base_images import native_architecture
+from rosml.machine.services import NAMESPACE, Services
+from rosml.registry import oci
+
+TARGETS = ("run", "dev")
+"""Images that an app can have: to run it, and to work on it."""
+
+TAKEN = (NAMESPACE, "library")
+"""The first parts of names that other images have in the local registry: our base images, and those of Docker Hub."""
+
+SLIM = "slim"
+"""The image to run it on a base image without compilers; it comes with the one to run it."""
+
+
+class Names:
+    """The images that the values of inputs ask for.
+
+    Attributes:
+        app: name of the run image, without its tag. targets: what to build. platforms: for which.
+        loads: whether images go to Docker, and to no registry.
+
+    Raises:
+        RosmlError: a value is wrong, or the images have no place to go to (exit code 2).
+    """
+
+    def __init__(self, values: Mapping[str, str], folder: str, services: Services) -> None:
+        self._values, self._registry = values, services.registry
+        self.app = _name(values["image-name"] or folder.lower())
+        self.targets = _targets(values["target"])
+        if values["enable-slim"] == "true" and "run" in self.targets:
+            self.targets += (SLIM,)
+        self.platforms = listed_platforms(values["platform"])
+        has_docker = services.builder_kind != "buildkitd" and shutil.which("docker") is not None
+        self.loads = values["push"] == "false" and (has_docker or not services.registry)
+        self._require_place()
+
+    def reference(self, target: str) -> str:
+        """The full name of an image, with its tag."""
+        values = self._values
+        name, tag = self.app, values["image-tag"]
+        if target != "run":
+            name = _name(values[f"{target}-image-name"]) if values[f"{target}-image-name"] else name
+            tag = values[f"{target}-image-tag"] or f"{tag}-{target}"
+        if not re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}", tag):
+            raise RosmlError(f"{tag!r} is no tag of an image", "take letters, digits, points and hyphens", exit_code=2)
+        local = f"{self._registry}/" if self._registry and not self.loads and not oci.has_registry(name) else ""
+        return f"{local}{name}:{tag}"
+
+    def tags(self, target: str) -> list[str]:
+        """All full names that an image gets."""
+        found = [self.reference(target)]
+        if self._values["enable-push-as-latest"] == "true":
+            latest = "latest" if target == "run" else f"latest-{target}"
+            found.append(f"{found[0].rpartition(':')[0]}:{latest}")
+        return list(dict.fromkeys(found))
+
+    @functools.cached_property
+    def loading(self) -> str:
+        """How the builder hands an image to Docker. Docker before 23 cannot read layers in zstd, which base images have."""
+        command = ["docker", "version", "--format", "{{.Server.Version}}"]
+        try:
+            said = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False).stdout
+        except OSError:
+            said = ""
+        major = re.match(r"(\d+)\.", said)
+        old = major is not None and int(major[1]) < 23
+        return "type=docker" + (",compression=uncompressed,force-compression=true" if old else "")
+
+    def _require_place(self) -> None:
+        names = [self.reference(target).rpartition(":")[0] for target in self.targets]
+        if self._values["push"] == "true":
+            for name in names:
+                if not oci.has_registry(name):
+                    raise RosmlError(f"{name} names no registry", "name one, such as ghcr.io/me/robot", exit_code=2)
+        elif self.loads and len(self.platforms) > 1:
+            raise RosmlError("Docker holds images of one platform", "name one platform, or add --push", exit_code=2)
+        elif not self.loads:
+            for name in names:
+                if name.startswith(tuple(f"{self._registry}/{taken}/" for taken in TAKEN)):
+                    text = f"{name} is no name for an app: base images are called so in the local registry"
+                    raise RosmlError(text, "choose another --image-name", exit_code=2)
+                if not name.startswith(f"{self._registry}/"):
+                    text = f"there is no Docker here that could hold {name}"
+                    raise RosmlError(text, "add --push, or leave the registry out of the name", exit_code=2)
+
+
+def listed(text: str) -> list[str]:
+    """The words of a list with commas."""
+    return [word.strip() for word in text.split(",") if word.strip()]
+
+
+def _targets(text: str) -> tuple[str, ...]:
+    found = listed(text)
+    for word in found:
+        if word not in TARGETS:
+            raise RosmlError(f"{word!r} is no target", f"there are: {', '.join(TARGETS)}", exit_code=2)
+    if not found:
+        raise RosmlError("no target is named", f"there are: {', '.join(TARGETS)}", exit_code=2)
+    return tuple(name for name in TARGETS if name in found)
+
+
+def listed_platforms(text: str) -> tuple[str, ...]:
+    """Platforms as BuildKit names them; docker-ros' users write only the architecture."""
+    names = listed(text) or [native_architecture()]
+    return tuple(dict.fromkeys(name if "/" in name else f"linux/{name}" for name in names))
+
+
+def _name(text: str) -> str:
+    """A name of an image without its tag, as registries take it."""
+    host, path = text.split("/", 1) if oci.has_registry(text) else ("localhost", text)
+    if not oci.is_place(host, path):
+        text = f"{text!r} is no name of an image"
+        remedy = "add --image-name: small letters and digits, with single points, hyphens and slashes between them"
+        raise RosmlError(text, remedy, exit_code=2)
+    return text

@@ -1,0 +1,59 @@
+"""The tables of inputs in docs/containerize.md, rendered from the table in inputs.py between markers."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from rosml.base.errors import RosmlError
+from rosml.containerize import ci, ci_files, inputs
+
+_BY = "written by scripts/generate_bake.py"
+
+
+def render(page: str) -> str:
+    """The page with its tables as they are now.
+
+    Raises:
+        RosmlError: markers are missing.
+    """
+    for name, lines in (("inputs", _inputs()), ("ci", _ci()), ("gone", _gone())):
+        begin, end = f"<!-- {name}: {_BY} -->\n", f"<!-- /{name} -->"
+        pattern = re.compile(f"{re.escape(begin)}.*{re.escape(end)}", re.DOTALL)
+        if not pattern.search(page):
+            raise RosmlError(
+                f"docs/containerize.md: the markers {begin.strip()} and {end} are missing", "put them back"
+            )
+        head, tail = pattern.split(page, maxsplit=1)
+        page = "".join((head, begin, *(f"{line}\n" for line in lines), end, tail))
+    return page
+
+
+def _inputs() -> Iterator[str]:
+    yield "| input | what it says | if you say nothing | in `.env` |"
+    yield "| --- | --- | --- | --- |"
+    for item in inputs.TABLE:
+        if not item.gone:
+            yield f"| `{item.name}` | {item.help} | {_code(item.default)} | {item.in_repository} |"
+
+
+def _ci() -> Iterator[str]:
+    yield "| input | what it says | on GitHub | on GitLab |"
+    yield "| --- | --- | --- | --- |"
+    for setting in ci.SETTINGS:
+        if setting.server or setting.github or setting.gitlab:
+            item = setting.input
+            github = f"the job's token for {setting.server[1]}" if setting.server else _code(setting.github)
+            gitlab = "no such input" if item.name in ci_files.NOT_OF_GITLAB else _code(setting.gitlab)
+            yield f"| `{item.name}` | {item.help.partition('; ')[0]} | {github} | {gitlab} |"
+
+
+def _code(text: str) -> str:
+    """A default as it is written."""
+    return f"`{text}`" if text else ""
+
+
+def _gone() -> Iterator[str]:
+    yield "| variable | why |"
+    yield "| --- | --- |"
+    yield from (f"| `{item.variable}` | {item.gone} |" for item in inputs.TABLE if item.gone)

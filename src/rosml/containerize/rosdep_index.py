@@ -1,0 +1,271 @@
+"""rosdep's lists of one day as an artifact in a registry, for builds that ask no other server: what a checkout of ros/rosdistro has
+of keys and of distributions."""
+
+from __future__ import annotations
+
+import contextlib
+import gzip
+import io
+import re
+import shutil
+import tarfile
+import tempfile
+import zlib
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from rosml.base import archives, untrusted
+from rosml.base.errors import RosmlError
+from rosml.containerize import base as bases
+from rosml.containerize import git, lock, within
+from rosml.images.image_set.labels import PREFIX
+from rosml.machine.services import Services
+from rosml.registry import oci
+
+NAME = "rosdep"
+"""The repository, beside those of images."""
+
+TYPE = "application/vnd.rosml.rosdep.v1"
+LAYER = f"{TYPE}.tar+gzip"
+
+ADDRESS = "https://github.com/ros/rosdistro"
+
+INDEX = "index-v4.yaml"
+
+KEPT = 5
+"""How many states of the lists a machine keeps."""
+
+_PATH = re.compile(r"[A-Za-z0-9_-][A-Za-z0-9_.-]*(/[A-Za-z0-9_-][A-Za-z0-9_.-]*)*")
+
+
+LARGEST = 64 << 20
+"""Bytes of all lists together, unpacked; ros/rosdistro has less than 10 MB."""
+
+
+class _Distribution(BaseModel):
+    model_config = ConfigDict(strict=True)
+
+    distribution: list[str]
+
+
+class _Index(BaseModel):
+    """What the index of distributions says of their files."""
+
+    model_config = ConfigDict(strict=True)
+
+    distributions: dict[str, _Distribution]
+
+
+@contextlib.contextmanager
+def checkout(folder: Path | None) -> Iterator[Path]:
+    """A checkout of ros/rosdistro: the one that is named, or a new one.
+
+    Raises:
+        RosmlError: GitHub cannot be reached, or there is no git.
+    """
+    if folder:
+        yield folder
+        return
+    with tempfile.TemporaryDirectory() as place:
+        new = Path(place) / "rosdistro"
+        try:
+            with git.opened(git.Access(), Path(place)) as call:
+                call("clone", "--quiet", "--depth", "1", ADDRESS, str(new))
+        except git.Failed as error:
+            raise RosmlError(
+                f"{ADDRESS} cannot be cloned: {error.reason}", "name a checkout of it that you have"
+            ) from None
+        yield new
+
+
+def _files(checkout: Path) -> Iterator[str]:
+    """What rosdep reads of a checkout.
+
+    Raises:
+        RosmlError: it is no checkout of ros/rosdistro, or not a whole one (exit code 2).
+    """
+    lists = sorted(path.name for path in checkout.glob("rosdep/*.yaml"))
+    try:
+        index = _Index.model_validate(untrusted.yaml_of((checkout / INDEX).read_bytes(), INDEX))
+        named = [name for facts in index.distributions.values() for name in facts.distribution]
+    except (OSError, RosmlError, ValidationError):
+        named = []
+    if not lists or not named:
+        raise RosmlError(f"{checkout} is no checkout of ros/rosdistro", "clone it, and name its folder", exit_code=2)
+    for name in [INDEX, *(f"rosdep/{name}" for name in lists), *sorted(set(named))]:
+        if not _PATH.fullmatch(name) or not within.there(checkout / name, checkout):
+            raise RosmlError(f"{checkout} has no {name} that can be published", "clone it whole", exit_code=2)
+        yield name
+
+
+def copied(folder: Path, out: Path) -> Path:
+    """Copies what rosdep may read of a checkout, without git's folder, which is another one in each clone.
+
+    Raises:
+        RosmlError: there is nothing, or a link leads out of the checkout (exit code 2).
+    """
+    shutil.rmtree(out, ignore_errors=True)
+    found = [path for pattern in ("*.yaml", "*/*.yaml") for path in folder.glob(pattern) if within.there(path, folder)]
+    if not any(path.parent.name == NAME for path in found):
+        text = f"rosdep-index: {folder} has no rosdep/*.yaml"
+        raise RosmlError(text, "name a checkout of ros/rosdistro", exit_code=2)
+    for path in found:
+        target = out / path.relative_to(folder)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(path, target)
+    return out
+
+
+def packed(checkout: Path) -> bytes:
+    """The lists of a checkout in one file, the same for the same lists.
+
+    Raises:
+        RosmlError: it is no checkout of ros/rosdistro (exit code 2).
+    """
+    buffer = io.BytesIO()
+    with gzip.GzipFile(fileobj=buffer, mode="wb", mtime=0) as stream, tarfile.open(fileobj=stream, mode="w") as tar:
+        for name in _files(checkout):
+            content = (checkout / name).read_bytes()
+            # All builds would stumble over what is no YAML.
+            untrusted.yaml_of(content, name, LARGEST, "correct it, or take another commit", exit_code=2)
+            member = tarfile.TarInfo(name)
+            member.size = len(content)
+            tar.addfile(member, io.BytesIO(content))
+    return buffer.getvalue()
+
+
+def publish(checkout: Path, registry: oci.Registry, repository: str, tags: tuple[str, ...]) -> str:
+    """Puts the lists of a checkout under some tags; gives their digest.
+
+    Raises:
+        RosmlError: it is no checkout of ros/rosdistro (exit code 2), or the registry refuses.
+    """
+    content = packed(checkout)
+    digests = [registry.put_artifact(repository, tag, TYPE, content, LAYER) for tag in tags]
+    return digests[0]
+
+
+class Finder:
+    """Finds the lists that a build reads.
+
+    Args:
+        services: with the local registry. folder: the repository. say: tells people what is found.
+    """
+
+    def __init__(self, services: Services, folder: Path, say: Callable[[str], object]) -> None:
+        self._services, self._folder, self._say = services, folder, say
+
+    def find(self, named: str, base: bases.Base, pin: str, locked: bool) -> tuple[Path, str] | None:
+        """A folder with the lists, and their digest if they are of a registry: what the user names, or else the newest that
+        are published beside a base image of ours. None if there are none.
+
+        Args:
+            pin: the digest that a lock file has; empty if it has none. locked: there is a lock file.
+
+        Raises:
+            RosmlError: what the user or the lock file names is not there, or is something else (exit code 2).
+        """
+        folder = self._folder / named
+        if named.startswith("~/"):
+            folder = Path.home() / named[2:]
+        if named and folder.is_dir():
+            return folder, ""
+        if named and not re.search("[:@]", named):
+            text = f"rosdep-index: there is no folder {folder}"
+            raise RosmlError(
+                text, "name a checkout of ros/rosdistro, or what a registry has, with its tag", exit_code=2
+            )
+        if locked and not pin:
+            if named:
+                raise RosmlError("the lock file has no lists of rosdep", lock.RENEW, exit_code=2)
+            return None
+        names: tuple[str, ...] = ()
+        if named:
+            names = bases.candidates(named, self._services)
+        elif base.labels.get(f"{PREFIX}distribution") and not base.local:
+            names = (f"{base.repository.rpartition('/')[0]}/{NAME}:latest",)
+        if pin and (known := self._cached(pin)).is_dir():
+            return known, pin
+        with oci.Registries(self._services.ca_bundle) as registries:
+            for place in map(oci.parse, names):
+                wanted = place._replace(reference=pin or place.reference)
+                try:
+                    found = self._fetched(registries(place.host), wanted)
+                except RosmlError as error:
+                    if named or pin:
+                        raise
+                    self._say(f"no lists of rosdep beside the base image: {error.message}")
+                    return None
+                if found:
+                    self._say(f"rosdep's lists {place}")
+                    return found
+        if named or pin:
+            text = f"there are no lists of rosdep {pin} (looked for {', '.join(names)})".replace("  ", " ")
+            raise RosmlError(text, "check the name; 'rosml publish rosdep' publishes them", exit_code=2)
+        return None
+
+    def _cached(self, digest: str) -> Path:
+        return self._services.state / "cache" / NAME / digest.replace(":", "-")
+
+    def _fetched(self, registry: oci.Registry, place: oci.Reference) -> tuple[Path, str] | None:
+        """What is at a place, unpacked; None if there is nothing. What an earlier call fetched is not fetched again."""
+        manifest = registry.manifest(place.repository, place.reference)
+        if manifest is None:
+            return None
+        layers = manifest.layers
+        if manifest.artifact_type != TYPE or len(layers) != 1:
+            text = f"{place} has no lists of rosdep"
+            raise RosmlError(text, "name what 'rosml publish rosdep' published", exit_code=2)
+        out = self._cached(manifest.digest)
+        folder = out.parent
+        if not out.is_dir():
+            folder.mkdir(parents=True, exist_ok=True)
+            old = sorted(folder.iterdir(), key=lambda path: path.stat().st_mtime)[: 1 - KEPT]
+            new = Path(tempfile.mkdtemp(dir=folder))
+            try:
+                unpack(registry.part(place.repository, layers[0]), new, str(place))
+                new.chmod(0o755)
+                _move(new, out)
+                for path in old:
+                    shutil.rmtree(path, ignore_errors=True)
+            finally:
+                shutil.rmtree(new, ignore_errors=True)
+        return out, manifest.digest
+
+
+def _move(new: Path, out: Path) -> None:
+    """Gives a folder its name, unless another call was faster."""
+    try:
+        new.rename(out)
+    except OSError:
+        if not out.is_dir():
+            raise
+
+
+def unpack(content: bytes, folder: Path, what: str) -> None:
+    """Unpacks the lists into a folder.
+
+    Args:
+        what: the archive is, for messages.
+
+    Raises:
+        RosmlError: it is damaged or too large, or there is no room.
+    """
+    room = LARGEST
+    try:
+        with tarfile.open(fileobj=io.BytesIO(content), mode="r:gz", tarinfo=archives.Entry) as tar:
+            for member in tar:
+                if tar.offset > LARGEST or member.size > LARGEST:
+                    raise ValueError(f"it has more than {LARGEST >> 20} MiB")
+                stream = tar.extractfile(member) if member.isreg() and _PATH.fullmatch(member.name) else None
+                if stream:
+                    room -= member.size
+                    if room < 0:
+                        raise ValueError(f"it has more than {LARGEST >> 20} MiB")
+                    (folder / member.name).parent.mkdir(parents=True, exist_ok=True)
+                    (folder / member.name).write_bytes(stream.read())
+    except (tarfile.TarError, zlib.error, EOFError, OSError, ValueError, OverflowError) as error:
+        remedy = "free some disk space, or publish it again"
+        raise RosmlError(f"{what} cannot be unpacked: {error}", remedy) from None

@@ -1,0 +1,277 @@
+"""The sources of an app as the build gets them: manifests apart from everything else, and what files of the repository say."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import shutil
+import stat
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from xml.etree import ElementTree
+
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.base.problems import near
+from rosml.containerize import inputs, within
+from rosml.containerize.left_out import LeftOut
+from rosml.containerize.store import is_pointer
+from rosml.containerize.within import SECRET
+
+BLACKLIST = "blacklist"
+"""The request that names packages to leave out."""
+
+IGNORED = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
+"""Files that keep colcon from looking for packages in a folder."""
+
+MANIFEST, PLAIN = "package.xml", "CMakeLists.txt"
+"""What a ROS package has, and what a package has that only CMake knows."""
+
+_PROJECT = re.compile(r"""^[ \t]*project[ \t]*\([ \t]*"?([\w.+-]+)""", re.IGNORECASE | re.MULTILINE)
+"""How a CMakeLists.txt names its package, as colcon reads it."""
+
+
+def manifests(root: Path, beyond: list[Path] | None = None, left: LeftOut | None = None) -> Iterator[Path]:
+    """The package.xml of the packages below a folder, as colcon finds them, and the files that hide others. Of folders that are in
+    no package, the CMakeLists.txt.
+
+    A folder behind a link is one of them, once, unless the link leads out of the root, or to what is secret.
+
+    Args:
+        beyond: gets such links. left: says what is not sent to the builder; there is no package in it.
+    """
+    seen: set[str] = set()
+    for folder, folders, names in os.walk(root, followlinks=True):
+        real = os.path.realpath(folder)
+        if real in seen:
+            folders.clear()
+            continue
+        seen.add(real)
+        out = [
+            name for name in folders if Path(folder, name).is_symlink() and not within.is_own(Path(folder, name), root)
+        ]
+        if beyond is not None:
+            beyond += [Path(folder, name) for name in out]
+        folders[:] = sorted(name for name in folders if not name.startswith(".") and name not in out)
+        if left:
+            folders[:] = [name for name in folders if not left.whole(Path(folder, name))]
+            names = [name for name in names if not left(Path(folder, name))]
+        hidden = [name for name in IGNORED if name in names]
+        if hidden:
+            yield Path(folder, hidden[0])
+        elif found := next((name for name in (MANIFEST, PLAIN) if name in names), ""):
+            yield Path(folder, found)
+        if hidden or MANIFEST in names:
+            folders.clear()
+
+
+def names(root: Path) -> Iterator[str]:
+    """The names of the packages below a folder; without those whose manifests cannot be read."""
+    for path in manifests(root):
+        with contextlib.suppress(ElementTree.ParseError, LookupError, ValueError, OSError):
+            if path.name == MANIFEST and (name := ElementTree.parse(path).findtext("name", "").strip()):
+                yield name
+
+
+def write_manifests(
+    roots: Mapping[str, Path], out: Path, say: Callable[[str], object] = lambda text: None
+) -> dict[str, int]:
+    """Copies the manifests of some folders, each below its name; gives the number of packages in each. Of a CMakeLists.txt
+    there is the name of the package alone.
+
+    Args:
+        say: tells people of links behind which nobody looks for packages.
+
+    Raises:
+        RosmlError: the target and upstream have no package, or a manifest cannot be read or leads out of its folder (exit code 2).
+    """
+    shutil.rmtree(out, ignore_errors=True)
+    out.mkdir(parents=True)
+    count = dict.fromkeys(roots, 0)
+    for name, root in roots.items():
+        (out / name).mkdir()
+        beyond: list[Path] = []
+        left = LeftOut(root) if name == "target" else None
+        for path in manifests(root, beyond, left):
+            if path.name == PLAIN and not (within.is_own(path, root) and path.is_file()):
+                continue  # catkin's own for a workspace is a link to /opt/ros
+            target = out / name / path.relative_to(root)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            if path.name in IGNORED:
+                target.touch()
+                continue
+            within.there(path, root)
+            try:
+                if path.name == PLAIN:
+                    text = path.read_text(errors="replace")
+                    target.write_text("".join(f"project({name})\n" for name in _PROJECT.findall(text)[:1]))
+                    continue
+                shutil.copyfile(path, target)
+            except OSError as error:
+                raise RosmlError(f"cannot read {path}: {error.strerror}", "check the file", exit_code=2) from None
+            count[name] += 1
+        for path in beyond:
+            say(f"{path} leads to {os.readlink(path)}, out of {root}: packages there are not yours, and are not built")
+    if not count["target"] + count.get("upstream", 0):
+        hides = any(path.name == MANIFEST for path in manifests(roots["target"]))
+        raise RosmlError(
+            f"there is no package.xml in {roots['target']}"
+            + (", but for what .dockerignore leaves out" if hides else ""),
+            "call it in a folder with ROS packages, or name one"
+            + ("; bring packages back with lines such as !src" if hides else ""),
+            exit_code=2,
+        )
+    return count
+
+
+def stage(folder: Path, out: Path, without: Path | None = None, left: LeftOut | None = None) -> None:
+    """Makes a folder of links to the files of a repository, without git's folder and files of secrets, without what is left out,
+    and without one file more: what the builder gets. A link with a whole path that leads to another place of the folder becomes one that does so anywhere.
+
+    It is one level deeper than the context of the build, so that the builder does not read `.dockerignore` once more.
+
+    Args:
+        without: one file that stays. left: says what else does.
+    """
+    shutil.rmtree(out, ignore_errors=True)
+    out.mkdir(parents=True)
+    for path, folders, names in os.walk(folder):
+        place = out / os.path.relpath(path, folder)
+        links = [name for name in folders if Path(path, name).is_symlink()]
+        folders[:] = [
+            name
+            for name in folders
+            if name not in SECRET and name not in links and not (left and left.whole(Path(path, name)))
+        ]
+        for name in folders:
+            (place / name).mkdir(mode=0o755)
+        for name in [*names, *links]:
+            if name not in SECRET and Path(path, name) != without and not (left and left(Path(path, name))):
+                _link(Path(path, name), place / name, folder)
+
+
+def _link(source: Path, target: Path, root: Path) -> None:
+    """Gives a file another name; copies it where that is on another file system. Sockets and pipes are left out."""
+    facts = source.lstat()
+    if stat.S_ISLNK(facts.st_mode):
+        leads = os.readlink(source)
+        if os.path.isabs(leads) and within.is_own(source, root):
+            leads = os.path.relpath(os.path.realpath(source), os.path.realpath(source.parent))
+        target.symlink_to(leads)
+    elif stat.S_ISREG(facts.st_mode):
+        try:
+            os.link(source, target)
+        except OSError:
+            shutil.copy2(source, target)
+
+
+def empty_submodules(folder: Path) -> list[str]:
+    """The submodules of a repository that nobody fetched: as after a `git clone` without more, their folders are empty."""
+    with contextlib.suppress(OSError, RosmlError):
+        text = files.limited(folder / ".gitmodules", inputs.LARGEST_TEXT).decode(errors="replace")
+        paths = re.findall(r"""^[ \t]*path[ \t]*=[ \t]*"?([^"\n]*[^"\s])"?[ \t]*$""", text, re.MULTILINE)
+        return sorted(path for path in paths if path.isprintable() and not any(_listed(folder / path)))
+    return []
+
+
+def pointers(staged: Path) -> list[str]:
+    """Files of Git LFS that nobody fetched: as after a `git clone` without git-lfs, they have a line about the real ones.
+
+    Args:
+        staged: as `stage` wrote it.
+    """
+    there = [Path(path, name) for path, _, names in os.walk(staged) for name in names]
+    attributes = (path for path in there if path.name == ".gitattributes" and path.is_file())
+    if not any(b"filter=lfs" in path.read_bytes() for path in attributes):
+        return []
+    return sorted(str(path.relative_to(staged)) for path in there if is_pointer(path))
+
+
+def _listed(folder: Path) -> Iterator[os.DirEntry[str]]:
+    try:
+        with os.scandir(folder) as entries:
+            yield from entries
+    except OSError:
+        return
+
+
+def stale(requests: Path, manifests: Path) -> Iterator[str]:
+    """A sentence for each name among the packages to leave out that no package has: a list may be older than the sources.
+
+    Args:
+        requests, manifests: as `write_requests` and `write_manifests` wrote them.
+    """
+    known = sorted(names(manifests))
+    for name in (requests / BLACKLIST).read_text().split():
+        if name not in known:
+            yield f"no package is called {name}, which is to be left out" + (
+                f"; {text}" if (text := near(name, known)) else ""
+            )
+
+
+def additional_files(name: str, folder: Path) -> Path | None:
+    """The folder of the repository that an image gets; None if it has none.
+
+    Raises:
+        RosmlError: a folder that was named is not there, is none, or leads out of the repository (exit code 2).
+    """
+    if not name:
+        return None
+    _require_named("additional-files-dir", name, folder, "folder")
+    return folder / name if within.there(folder / name, folder, folder=True) else None
+
+
+def _require_named(name: str, value: str, folder: Path, kind: str) -> None:
+    """Checks that what a user named is there; a default need not be."""
+    if value != inputs.default(name) and not os.path.lexists(folder / value):
+        raise RosmlError(f"{name}: there is no {kind} {value} in {folder}", "check its name", exit_code=2)
+
+
+def write_requests(
+    values: Mapping[str, str], folder: Path, upstream: Path, environment: Mapping[str, str], out: Path
+) -> None:
+    """Writes down what the build does besides: packages, scripts, and packages to leave out. A file for each; empty where
+    the repository has none.
+
+    Raises:
+        RosmlError: a file that was named is not there, or cannot be read (exit code 2).
+    """
+    shutil.rmtree(out, ignore_errors=True)
+    out.mkdir(parents=True)
+    roots = (folder, upstream)
+
+    def said(name: str, recursive: str = "") -> str:
+        every = bool(recursive) and values[recursive] == "true"
+        if not values[name]:
+            return ""
+        if not every:
+            _require_named(name, values[name], folder, "file")
+        return inputs.text_of(folder, values[name], every, roots)
+
+    debs = inputs.lines_of(said("additional-debs-file", "enable-recursive-additional-debs"))
+    if values["rmw-implementation"] and environment.get("ROS_VERSION") != "1":
+        distribution = values["ros-distro"] or environment.get("ROS_DISTRO", "")
+        debs.append(f"ros-{distribution}-{values['rmw-implementation'].replace('_', '-')}")
+    for name in debs:
+        if not re.fullmatch(r"[a-z0-9][a-z0-9.+-]*(:[a-z0-9-]+)?(=\S+)?", name):
+            where = values["additional-debs-file"]
+            raise RosmlError(f"{where}: {name!r} is no package of apt", "write one a line: name or name=version", 2)
+    texts = {
+        "apt": "".join(f"{line}\n" for line in debs),
+        "pip": said("additional-pip-file", "enable-recursive-additional-pip"),
+        BLACKLIST: "".join(
+            f"{line}\n"
+            for line in inputs.lines_of(said("blacklisted-packages-file", "enable-recursive-blacklisted-packages"))
+        ),
+        "identification.sh": said("before-dependency-identification-script"),
+        "before.sh": said(
+            "before-dependency-installation-script", "enable-recursive-before-dependency-installation-script"
+        ),
+        "after.sh": said(
+            "after-dependency-installation-script", "enable-recursive-after-dependency-installation-script"
+        ),
+    }
+    for name, text in texts.items():
+        (out / name).write_text(text)
+    (out / "identification.sh").chmod(0o755)  # it is called, by whatever its first line says

@@ -1,0 +1,191 @@
+"""What differs between two versions of the project: images that are added, removed or changed, and why."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import asdict, dataclass, field
+from functools import cache
+
+from rosml.base import ci
+from rosml.base.problems import counted, some
+from rosml.images.bake.inputs import TARGET, Inputs
+from rosml.images.image_set import model as sets
+from rosml.images.matrix import names
+
+PARENT = "parent"
+"""The input that tells an image which stands on another target from before."""
+
+NO_LOCK = "cannot be built yet: no lock"
+
+
+@dataclass(frozen=True)
+class Change:
+    """An input that differs; None on the side that does not have it."""
+
+    input: str
+    old: str | None
+    new: str | None
+
+
+@dataclass(frozen=True)
+class Difference:
+    """Two versions of the project.
+
+    Attributes:
+        added, removed: targets of images.
+        changed: why each of the others changed. same: how many did not.
+        tags: from which target to which they lead, for those that moved between images, and those that an image which is
+            on both sides gained (None before) or lost (None now).
+        unbuildable: those of the added and changed that have no lock.
+        registry: the old and the new one, where it changed: then all names change.
+    """
+
+    added: tuple[str, ...]
+    removed: tuple[str, ...]
+    changed: dict[str, tuple[Change, ...]]
+    same: int
+    tags: dict[str, tuple[str | None, str | None]] = field(default_factory=dict)
+    unbuildable: tuple[str, ...] = ()
+    registry: tuple[str, str] | None = None
+
+
+def between(old: Inputs, new: Inputs) -> Difference:
+    """From one version to another."""
+
+    @cache
+    def changes(target: str, architecture: str) -> frozenset[Change]:
+        before, after = old.of(target, architecture), new.of(target, architecture)
+        found: set[Change] = set()
+        for name in before.keys() | after.keys():
+            if before.get(name) != after.get(name):
+                if name.startswith(TARGET) and name in before and name in after:
+                    found |= changes(name.removeprefix(TARGET), architecture)
+                else:
+                    found.add(Change(name, before.get(name), after.get(name)))
+        return frozenset(_parents(old.image_set.by_target.get(target), new.image_set.by_target.get(target), found))
+
+    def reasons(target: str) -> Iterator[Change]:
+        before, after = (side.digests(side.image_set.by_target[target]) for side in (old, new))
+        for architecture in before.keys() | after.keys():
+            if architecture in before and architecture in after:
+                yield from changes(target, architecture)
+            else:
+                sides = ["built" if architecture in side else None for side in (before, after)]
+                yield Change(f"architecture {architecture}", *sides)
+
+    was, now = old.image_set.by_target, new.image_set.by_target
+    found = {target: _ordered(reasons(target)) for target in now if target in was}
+    changed = {target: why for target, why in found.items() if why}
+    added, removed = tuple(name for name in now if name not in was), tuple(name for name in was if name not in now)
+    registries = old.image_set.matrix.registry, new.image_set.matrix.registry
+    return Difference(
+        added,
+        removed,
+        changed,
+        same=len(found) - len(changed),
+        tags=_tags(old.image_set, new.image_set),
+        unbuildable=tuple(
+            name for name, image in now.items() if not image.locked and (name in added or name in changed)
+        ),
+        registry=registries if registries[0] != registries[1] else None,
+    )
+
+
+def _parents(old: sets.Image | None, new: sets.Image | None, found: set[Change]) -> set[Change]:
+    """Changes with one for another parent, instead of one for each of the two, with the digests of an architecture."""
+    if old is None or new is None or old.parent == new.parent:
+        return found
+    ends = {(TARGET + old.parent, None), (TARGET + new.parent, None)}
+    return {change for change in found if (change.input, change.old and change.new) not in ends} | {
+        Change(PARENT, old.parent, new.parent)
+    }
+
+
+def _tags(old: sets.ImageSet, new: sets.ImageSet) -> dict[str, tuple[str | None, str | None]]:
+    before, after = ({tag: image.target for image in side.images for tag in image.tags} for side in (old, new))
+    ways = {tag: (before.get(tag), after.get(tag)) for tag in before | after}
+    return {tag: way for tag, way in ways.items() if way[0] != way[1] and _stays(way, old, new)}
+
+
+def _stays(way: tuple[str | None, str | None], old: sets.ImageSet, new: sets.ImageSet) -> bool:
+    """Whether a tag's way is worth telling: tags come and go with their images."""
+    return None not in way or any(target in old.by_target and target in new.by_target for target in way)
+
+
+def as_json(difference: Difference) -> str:
+    """All of it, with whole digests."""
+    return json.dumps(asdict(difference), indent=2) + "\n"
+
+
+def rows(difference: Difference) -> Iterator[tuple[str, str, str]]:
+    """What happened, why and to which images: a row for each reason, one for reasons that reach the same images."""
+    yield from _changed(difference)
+    unbuildable = set(difference.unbuildable)
+    for kind in ("changed", "added"):
+        if targets := [target for target in getattr(difference, kind) if target in unbuildable]:
+            yield kind, NO_LOCK, some(targets)
+    for kind in ("added", "removed"):
+        if targets := [target for target in getattr(difference, kind) if target not in unbuildable]:
+            yield kind, "", some(targets)
+    yield from _tag_rows(difference.tags)
+
+
+def _changed(difference: Difference) -> Iterator[tuple[str, str, str]]:
+    reached: dict[Change, list[str]] = {}
+    for target, why in difference.changed.items():
+        # Labels spell out what the other inputs say, for each image in its own words.
+        for item in [item for item in why if not item.input.startswith("label ")] or why:
+            reached.setdefault(item, []).append(target)
+    alike: dict[tuple[str, ...], list[str]] = {}
+    for item, targets in reached.items():
+        alike.setdefault(tuple(targets), []).append(_sentence(item))
+    for images, reasons in alike.items():
+        yield "changed", "\n".join(reasons), some(images)
+
+
+def _tag_rows(tags: Mapping[str, tuple[str | None, str | None]]) -> Iterator[tuple[str, str, str]]:
+    """Tags that move, together where they go the same way; a row for all that are gone, and one for those gained."""
+    moved: dict[str, list[str]] = {}
+    for tag, (was, now) in tags.items():
+        if was and now:
+            moved.setdefault(f"{was} → {now}", []).append(tag)
+    for way, alike in moved.items():
+        yield f"tag{'s'[: len(alike) != 1]} moved", way, some(alike)
+    for index, word in ((1, "gone"), (0, "gained")):
+        if found := [tag for tag, way in tags.items() if way[index] is None]:
+            yield f"{counted(len(found), 'tag')} {word}", "", some(found)
+
+
+def markdown(difference: Difference) -> str:
+    """The same for CI's summary of a job."""
+    counts = [how_many(difference, name) for name in ("added", "removed", "changed")]
+    found = list(rows(difference))
+    table = "\n" + ci.table(("what", "why", "which"), found) if found else ""
+    return f"\n## What differs\n\n{', '.join([*counts, f'{difference.same} same'])}\n{table}"
+
+
+def how_many(difference: Difference, kind: str) -> str:
+    """`3 added`, `3 added (2 without a lock)`."""
+    targets = getattr(difference, kind)
+    unlocked = len(set(difference.unbuildable).intersection(targets))
+    return f"{len(targets)} {kind}" + (f" ({unlocked} without a lock)" if unlocked else "")
+
+
+def _ordered(changes: Iterable[Change]) -> tuple[Change, ...]:
+    return tuple(sorted(set(changes), key=lambda change: (change.input, change.old or "", change.new or "")))
+
+
+def _sentence(change: Change) -> str:
+    """An input with the words that differ, digests shortened."""
+    if change.input == PARENT:
+        old, new = ((value or "").removeprefix("_os-") for value in (change.old, change.new))
+        return f"stands on {new} instead of {old}"
+    if change.input.startswith(TARGET) and None in (change.old, change.new):
+        name = change.input.removeprefix(TARGET).removeprefix(names.files_target(""))
+        return f"{'with' if change.old is None else 'without'} {name}"
+    before, after = ((value or "").split() for value in (change.old, change.new))
+    sides = [[word for word in before if word not in after], [word for word in after if word not in before]]
+    words = [" ".join(side) or "nothing" for side in (sides if any(sides) else [before, after])]
+    return re.sub(r"\b([0-9a-f]{12})[0-9a-f]{52}\b", r"\1", f"{change.input}: {' → '.join(words)}")

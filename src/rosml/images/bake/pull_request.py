@@ -1,0 +1,71 @@
+"""Which images of a change a pull request builds: few, and yet one for everything that changed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from rosml.base.problems import counted, some
+from rosml.images.bake.diff import Difference
+from rosml.images.image_set.model import Image, ImageSet
+
+
+@dataclass(frozen=True)
+class Choice:
+    """Targets of images that a change reaches.
+
+    Attributes:
+        built: those that are built. left: those that are not.
+        unlocked: how many more have no lock. elsewhere: how many more are for other architectures alone.
+    """
+
+    built: tuple[str, ...]
+    left: tuple[str, ...]
+    unlocked: int = 0
+    elsewhere: int = 0
+
+    def __str__(self) -> str:
+        number = len(self.built) + len(self.left)
+        text = f"{counted(number, 'image')} changed" + (f"; built: {', '.join(self.built)}" if self.built else "")
+        if self.left:
+            text += f"; left out, {len(self.left)} of {number}: {some(list(self.left))}"
+        if self.unlocked:
+            text += f"; {self.unlocked} more without a lock"
+        if self.elsewhere:
+            text += f"; {self.elsewhere} more for other architectures"
+        return text
+
+
+def choose(image_set: ImageSet, difference: Difference, architectures: Sequence[str], at_most: int) -> Choice:
+    """Chooses images that differ from an earlier version.
+
+    One after the other, that which brings most that no other one has brought: first changes, then distributions,
+    components, frameworks and stacks; of those that bring the same, the smallest.
+
+    Args:
+        image_set: all that the matrix describes.
+        difference: from the earlier version.
+        architectures: those that can be built here.
+        at_most: how many are built.
+    """
+    reached = [image for image in image_set.images if image.target in {*difference.added, *difference.changed}]
+    locked = [image for image in reached if image.locked]
+    left = [image for image in locked if set(architectures) & set(image.architectures)]
+    unlocked, elsewhere = len(reached) - len(locked), len(locked) - len(left)
+    built: list[Image] = []
+    known: set[object] = set()
+    while left and len(built) < at_most:
+        best = min(
+            left, key=lambda image: (*(-len(new - known) for new in _brings(image, difference)), image.disk.unpacked)
+        )
+        built.append(best)
+        left.remove(best)
+        known = known.union(*_brings(best, difference))
+    return Choice(tuple(image.target for image in built), tuple(image.target for image in left), unlocked, elsewhere)
+
+
+def _brings(image: Image, difference: Difference) -> tuple[set[object], set[object]]:
+    """Changes that reach an image, and its groups. Labels spell out other inputs, for each image in its own words."""
+    changes = difference.changed.get(image.target, ())
+    plain = [change for change in changes if not change.input.startswith("label ")]
+    return set(plain or changes), set(image.groups)

@@ -1,0 +1,340 @@
+"""An image set -> its bake targets as plain data, for whoever asks what a target depends on.
+
+`graph.hcl` says the same to buildx; tests/unit/images/test_targets.py compares what buildx makes of the bake file with this, for
+every target and whatever the bake file's variables say.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from rosml.images.image_set import labels, missing
+from rosml.images.image_set.model import PARTS, Image, ImageSet, Part
+from rosml.images.matrix import names, rules
+from rosml.images.matrix.model import Matrix
+
+EPOCH = "1767225600"
+"""2026-01-01T00:00:00Z: the time of every file and image, so that the same inputs give the same digests."""
+
+PROXIES = ("HTTP_PROXY", "HTTPS_PROXY", "NO_PROXY")
+"""What build steps get of the caller's network."""
+
+CONTENTS = "contents"
+"""The target that says what is in its context `described`."""
+
+
+@dataclass(frozen=True)
+class Overridable:
+    """A fact of the matrix that a variable of the bake file may override.
+
+    Attributes:
+        variable: its value counts unless it is empty. fact: what counts otherwise, and decides the inputs.
+    """
+
+    variable: str
+    fact: str
+
+
+@dataclass(frozen=True)
+class Dependency:
+    """A context that is another target, or its image in the registry where DIGESTS names that.
+
+    Attributes:
+        target: what is built if nothing is said.
+        name: the key in DIGESTS; empty where it is always built. repository: where the image is, without the registry.
+    """
+
+    target: str
+    name: str = ""
+    repository: str = ""
+
+
+@dataclass(frozen=True)
+class NoInput:
+    """A value that holds no fact of the matrix: the caller of bake decides it, or it follows from what is an input anyway.
+
+    Attributes:
+        what: `variable`: what one says, if anything; `sync date`: when ROS's repository of a distribution was published;
+            `root`: where a part's files are in its context; `base name`, `base digest`: of the image that a variable
+            names; `created`: SOURCE_DATE_EPOCH as a date.
+        of: the variable, distribution or part.
+    """
+
+    what: Literal["variable", "sync date", "root", "base name", "base digest", "created"]
+    of: str
+
+
+Value = str | Overridable | NoInput
+"""An argument or label: a fact, or what a variable decides. Whatever else would decide one gets a type of its own here."""
+
+Context = Dependency | Overridable
+"""A context: another target, or the base image that a variable names."""
+
+
+@dataclass(frozen=True)
+class Join:
+    """What an image joins to a ROS image: parts in their order, and variables of the environment."""
+
+    parts: tuple[str, ...]
+    environment: Mapping[str, str]
+
+    def dockerfile(self) -> str:
+        """The Dockerfile that does it. *_ROOT is where a part's files are in its context."""
+        lines = ["FROM ros"]
+        for part in self.parts:
+            root = root_variable(part)
+            lines += [f"ARG {root}", f"COPY --link --from=part-{part} ${root} /"]
+        return "\n".join([*lines, *(f"ENV {name}={value}" for name, value in self.environment.items()), ""])
+
+
+def root_variable(part: str) -> str:
+    """The argument that says where a part's files are in its context."""
+    return f"{labels.variable(part)}_ROOT"
+
+
+@dataclass(frozen=True)
+class Target:
+    """What buildx is told of a target.
+
+    Attributes:
+        stage: of the Dockerfile; empty where parts are joined. platforms: all that it can be built for; empty: the builder's own.
+        tags: `repository:tag` without the registry.
+    """
+
+    stage: str
+    contexts: Mapping[str, Context]
+    arguments: Mapping[str, Value]
+    platforms: tuple[str, ...] = ()
+    tags: tuple[str, ...] = ()
+    labels: Mapping[str, Value] = field(default_factory=dict)
+    description: str = ""
+    join: Join | None = None
+
+
+def of(image_set: ImageSet) -> dict[str, Target]:
+    """Every target by its name."""
+    return dict(_targets(image_set))
+
+
+def _targets(image_set: ImageSet) -> Iterator[tuple[str, Target]]:
+    matrix = image_set.matrix
+    assembler = matrix.default.assembler
+    description = "the packages and files of the image that its context `described` is"
+    yield CONTENTS, Target(CONTENTS, {"os": _system(matrix, assembler)}, _common(), description=description)
+    for os in dict.fromkeys(image.os for image in image_set.images):
+        facts = matrix.operating_systems[os]
+        platforms = tuple(matrix.architectures[name].platform for name in facts.architectures)
+        arguments = {**_common(), "NUMPY": facts.numpy}
+        for runtime in sorted(
+            {rules.only_runs(matrix, image.component) for image in image_set.images if image.os == os}
+        ):
+            own = {**arguments, "RUNTIME": "true"} if runtime else arguments
+            yield names.os_target(os, runtime), Target("base", {"os": _system(matrix, os)}, own, platforms)
+    for part in image_set.parts:
+        yield from _part(matrix, part)
+    for image in image_set.images:
+        yield image.target, _joined(image_set, image) if image.stack else _ros(image_set, image)
+        contexts: dict[str, Context] = {"os": _system(matrix, assembler), "image": _dependency(image)}
+        arguments = {**_common(), "TESTS": " ".join(image.tests), "EXPECT": _expected(image_set, image)}
+        yield image.test_target, Target("test", contexts, arguments, image.platforms)
+
+
+def _common() -> dict[str, Value]:
+    """The arguments of every target."""
+    epoch = Overridable("SOURCE_DATE_EPOCH", EPOCH)
+    return {"SOURCE_DATE_EPOCH": epoch, **{proxy: NoInput("variable", proxy) for proxy in PROXIES}}
+
+
+def base_image(matrix: Matrix, os: str) -> str:
+    """The base image of an operating system, as a context."""
+    system = matrix.operating_systems[os]
+    return f"docker-image://{system.image}@{system.digest}"
+
+
+def _system(matrix: Matrix, os: str) -> Overridable:
+    return Overridable(names.os_variable(os), base_image(matrix, os))
+
+
+def _dependency(image: Image) -> Dependency:
+    return Dependency(image.target, image.target, image.repository)
+
+
+def _ros(image_set: ImageSet, image: Image) -> Target:
+    """An image without a framework: a component on the one below it, the lowest on the operating system."""
+    matrix = image_set.matrix
+    distribution = matrix.distributions[image.distribution]
+    parent = image_set.by_target.get(image.parent)
+    contexts: dict[str, Context] = {"parent": _dependency(parent) if parent else Dependency(image.parent)}
+    arguments: dict[str, Value] = {**_common(), "ROS_DISTRO": image.ros_distro, "ROS_VERSION": str(image.ros)}
+    if image.packages:
+        arguments["ROS_PACKAGES"] = image.packages
+    if rules.only_runs(matrix, image.component):
+        arguments["RUNTIME"] = "true"
+    if parent is None and (first := tools(matrix, image)):
+        arguments["ROS_TOOLS"] = first
+    if facts := apt_arguments(matrix, image.distribution):
+        arguments |= {name: Overridable(name, fact) if name in CHANNEL else fact for name, fact in facts.items()}
+        arguments["ROS_SYNC_DATE"] = NoInput("sync date", image.distribution)
+    if distribution.wheels:  # the stage takes uv from what assembles parts, which stands on the system's base image
+        arguments |= {"ROS_ROW": image.distribution, "PYTHON": image.python}
+        contexts["os"] = _system(matrix, image.os)
+    stage = "ros-wheels" if distribution.wheels else "ros"
+    return Target(stage, contexts, arguments, image.platforms, image.tags, _labels(matrix, image), unlocked(image))
+
+
+CHANNEL = ("ROS_CHANNEL", "ROS_SNAPSHOT")
+"""Arguments of a distribution that variables of the same names may override."""
+
+
+def apt_arguments(matrix: Matrix, name: str) -> dict[str, str]:
+    """The facts about the apt repository that the packages of a distribution come from, ROS's own or another; none where they
+    are the operating system's, or wheels."""
+    if archive := matrix.distributions[name].archive:
+        return {
+            "ROS_ARCHIVE": archive.address,
+            "ROS_CODENAME": archive.suite,
+            "ROS_COMPONENTS": " ".join(archive.components),
+            "ROS_SIGNED_BY": archive.key,
+        }
+    if not (apt := matrix.distributions[name].apt):
+        return {}
+    facts = {
+        "ROS_CHANNEL": apt.channel,
+        "ROS_SNAPSHOT": apt.date.isoformat() if apt.date else "",
+        "ROS_CODENAME": matrix.operating_systems[matrix.distributions[name].os].codename or "",
+        "ROS_LIVE_ADDRESS": rules.ros_live(matrix, name),
+        "ROS_SNAPSHOT_ADDRESS": rules.ros_snapshot(matrix, name, "{day}"),
+    }
+    others = {
+        "ROS_TESTING_ADDRESS": rules.ros_testing(matrix, name),
+        "ROS_APT_SOURCE": rules.ros_apt_source(matrix, name),
+    }
+    return facts | {name: fact for name, fact in others.items() if fact}
+
+
+def tools(matrix: Matrix, image: Image) -> str:
+    """The Debian packages that come with a distribution's lowest component: the developers' tools, where it is not only for
+    programs that are built, and what else speaks DDS beside ROS's default."""
+    distribution = matrix.distributions[image.distribution]
+    own = distribution.tools or matrix.operating_systems[distribution.os].tools
+    added = [f"ros-{image.ros_distro}-{rmw.replace('_', '-')}" for rmw in distribution.rmw]
+    return " ".join(added if rules.only_runs(matrix, image.component) else [own, *added])
+
+
+def unlocked(image: Image) -> str:
+    """What to say of a target that cannot be built yet; empty where it can be."""
+    return "" if image.locked else f"cannot be built yet: no lock; {missing.remedy(image)}"
+
+
+def _joined(image_set: ImageSet, image: Image) -> Target:
+    """An image with a framework: parts joined to a ROS image."""
+    matrix = image_set.matrix
+    parts = {image_set.part_by_name[name].kind: name for name in image.parts}
+    contexts: dict[str, Context] = {"ros": _dependency(image_set.by_target[image.parent])}
+    contexts |= {f"part-{part}": Dependency(names.files_target(name), name, PARTS) for part, name in parts.items()}
+    roots = {root_variable(part): NoInput("root", name) for part, name in parts.items()}
+    join = Join(tuple(parts), labels.environment(image.brought))
+    return Target(
+        "",
+        contexts,
+        {**_common(), **roots},
+        image.platforms,
+        image.tags,
+        _labels(matrix, image),
+        unlocked(image),
+        join,
+    )
+
+
+def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
+    variable = names.os_variable(image.os)
+    distribution = matrix.distributions[image.distribution]
+    found: dict[str, Value] = {
+        f"{labels.OCI}licenses": "Apache-2.0",
+        labels.REVISION: NoInput("variable", "REVISION"),
+        f"{labels.OCI}created": NoInput("created", "SOURCE_DATE_EPOCH"),
+        f"{labels.OCI}base.name": NoInput("base name", variable),
+        f"{labels.OCI}base.digest": NoInput("base digest", variable),
+        f"{labels.PREFIX}distribution": image.distribution,
+        f"{labels.PREFIX}framework": image.framework,
+        f"{labels.PREFIX}os": image.os,
+        f"{labels.PREFIX}python": image.python,
+        f"{labels.PREFIX}ros": str(image.ros),
+        **{f"{labels.PREFIX}{item.name}": item.version for item in image.brought},
+        **labels.about_gpus(image.gpu),
+        **labels.named(
+            image.distribution, image.component, str(image.ros), image.framework, image.stack, image.brought
+        ),
+    }
+    if runtime := rules.runtime(matrix, image.distribution, image.component):
+        found[labels.RUNTIME] = runtime
+    if matrix.source:
+        found[labels.SOURCE] = matrix.source
+    if image.stack:
+        found[f"{labels.PREFIX}stack"] = image.stack
+    if distribution.apt or distribution.archive:
+        found[f"{labels.PREFIX}ros.sync"] = NoInput("sync date", image.distribution)
+    if distribution.usual_rmw:
+        found[labels.RMW] = distribution.usual_rmw
+    if distribution.experimental:
+        found[f"{labels.PREFIX}experimental"] = "true"
+    return found
+
+
+def _part(matrix: Matrix, part: Part) -> Iterator[tuple[str, Target]]:
+    """A part's files below /out, and the part as an image of its own."""
+    contexts = {"os": _system(matrix, part.os)}
+    arguments: dict[str, Value] = {
+        **_common(),
+        "PART": part.kind,
+        "STACK": part.stack,
+        "PYTHON": part.python,
+        "WHEEL_PYTHON": matrix.operating_systems[part.os].python,
+        "ACCELERATOR": matrix.stacks[part.stack].accelerator,
+    }
+    if slot := matrix.part[part.kind].slot:
+        arguments["SLOT"] = f"{slot:02}"
+    shown = rules.shown(matrix, part.kind)
+    if shown and matrix.part[shown].accelerator in (None, matrix.stacks[part.stack].accelerator):
+        arguments["SHOWS"] = shown
+    taking = {
+        name: [matrix.part[kind] for kind in kinds]
+        for name, kinds in rules.frameworks(matrix, part.stack).items()
+        if part.kind in kinds
+    }
+    brought = rules.brought(matrix, [part.kind], matrix.stacks[part.stack])
+    gpu = rules.gpu(matrix, part.stack, [part.kind])
+    found = labels.of_part(matrix.part[part.kind], part.stack, part.python, brought, taking, gpu)
+    yield names.files_target(part.name), Target("part-files", contexts, arguments, part.platforms)
+    tags = (f"{PARTS}:{part.name}",)
+    yield part.target, Target("part", contexts, arguments, part.platforms, tags, found)
+
+
+def _expected(image_set: ImageSet, image: Image) -> str:
+    """What tags and labels promise, for the tests in the image, which see `torch` as $EXPECT_TORCH."""
+    distribution = image_set.matrix.distributions[image.distribution]
+    packages: dict[str, str] = {}
+    ros: Image | None = image
+    while ros:
+        if ros.packages and not rules.only_runs(image_set.matrix, ros.component):
+            packages[f"packages_{ros.component.replace('-', '_')}"] = ros.packages.replace(" ", ",")
+        ros = image_set.by_target.get(ros.parent)
+    facts = {"os": image.os, "python": image.python, "ros": str(image.ros), "ros_distro": image.ros_distro}
+    if distribution.rmw:
+        facts["rmw"] = ",".join(distribution.rmw)
+    if distribution.wheels:
+        facts["wheels"] = wheels(distribution.wheels)
+    if families := image_set.matrix.families:
+        facts["releases"] = ",".join(families)
+    company = rules.company(image_set.matrix, image.stack, image.versions)
+    gpu = {f"gpu_{re.sub('[.-]', '_', name)}": value.replace(" ", ",") for name, value in image.gpu.items()}
+    facts |= {**dict(reversed(packages.items())), **image.versions, **company, **gpu}
+    return " ".join(f"{name}={fact}" for name, fact in facts.items())
+
+
+def wheels(requirements: tuple[str, ...]) -> str:
+    """Python packages with their versions, without extras: `ros-jazzy-rclpy==7.1.6,ros-std-msgs==5.3.6`."""
+    return ",".join(re.sub(r"\[.*\]", "", item) for item in requirements)

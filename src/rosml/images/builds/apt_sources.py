@@ -1,0 +1,333 @@
+"""The apt sources of a base image, read from its registry without a builder: whom apt asks in a build.
+
+A layer is read while it arrives. One that is sorted by name, as those of Debian and Ubuntu are, is left as soon as it is past
+/etc/apt: that is some hundred kB of 30 MB. Any other layer is read to its end. A base image by its digest never changes, so
+what was read is kept.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import gzip
+import io
+import json
+import re
+import subprocess
+import tarfile
+import tempfile
+import zlib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import IO, Any, cast
+
+from rosml.base import archives, files, untrusted
+from rosml.base.errors import RosmlError
+from rosml.images.builds import base_images
+from rosml.images.matrix.model import OperatingSystem
+from rosml.machine.services import Services
+from rosml.registry import oci
+from rosml.registry.credentials import DOCKER_HUB
+from rosml.registry.documents import Descriptor
+from rosml.registry.oci import Manifest, Registry
+
+SOURCE_BYTES = 1 << 20
+"""More than any file of apt sources has."""
+
+LAYER_BYTES = 16 << 30
+"""More than any layer of a base image has, unpacked."""
+
+FOLDER = ("etc", "apt")
+_FILE = re.compile(r"etc/apt/sources\.list(?:\.d/[A-Za-z0-9_-][A-Za-z0-9_.-]*\.(?:list|sources))?")
+_FOLDERS = ("", "etc", "etc/apt", "etc/apt/sources.list.d")
+"""Folders that hold sources: where a layer deletes one, the sources of the layers below are gone."""
+
+_WHITEOUT, _OPAQUE = ".wh.", ".wh..wh..opq"
+_NO = ("no", "false", "without", "off", "disable", "0")
+"""As apt spells it."""
+
+Texts = dict[str, str]
+"""Files of apt sources: path, without a slash at the beginning, and text."""
+
+
+@dataclass(frozen=True)
+class Source:
+    """What apt asks for lists of packages.
+
+    Attributes:
+        address: of the archive, without a slash at the end. A user and a password may be in it.
+        suite: such as bookworm-updates; the path of a flat repository, which ends in a slash.
+        components: such as main; none of a flat repository.
+    """
+
+    address: str
+    suite: str
+    components: tuple[str, ...]
+
+    @property
+    def flat(self) -> bool:
+        """Whether the lists of packages are beside the Release file."""
+        return self.suite.endswith("/")
+
+    def release(self, address: str) -> str:
+        """Where the Release file is, below an address that is asked for this one."""
+        return f"{address}/{self.suite.lstrip('/')}Release" if self.flat else f"{address}/dists/{self.suite}/Release"
+
+
+def sources(services: Services, systems: Mapping[str, OperatingSystem], name: str) -> tuple[Source, ...]:
+    """The apt sources of an operating system's base image, of this machine's architecture, that answer over HTTP.
+
+    Args:
+        services: this machine's. systems: those of matrix.yaml. name: of one of them.
+
+    Raises:
+        RosmlError: the base image cannot be had or read, or its sources are no apt sources; a variable names no base image by
+            its digest (exit code 2).
+    """
+    reference = base_images.reference(services, systems, name)
+    architecture = base_images.native_architecture()
+    digest = reference.rpartition(":")[2]
+    file = services.state / "apt-sources" / f"{digest}-{architecture}.json"
+    texts = _kept(file)
+    if texts is None:
+        texts = _read(services, reference, architecture)
+        _keep(file, texts)
+    return parse(texts, reference)
+
+
+def _kept(file: Path) -> Texts | None:
+    try:
+        found = untrusted.json_value(file.read_bytes())
+    except (OSError, ValueError):
+        return None
+    whole = isinstance(found, dict) and all(isinstance(text, str) for text in found.values())
+    return found if whole else None
+
+
+def _keep(file: Path, texts: Texts) -> None:
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise RosmlError(f"{file.parent}: cannot be made: {error.strerror}", files.WRITABLE) from None
+    files.write(file, json.dumps(texts, indent=2) + "\n")
+
+
+# ---- What the files say ----------------------------------------------------------------------------------------------
+
+
+def parse(texts: Mapping[str, str], image: str) -> tuple[Source, ...]:
+    """The sources in some files, in apt's order, each suite of an archive once. Those that do not answer over HTTP, and those of
+    source packages, are left out.
+
+    Args:
+        texts: by path. image: whose they are, for errors.
+
+    Raises:
+        RosmlError: apt could not read them either.
+    """
+    found: dict[tuple[str, str], dict[str, None]] = {}
+    for path in sorted(texts):
+        read = _stanzas if path.endswith(".sources") else _lines
+        for where, uris, suites, components in read(texts[path]):
+            if not uris or not suites or any(suite.endswith("/") == bool(components) for suite in suites):
+                raise RosmlError(
+                    f"/{path}:{where} of {image} is no apt source",
+                    "correct it in the base image, or name another image",
+                )
+            for uri in uris:
+                for suite in suites if re.match("https?://", uri) else ():
+                    found.setdefault((uri.rstrip("/"), suite), {}).update(dict.fromkeys(components))
+    return tuple(Source(address, suite, tuple(names)) for (address, suite), names in found.items())
+
+
+_Entry = tuple[int, list[str], list[str], list[str]]
+"""A source: its line, URIs, suites and components."""
+
+
+def _lines(text: str) -> Iterator[_Entry]:
+    """The binary sources of a file with one on each line: ``deb [options] URI suite components…``."""
+    for number, line in enumerate(text.split("\n"), 1):
+        if found := re.match(r"\s*deb\s+(?:\[[^]]*\]\s*)?([^#]*)", line):
+            # The name of a CD is in brackets, and may have spaces in it.
+            words = re.sub(r"^(\w+:)\[[^]]*\]", r"\1", found[1]).split()
+            yield number, words[:1], words[1:2], words[2:]
+
+
+def _stanzas(text: str) -> Iterator[_Entry]:
+    """The binary sources of a file with a paragraph of fields for each (deb822)."""
+    fields: dict[str, list[str]] = {}
+    start, name = 0, ""
+    for number, line in enumerate([*text.split("\n"), ""], 1):
+        if line.startswith("#"):
+            continue
+        if line.strip() and line[0] in " \t":
+            fields.setdefault(name, []).append(line)
+        elif line.strip():
+            start = start or number
+            name, _, value = line.partition(":")
+            name = name.strip().lower()
+            fields[name] = [value]
+        else:
+            said = {key: " ".join(lines) for key, lines in fields.items()}
+            if "deb" in said.get("types", "").split() and said.get("enabled", "yes").strip().lower() not in _NO:
+                uris, suites, components = (said.get(key, "").split() for key in ("uris", "suites", "components"))
+                yield start, uris, suites, components
+            fields, start, name = {}, 0, ""
+
+
+# ---- From the registry -----------------------------------------------------------------------------------------------
+
+
+def _read(services: Services, reference: str, architecture: str) -> Texts:
+    """The files of apt sources in a base image.
+
+    Raises:
+        RosmlError: the registry does not answer; the image is not there for the architecture; a layer cannot be read.
+    """
+    with oci.Registries(services.ca_bundle) as registries:
+        for place in _places(services, reference):
+            registry = registries(place.host)
+            if manifest := _manifest(registry, place, architecture):
+                texts: Texts = {}
+                for layer in manifest.layers:
+                    added, gone = read_layer(registry, place, layer)
+                    kept = {path: text for path, text in texts.items() if not _hidden(path, gone)}
+                    texts = kept | added
+                return texts
+    raise RosmlError(f"{reference} is not there", "check the base image's name and digest")
+
+
+def _places(services: Services, reference: str) -> list[oci.Reference]:
+    """Where a base image is: the local registry first, where that is the builder's mirror of Docker Hub."""
+    place = oci.parse(oci.complete(reference))
+    mirrored = place.host == DOCKER_HUB and services.bases and services.registry
+    return [place._replace(host=services.registry), place] if mirrored else [place]
+
+
+def _manifest(registry: Registry, place: oci.Reference, architecture: str) -> Manifest | None:
+    """The manifest of an image for an architecture; None where the registry has no such image."""
+    found = registry.manifest(place.repository, place.reference)
+    if found is None or not found.is_index:
+        return found
+    for entry in found.members:
+        if entry.platform and (entry.platform.os, entry.platform.architecture) == ("linux", architecture):
+            return registry.manifest(place.repository, entry.digest)
+    raise RosmlError(f"{place} is not there for linux/{architecture}", "name a base image that has this architecture")
+
+
+def read_layer(registry: Registry, place: oci.Reference, layer: Descriptor) -> tuple[Texts, set[str]]:
+    """The files of apt sources in a layer, and what of them it deletes from the layers below.
+
+    The digest of a layer that was not read to its end is not known to be right: whom we ask depends on it, and no content.
+    """
+
+    def read(blocks: Iterator[bytes]) -> tuple[Texts, set[str]]:
+        try:
+            with (
+                _unpacked(blocks, layer.mediaType) as stream,
+                tarfile.open(fileobj=stream, mode="r|", tarinfo=archives.Entry) as archive,
+            ):
+                found, whole = _found(archive)
+            for _ in blocks if whole else ():  # to the end, where the digest is checked
+                pass
+            return found
+        except (tarfile.TarError, zlib.error, EOFError, OSError, OverflowError, ValueError) as error:
+            raise RosmlError(
+                f"{place}: the layer {layer.digest} cannot be read: {error}",
+                "push the base image again, or name another",
+            ) from None
+
+    return registry.read_blob(place.repository, layer.digest, read, layer.size)
+
+
+def _found(archive: tarfile.TarFile) -> tuple[tuple[Texts, set[str]], bool]:
+    """As `read_layer`; and whether all of the layer was read.
+
+    It stops past /etc/apt, if there were sources and all names so far came in order.
+    """
+    texts: Texts = {}
+    gone: set[str] = set()
+    last: tuple[str, ...] = ()
+    in_order = True
+    while entry := archive.next():
+        archive.members.clear()  # type: ignore[attr-defined] # those that tarfile keeps, a hundred thousand in some layers
+        *folders, name = [part for part in entry.name.split("/") if part not in ("", ".")] or [""]
+        place = (*folders, name.removeprefix(_WHITEOUT))
+        in_order, last = in_order and last <= place, place
+        if in_order and place[:2] > FOLDER and (texts or gone):
+            return (texts, gone), False
+        if archive.offset > LAYER_BYTES:
+            raise ValueError(f"it has more than {LAYER_BYTES >> 30} GiB")
+        if name.startswith(_WHITEOUT):
+            path = "/".join(folders if name == _OPAQUE else place)
+            if path in _FOLDERS or _FILE.fullmatch(path):
+                gone.add(path)
+        elif _FILE.fullmatch(path := "/".join(place)):
+            texts[path] = _text(archive, entry)
+    return (texts, gone), True
+
+
+def _text(archive: tarfile.TarFile, entry: tarfile.TarInfo) -> str:
+    content = archive.extractfile(entry) if entry.isreg() else None
+    if content is None:
+        raise ValueError(f"{entry.name} is no file")
+    if entry.size > SOURCE_BYTES:
+        raise ValueError(f"{entry.name} has {entry.size} bytes")
+    return content.read().decode(errors="replace")
+
+
+def _hidden(path: str, gone: set[str]) -> bool:
+    """Whether a layer deletes a file of the layers below."""
+    return any(folder in ("", path) or path.startswith(f"{folder}/") for folder in gone)
+
+
+class _Blocks(io.RawIOBase):
+    """What arrives in pieces, as a file."""
+
+    def __init__(self, blocks: Iterator[bytes]) -> None:
+        self._blocks, self._rest = blocks, b""
+
+    def readable(self) -> bool:
+        return True
+
+    def readinto(self, buffer: Any) -> int:
+        while not self._rest and (block := next(self._blocks, None)) is not None:
+            self._rest = block
+        found, self._rest = self._rest[: len(buffer)], self._rest[len(buffer) :]
+        buffer[: len(found)] = found
+        return len(found)
+
+
+@contextlib.contextmanager
+def _unpacked(blocks: Iterator[bytes], media_type: str) -> Iterator[IO[bytes]]:
+    """A layer's tar, from what the registry sends."""
+    packed = io.BufferedReader(_Blocks(blocks))
+    if media_type.endswith("gzip"):
+        with gzip.GzipFile(fileobj=packed) as stream:
+            yield cast(IO[bytes], stream)
+    elif media_type.endswith("zstd"):
+        with _zstd(blocks) as unpacked:
+            yield unpacked
+    elif media_type.endswith("tar"):
+        yield packed
+    else:
+        raise ValueError(f"{media_type} is no kind of layer that is known")
+
+
+@contextlib.contextmanager
+def _zstd(blocks: Iterator[bytes]) -> Iterator[IO[bytes]]:
+    """Unpacks by the program of that name, which Python 3.11 needs for it: from a file, so that nobody has to feed it."""
+    with tempfile.TemporaryFile() as file:
+        for block in blocks:
+            file.write(block)
+        file.seek(0)
+        command = ["zstd", "--decompress", "--stdout", "--quiet"]
+        try:
+            process = subprocess.Popen(command, stdin=file, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        except OSError:
+            raise RosmlError(
+                "a layer of the base image is compressed with zstd, and there is no program zstd", "install zstd"
+            ) from None
+        with process:
+            assert process.stdout
+            yield process.stdout

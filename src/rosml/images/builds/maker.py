@@ -1,0 +1,286 @@
+"""Who makes what a publishing run publishes: builds parts and ROS images, joins them, and tests the result.
+
+`Maker` is all that a run asks of it; what comes of it is in the registry, by digest. `BuildKitMaker` does it with the
+builder. The run itself decides what is due, writes the records, and moves tags.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any, Protocol
+
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed
+from rosml.images.builds import base_images, contents, disk, package_state, structure_tests
+from rosml.images.builds import part as parts
+from rosml.images.builds.push import push_by_digest, write_excerpt
+from rosml.images.builds.variables import base, variables
+from rosml.images.image_set import missing
+from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
+from rosml.images.join.joiner import Joiner
+from rosml.machine import buildx
+from rosml.machine.services import Services
+from rosml.registry import repositories
+from rosml.registry.oci import Manifest, Reference
+
+SAID = 8
+"""So many lines of each test that failed are kept: its last ones, which say why."""
+
+
+@dataclass(frozen=True)
+class Made:
+    """What building an image or part came to.
+
+    Attributes:
+        digest: of its manifest. parts: digests of what it stands on, by target.
+        upstream: of when its packages are; empty where no repository decides.
+        base: reference of the operating system's image that it starts from; empty where that is one of its parts.
+        sbom: digest of the artifact with its SBOM; empty of one that was joined.
+    """
+
+    digest: str
+    parts: Mapping[str, str] = field(default_factory=dict)
+    upstream: str = ""
+    base: str = ""
+    sbom: str = ""
+
+
+@dataclass(frozen=True)
+class Checked:
+    """What the structure tests of an image came to.
+
+    Attributes:
+        passed: how many passed. failures: those that did not.
+        unpacked: bytes of the image's root file system; 0 where nobody counted.
+        versions: what was found inside the image.
+        said: the last lines of each test that failed, below its name.
+    """
+
+    passed: int = 0
+    failures: tuple[str, ...] = ()
+    unpacked: int = 0
+    versions: Mapping[str, str] = field(default_factory=dict)
+    said: str = ""
+
+
+def require_buildable(image: Image, architecture: str) -> None:
+    """Checks, before anything is set up, that an image can be built for an architecture.
+
+    Raises:
+        RosmlError: a lock is missing, or there is no such image (exit code 2).
+    """
+    # Tags are for all platforms, and need all locks; one platform alone needs its own.
+    native = base_images.native_architecture()
+    if missing.on(image, architecture) or (image.unlocked and architecture == native):
+        text = f"{image.target} cannot be built yet: {missing.reason(image)}"
+        raise RosmlError(text, missing.remedy(image), exit_code=2)
+    if architecture not in image.architectures:
+        raise RosmlError(
+            f"{image.target} exists for {listed(image.architectures)} only"
+            + (f", and this machine is {native}" if architecture == native else ""),
+            "use such a machine, or another target: rosml list",
+            exit_code=2,
+        )
+
+
+class Maker(Protocol):
+    """Makes images and parts for one architecture at a time, and pushes them by digest; it moves no tag.
+
+    Every method raises RosmlError where it fails.
+    """
+
+    def build_part(self, part: Part, architecture: str) -> Made:
+        """Builds a part from its lock, and pushes it."""
+
+    def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], moment: str) -> Made:
+        """Builds a ROS image, and pushes it.
+
+        Args:
+            parts: digest of the image below it, by target; none for the first component, which starts from the
+                operating system's image.
+            moment: of when its packages are; empty where no repository decides.
+        """
+
+    def join(self, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
+        """Joins a ROS image and parts in the registry; gives the digest of the manifest.
+
+        Args:
+            parts: digests of the ROS image, which is the first, and of the parts, by target.
+        """
+
+    def test(
+        self, image: Image, architecture: str, digest: str, parts: Mapping[str, str], names: tuple[str, ...]
+    ) -> Checked:
+        """Runs structure tests of an image. Tests that do not pass are no error.
+
+        Args:
+            digest: of the image's manifest. parts: digests of what it was joined from or stands on, by target.
+            names: of the tests' files.
+        """
+
+
+@dataclass
+class BuildKitMaker:
+    """Builds and tests in the builder, and joins in the registry.
+
+    Attributes:
+        services: the builder and the registry of this checkout. image_set: what there is to make.
+        registry: where images go (`oci.Registry`). host: its address. prefix: path of its repositories.
+        say: told what is going on, a line at a time.
+        force: whether to build past the builder's cache.
+        forecast: the image set with what is known of sizes; by what the matrix says if None.
+    """
+
+    services: Services
+    image_set: ImageSet
+    registry: Any
+    host: str
+    prefix: str
+    say: Callable[[str], None]
+    force: bool = False
+    forecast: ImageSet | None = None
+    _there: set[str] = field(default_factory=set)  # names of parts, and targets, that the builder has
+
+    def build_part(self, part: Part, architecture: str) -> Made:
+        """Builds a part from its lock."""
+        self._make_room(disk.part_mb(part), part.name)
+        platform = self._platform(architecture)
+        start, digest = parts.push(self.services, self.image_set, part, self.say, self._place, [platform], self.force)
+        return Made(digest, base=start.reference, sbom=self._describe(part, digest))
+
+    def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], moment: str) -> Made:
+        """Builds a ROS image on the one below it, as it is in the registry."""
+        self._require_builder(architecture)
+        self._make_room(disk.needed_mb(self._sizes, image, self._there), image.parent, image.target)
+        given = self.variables(image, architecture, package_state.ros_date(moment)) | {"DIGESTS": json.dumps(parts)}
+        sets = [f"{image.target}.tags="]
+        # The first component brings the essentials, which are the operating system's own packages.
+        installing = [image.target] if parts else [image.parent, image.target]
+        if self.force:
+            sets += [f"{target}.no-cache=true" for target in installing]
+        elif moment:  # packages that moved are installed anew: the builder cannot know that they did
+            folder = self._moment(image, moment)
+            sets += [f"{target}.contexts.upstream={folder}" for target in installing]
+        bake_file = write_excerpt(self.services, self.image_set, image.target)
+        call = buildx.Bake(image.target, f"build-{image.target}-{architecture}", bake_file, tuple(sets), given)
+        _, digest = push_by_digest(self.services, call, self._reference(image.repository))
+        return Made(digest, parts, moment, "" if parts else base(image, given), self._describe(image, digest))
+
+    def join(self, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
+        """Joins an image by a manifest: no layer is read or sent that the registry has."""
+        ros, *others = (
+            Reference(self.host, self._repository(self._repositories[target]), digest)
+            for target, digest in parts.items()
+        )
+        return self._joiner.manifest(ros, others, self.host, self._repository(image.repository)).digest
+
+    def test(
+        self, image: Image, architecture: str, digest: str, parts: Mapping[str, str], names: tuple[str, ...]
+    ) -> Checked:
+        """Tests an image in a root file system of the layers that its manifest names.
+
+        A ROS image is taken by its digest. A joined one is joined in the builder from the same parts by their digests:
+        its layers are theirs, and parts that were unpacked once need not be unpacked for each image.
+        """
+        self._require_builder(architecture)
+        repository = self._repository(image.repository)
+        manifest = self.registry.manifest(repository, digest)
+        if manifest is None:
+            raise RosmlError(f"{image.target} is not in the registry any more", "run it again")
+        sizes = [layer.size for layer in manifest.layers]
+        if image.stack:
+            self._require_same_layers(image, parts, manifest)
+        digests = self._digests(parts) if image.stack else {image.target: digest}
+        given = self.variables(image, architecture) | {"DIGESTS": json.dumps(digests)}
+        file = write_excerpt(self.services, self.image_set, image.target, image.test_target)
+        place = f"{self.host}/{repository}@{digest}"
+        size = sum(sizes[-len(image.parts) :]) if image.parts else 0
+        room = disk.tested_mb(self._sizes, image, self._there)
+        self._make_room(room, *image.parts, image.parent, *([] if image.stack else [image.target]))
+        report, folder = structure_tests.run(self.services, image, architecture, place, file, given, names, size)
+        failures = tuple(f"{outcome.file}: {outcome.name}" for outcome in report.failed)
+        if failures:
+            self.say(
+                f"{len(failures)} of {len(report.outcomes)} structure tests of {image.target} failed; it gets no tag\n"
+                f"{report.failures()}\n  all reports: {folder}\n  the image that failed: {place}"
+            )
+        return Checked(report.passed, failures, report.unpacked, report.versions, report.failures(SAID))
+
+    def variables(self, image: Image, architecture: str, moment: str = "") -> dict[str, str]:
+        """Variables of the bake file for an image; `build/variables.py` says which."""
+        return variables(self.services, self.image_set, image, architecture, self._place, self.say, moment)
+
+    @property
+    def _sizes(self) -> ImageSet:
+        return self.forecast or self.image_set
+
+    def _make_room(self, needed: int, *coming: str) -> None:
+        """Makes room for a build, by which the builder will have some parts and ROS images."""
+        if disk.make_room(self.services, needed, self.say):
+            self._there.clear()
+        self._there.update(coming)
+
+    @cached_property
+    def _joiner(self) -> Joiner:
+        """What puts images together; it reads each part once."""
+        return Joiner(lambda _: self.registry, say=self.say)
+
+    @cached_property
+    def _repositories(self) -> dict[str, str]:
+        """Repositories of images and parts by target, without the prefix."""
+        things: list[Image | Part] = [*self.image_set.images, *self.image_set.parts]
+        return {thing.target: repository_of(thing) for thing in things}
+
+    def _repository(self, name: str) -> str:
+        return repositories.repository_path(self.prefix, name)
+
+    @property
+    def _place(self) -> str:
+        """The registry and the path before the names of repositories."""
+        return self._reference("").rstrip("/")
+
+    def _reference(self, name: str) -> str:
+        return f"{self.host}/{self._repository(name)}"
+
+    def _platform(self, architecture: str) -> str:
+        return self.image_set.matrix.architectures[architecture].platform
+
+    def _require_builder(self, architecture: str) -> None:
+        """Checks that the builder runs, and runs programs of an architecture."""
+        native = architecture == base_images.native_architecture()
+        self.services.require_builder("" if native else self._platform(architecture))
+
+    def _describe(self, thing: Image | Part, digest: str) -> str:
+        """Attaches to what was pushed the list of its files, for whoever joins it to others, and its SBOM; gives that."""
+        where = self._repository(repository_of(thing))
+        return contents.attach(self.services, self.image_set, self.registry, where, digest, self.say)[digest]
+
+    def _moment(self, image: Image, moment: str) -> Path:
+        """A folder that says of when a distribution's packages are, for the builder's cache to know."""
+        folder = self.services.state / "upstream" / image.distribution
+        folder.mkdir(parents=True, exist_ok=True)
+        files.write(folder / "moment", moment + "\n")
+        return folder
+
+    def _digests(self, parts: Mapping[str, str]) -> dict[str, str]:
+        """Digests of parts by the names that the bake file's DIGESTS has for them."""
+        known = {part.target: part.name for part in self.image_set.parts}
+        return {known.get(target, target): digest for target, digest in parts.items()}
+
+    def _require_same_layers(self, image: Image, parts: Mapping[str, str], manifest: Manifest) -> None:
+        """Checks that a joined image is the sum of its parts, which is what the tests see.
+
+        Raises:
+            RosmlError: it is not.
+        """
+        layers: list[str] = []
+        for target, digest in parts.items():
+            found = self.registry.manifest(self._repository(self._repositories[target]), digest)
+            layers += [layer.digest for layer in found.layers] if found else []
+        if layers != [layer.digest for layer in manifest.layers]:
+            raise RosmlError(f"{image.target} does not consist of its parts' layers", "join it again: --force")

@@ -1,0 +1,133 @@
+"""Fingerprints of the apt repositories that ROS images are built from. A change triggers a rebuild.
+
+Every image has packages of its operating system, whatever its ROS comes from: the apt sources of its base image are asked for
+their lists of packages, as apt does in a build, and ROS's own repository for its date, as `sync` does.
+What is pinned (base images, wheels) is an input like any other, and not asked for.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import os
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from rosml.base.errors import RosmlError
+from rosml.images.builds import apt_sources, release_file, sync
+from rosml.images.builds.apt_sources import Source
+from rosml.images.image_set import apt_source
+from rosml.images.matrix.model import Matrix
+from rosml.machine.services import Services
+
+MIRROR = "OS_APT_MIRROR"
+RELEASE_BYTES = 1 << 22
+"""More than any Release file has; Debian's have some hundred kB."""
+
+ARCHITECTURES = ("all", "amd64", "arm64")
+
+_LISTED = re.compile(r"^ ([0-9a-f]{64}) +\d+ (\S+)$", re.MULTILINE)
+_ORIGIN = re.compile(r"^Origin: *(\S.*)$", re.MULTILINE)
+_NOT_AUTOMATIC = re.compile(r"^NotAutomatic: *yes$", re.MULTILINE)
+"""apt installs nothing from such a suite on its own, such as backports."""
+
+SEPARATOR = ", "
+_OF_AN_ARCHIVE = re.compile(r"\S+ \S+ [0-9a-f]{16}")
+
+
+@dataclass(frozen=True)
+class Release:
+    """What the Release file of a source says.
+
+    Attributes:
+        origin: whose packages these are, as one word, such as debian. lists: digests of the lists of packages. Its date changes
+            several times a day, with nothing else.
+    """
+
+    origin: str
+    lists: str
+
+
+def state(services: Services, matrix: Matrix, distribution: str, environ: Mapping[str, str] = os.environ) -> str:
+    """Of when a distribution's packages are: the date of ROS's repository, a digest of the lists of packages in the archives
+    of its operating system, or both; empty where there is neither.
+
+    It is the same for all architectures: an archive and its ports have the same Release files.
+
+    Raises:
+        RosmlError: a repository does not answer, or with something else; the apt sources of the base image cannot be read.
+    """
+    source = apt_source.source(matrix, distribution, environ)
+    found = [sync.published(source, environ) if source else "", _archives(services, matrix, distribution, environ)]
+    return SEPARATOR.join(filter(None, found))
+
+
+def lacking(
+    services: Services, matrix: Matrix, distribution: str, architecture: str, wanted: Iterable[str]
+) -> list[str]:
+    """The packages of ROS that the repository of a distribution does not have; none where the operating system has them itself.
+
+    Raises:
+        RosmlError: the repository does not answer.
+    """
+    source = apt_source.source(matrix, distribution)
+    return sync.lacking(services.state, source, architecture, wanted) if source else []
+
+
+def ros_date(state: str) -> str:
+    """The date of ROS's repository in a state; empty where ROS is not from there."""
+    first = state.partition(SEPARATOR)[0]
+    return "" if _OF_AN_ARCHIVE.fullmatch(first) else first
+
+
+def _archives(services: Services, matrix: Matrix, distribution: str, environ: Mapping[str, str]) -> str:
+    sources = _sources(services, matrix, distribution)
+    found = [(source, said) for source in sources if (said := release(source, environ))]
+    if not found:
+        return ""
+    first, said = found[0]
+    digest = hashlib.sha256(" ".join(said.lists for _, said in found).encode()).hexdigest()[:16]
+    return f"{said.origin} {first.suite} {digest}"
+
+
+def _sources(services: Services, matrix: Matrix, distribution: str) -> tuple[Source, ...]:
+    return apt_sources.sources(services, matrix.operating_systems, matrix.distributions[distribution].os)
+
+
+def repositories(services: Services, matrix: Matrix, distribution: str, state: str) -> list[tuple[str, str]]:
+    """The addresses of the repositories that a state is of, with the state of each. The operating system's archives have one
+    together; they are left out where the apt sources of the base image cannot be read any more."""
+    source, ros = apt_source.source(matrix, distribution), ros_date(state)
+    found = {source.address: ros} if source and ros else {}
+    if archives := state.removeprefix(ros).removeprefix(SEPARATOR):
+        with contextlib.suppress(RosmlError):
+            found |= {release_file.shown(s.address): archives for s in _sources(services, matrix, distribution)}
+    return list(found.items())
+
+
+def release(source: Source, environ: Mapping[str, str]) -> Release | None:
+    """What a source's Release file says; None if apt installs nothing from there on its own.
+
+    Raises:
+        RosmlError: it does not answer, or with something else; the mirror is no address (exit code 2).
+    """
+    url = source.release(release_file.address(source.address, environ.get(MIRROR, ""), MIRROR))
+    return described(source, release_file.read(url, RELEASE_BYTES, MIRROR), url)
+
+
+def described(source: Source, text: str, url: str) -> Release | None:
+    """What the text of a Release file says of a source; None if apt installs nothing from there on its own.
+
+    Raises:
+        RosmlError: it names no lists of packages.
+    """
+    if _NOT_AUTOMATIC.search(text):
+        return None
+    wanted = {f"{part}/binary-{name}/Packages" for part in source.components for name in ARCHITECTURES}
+    wanted |= {"Packages", "./Packages"} if source.flat else set()
+    found = sorted((path, digest) for digest, path in _LISTED.findall(text) if path in wanted)
+    if not found:
+        raise RosmlError(f"{release_file.shown(url)} names no lists of packages", "check the mirror")
+    origin = _ORIGIN.search(text)
+    return Release("-".join(origin[1].lower().split()) if origin else "apt", " ".join(digest for _, digest in found))

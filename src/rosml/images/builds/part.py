@@ -1,0 +1,189 @@
+"""Parts as images of their own: assembled for all of their architectures, pushed by digest, then tagged.
+
+A part is assembled on an operating system that has its Python, which compiles the bytecode. Where this machine takes
+another base image, which may have another release of that Python, or none and so no bytecode, what was done is part of the
+result: such a part has other digests than the published one.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed, unknown
+from rosml.images.builds import base_images
+from rosml.images.builds.push import push_by_digest, write_excerpt
+from rosml.images.image_set.model import ImageSet, Part
+from rosml.images.matrix import names
+from rosml.images.matrix.model import ANY_PYTHON
+from rosml.machine import buildx, regctl
+from rosml.machine.services import NAMESPACE, Services
+from rosml.registry import oci
+
+
+@dataclass(frozen=True)
+class Assembled:
+    """A part in the registry.
+
+    Attributes:
+        name: `torch-cu128-py311`.
+        reference: where it is, with its digest; with its tag, where that was moved.
+        digest: what the tag points at.
+        layers: by platform, the digest of its one layer and the layer's size in bytes.
+        assembled_on: the base image, and what is said of it.
+        bytecode: the version of Python that compiled it; empty where there is none.
+        seconds: wall time.
+    """
+
+    name: str
+    reference: str
+    digest: str
+    layers: Mapping[str, tuple[str, int]]
+    assembled_on: str
+    bytecode: str
+    seconds: float
+
+    def to_json(self) -> dict[str, Any]:
+        """For `--json`."""
+        return asdict(self)
+
+
+def find(image_set: ImageSet, name: str) -> Part:
+    """The part of a name or bake target.
+
+    Raises:
+        RosmlError: there is none (exit code 2), or a lock is missing.
+    """
+    part = image_set.part_by_name.get(name.removeprefix("part-"))
+    if part is None:
+        text = unknown("part", name, image_set.part_by_name)
+        raise RosmlError(text, "see all with: rosml part", exit_code=2)
+    return part
+
+
+def publish(
+    services: Services,
+    image_set: ImageSet,
+    part: Part,
+    say: Callable[[str], None],
+    namespace: str = NAMESPACE,
+    again: bool = False,
+    platform: str = "",
+) -> Assembled:
+    """Assembles a part for all architectures that have its lock, of what the matrix says now, and moves its tag if these
+    are all that it has.
+
+    Args:
+        services: registry and builder.
+        image_set: all that the matrix describes.
+        part: what to assemble.
+        say: told what is going on, a line at a time.
+        namespace: first part of the repository's name.
+        again: assemble it even if the builder has it: the same inputs give the same digests.
+        platform: only for this one, where the wheels of another cannot be had; no tag moves then.
+
+    Raises:
+        RosmlError: a lock is missing, no base image can be had, a service is down, or the build failed.
+    """
+    started = time.monotonic()
+    if platform and platform not in part.platforms:
+        known = ", ".join(part.platforms)
+        raise RosmlError(f"part {part.name} is for {known}", f"take one of them, not {platform}", exit_code=2)
+    platforms = [
+        name
+        for name, lock in zip(part.platforms, part.locks, strict=True)
+        if platform in ("", name) and lock not in part.unlocked
+    ]
+    if not platforms:
+        text = f"part {part.name} has no lock of what matrix.yaml says now: {listed(part.unlocked)}"
+        raise RosmlError(text, "run 'rosml locks'")
+    prefix = f"{services.registry}/{namespace}"
+    repository = f"{prefix}/part"
+    base, digest = push(services, image_set, part, say, prefix, platforms, again)
+    layers = dict(_layers(services, f"{repository}@{digest}", platforms))
+    reference = f"{repository}@{digest}"
+    if len(platforms) == len(part.platforms):  # a tag is for all platforms
+        with oci.Registry(services.registry, ca_bundle=services.ca_bundle) as client:
+            client.tag(f"{namespace}/part", digest, part.name)
+        reference = f"{repository}:{part.name}@{digest}"
+    python = base.python if part.python != ANY_PYTHON else ""
+    said = _said(part, base)
+    return Assembled(part.name, reference, digest, layers, said, python, time.monotonic() - started)
+
+
+def push(
+    services: Services,
+    image_set: ImageSet,
+    part: Part,
+    say: Callable[[str], None],
+    prefix: str,
+    platforms: list[str],
+    again: bool = False,
+) -> tuple[base_images.Assembler, str]:
+    """Assembles a part for some platforms and pushes it by digest into the repository `part` below a prefix.
+
+    Returns:
+        What it was assembled on, and the digest: of an index, or for one platform of its manifest.
+
+    Raises:
+        RosmlError: no base image can be had, or the build failed.
+    """
+    base = base_images.assembler(services, image_set.matrix.operating_systems, part.os, part.python)
+    file = write_excerpt(services, image_set, part.target)
+    sets = [
+        f"{part.target}.tags=",
+        f"{part.target}.platform={','.join(platforms)}",
+    ]
+    if not base.python and part.python != ANY_PYTHON:
+        sets.append(f"{part.target}.args.BYTECODE=none")
+    if again:
+        sets.append(f"{part.target}.no-cache=true")
+    variables = {"REGISTRY": prefix, names.os_variable(part.os): f"docker-image://{base.reference}"}
+    say(f"part {part.name} for {', '.join(platforms)}, assembled on {_said(part, base)}")
+    call = buildx.Bake(part.target, part.target, file, tuple(sets), variables)
+    _, digest = push_by_digest(services, call, f"{prefix}/part")
+    return base, digest
+
+
+def _said(part: Part, base: base_images.Assembler) -> str:
+    """What a part is assembled on, in words."""
+    without = f", without bytecode: it has no Python {part.python}"
+    return base.reference + ("" if base.python or part.python == ANY_PYTHON else without)
+
+
+def _layers(services: Services, reference: str, platforms: list[str]) -> Iterator[tuple[str, tuple[str, int]]]:
+    """The layer of each platform.
+
+    Raises:
+        RosmlError: the registry's answer is not that of parts.
+    """
+    repository = reference.partition("@")[0]
+    try:
+        content = regctl.manifest(services, reference)
+        if "layers" in content:  # one platform only
+            entries = {platforms[0]: content}
+        else:
+            entries = {
+                f"{entry['platform']['os']}/{entry['platform']['architecture']}": regctl.manifest(
+                    services, f"{repository}@{entry['digest']}"
+                )
+                for entry in content["manifests"]
+            }
+        for platform, manifest in entries.items():
+            (layer,) = manifest["layers"]
+            yield platform, (layer["digest"], layer["size"])
+    except (KeyError, TypeError, ValueError):
+        raise RosmlError(f"{reference} is not a part with one layer for each platform", "run it again") from None
+
+
+def markdown(found: Iterable[Assembled]) -> str:
+    """A table of parts with their digests, for docs/digests.md."""
+    lines = ["| part | platform | layer | MB | bytecode |", "| --- | --- | --- | ---: | --- |"]
+    for item in found:
+        for platform, (digest, size) in item.layers.items():
+            bytecode = item.bytecode or ("none" if "-py" in item.name else "no Python in it")
+            lines.append(f"| `{item.name}` | {platform} | `{digest}` | {size / 1e6:.1f} | {bytecode} |")
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,252 @@
+"""Structure tests of an image in a registry: how they run, what they are told, and what they found."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from pydantic import BaseModel
+
+from rosml.base import untrusted
+from rosml.images.builds import base_images
+from rosml.images.image_set import labels
+from rosml.images.image_set.model import Image
+from rosml.machine import buildx, exported, regctl
+from rosml.machine.services import Services
+
+LABEL = "io.rosml."
+"""Prefix of the labels that say what an image is made of."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One structure test: the file it is in, its name, whether it passed, its duration in seconds, what it said."""
+
+    file: str
+    name: str
+    passed: bool
+    seconds: float
+    detail: str = ""
+
+
+def within_budget(budget: int, found: int) -> Outcome:
+    """The test of a tag's size budget.
+
+    Args:
+        budget: MB (10^6 bytes) that the parts of the tag may have in the registry.
+        found: bytes that they have.
+    """
+    detail = f"{found / 1e6:.0f} MB; matrix.yaml: disk.budgets allows {budget} MB"
+    return Outcome("size", "the parts keep within the tag's budget", found <= budget * 1_000_000, 0.0, detail)
+
+
+@dataclass(frozen=True)
+class Report:
+    """All structure tests of an image, the size of its unpacked root file system in bytes, and the versions of what it
+    holds, as they were recorded when its parts were built."""
+
+    outcomes: tuple[Outcome, ...]
+    unpacked: int
+    versions: Mapping[str, str] = field(default_factory=dict)
+
+    def failures(self, most: int = 0) -> str:
+        """Those that failed, with what they said; of each the last `most` lines, or all."""
+        lines = list[str]()
+        for outcome in self.failed:
+            said = outcome.detail.strip().splitlines()[-most:]
+            lines += [f"    {outcome.file}: {outcome.name}", *(f"      {line}" for line in said)]
+        return "\n".join(lines)
+
+    @property
+    def passed(self) -> int:
+        """How many tests passed."""
+        return sum(outcome.passed for outcome in self.outcomes)
+
+    @property
+    def failed(self) -> tuple[Outcome, ...]:
+        """Those that did not."""
+        return tuple(outcome for outcome in self.outcomes if not outcome.passed)
+
+
+def expected_labels(image: Image) -> dict[str, str]:
+    """Labels that say what an image is made of, from the matrix."""
+    facts = {
+        "distribution": image.distribution,
+        "component": image.component,
+        "framework": image.framework,
+        "os": image.os,
+        "python": image.python,
+        "ros": str(image.ros),
+        **({"stack": image.stack} if image.stack else {}),
+        **{item.name: item.version for item in image.brought},
+        **{f"gpu.{name}": fact for name, fact in image.gpu.items()},
+    }
+    return {LABEL + name: value for name, value in facts.items()}
+
+
+def expected_environment(image: Image) -> dict[str, str]:
+    """Environment that the runtime contract promises, from the matrix."""
+    promised = {
+        "LANG": "C.UTF-8",
+        "WORKSPACE": "/docker-ros/ws",
+        "DOCKER_USER": "dockeruser",
+        "DOCKER_UID": "",
+        "DOCKER_GID": "",
+        "NVIDIA_VISIBLE_DEVICES": "all",
+        "NVIDIA_DRIVER_CAPABILITIES": "all",
+        "UV_CONSTRAINT": "/usr/local/share/rosml/constraints.d/all.txt",
+        "ROS_DISTRO": image.ros_distro,
+        "ROS_VERSION": str(image.ros),
+    }
+    return promised | labels.environment(image.brought)
+
+
+def metadata_test(image: Image) -> dict[str, Any]:
+    """The structure test of an image's config, in container-structure-test's schema."""
+    return {
+        "schemaVersion": "2.0.0",
+        "metadataTest": {
+            "envVars": [{"key": key, "value": value} for key, value in expected_environment(image).items()],
+            "labels": [{"key": key, "value": value} for key, value in expected_labels(image).items()],
+            "entrypoint": ["/tini", "--", "/entrypoint.sh"],
+            "cmd": ["bash"],
+            "workdir": "/docker-ros/ws",
+        },
+    }
+
+
+def flat_config(config: Mapping[str, Any]) -> dict[str, Any]:
+    """The part of an OCI config that container-structure-test's host driver reads.
+
+    Only what is tested: a label that changes with every commit would make the builder run the same tests again.
+    """
+    inner = config.get("config", {})
+    found = inner.get("Labels") or {}
+    return {
+        "config": {
+            "Env": inner.get("Env") or [],
+            "Entrypoint": inner.get("Entrypoint") or [],
+            "Cmd": inner.get("Cmd") or [],
+            "WorkingDir": inner.get("WorkingDir", ""),
+            "Labels": {key: value for key, value in sorted(found.items()) if key.startswith(LABEL)},
+        }
+    }
+
+
+def write_metadata(folder: Path, image: Image, config: Mapping[str, Any]) -> None:
+    """Writes the build context `metadata` of the test stage."""
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "metadata.yaml").write_text(json.dumps(metadata_test(image), indent=1))  # JSON is YAML
+    (folder / "config.json").write_text(json.dumps(flat_config(config), indent=1))
+
+
+def run(
+    services: Services,
+    image: Image,
+    architecture: str,
+    reference: str,
+    bake_file: Path,
+    variables: Mapping[str, str],
+    names: tuple[str, ...],
+    parts: int = 0,
+) -> tuple[Report, Path]:
+    """Runs the structure tests of an image.
+
+    Args:
+        services: the builder. image, architecture: what is tested.
+        reference: of its manifest, whose config they are told.
+        bake_file, variables: what the builder is told of it.
+        names: of the tests' files. parts: bytes of its parts in the registry, for its budget.
+
+    Returns:
+        The report, and the folder with the reports of each file.
+
+    Raises:
+        RosmlError: they could not run, or left no report.
+    """
+    native = architecture == base_images.native_architecture()
+    folder = services.state / "tests" / (image.target if native else f"{image.target}-{architecture}")
+    metadata, reports, left = folder / "metadata", folder / "report", folder / "report.tar"
+    left.unlink(missing_ok=True)
+    write_metadata(metadata, image, regctl.image_config(services, reference, variables["PLATFORM"]))
+    # A run that failed is in the builder's cache like any other: another attempt has to be told apart.
+    attempts = folder / "failed-attempts"
+    attempt = attempts.read_text() if attempts.exists() else "0"
+    name = image.test_target
+    tests = " ".join(names)
+    sets = (
+        f"{name}.target=test-report",
+        f"{name}.output={exported.output(left)}",
+        f"{name}.contexts.metadata={metadata}",
+        f"{name}.args.TEST_ATTEMPT={attempt}",
+        f"{name}.args.TESTS={tests}",
+    )
+    buildx.run(services, buildx.Bake(name, f"test-{image.target}-{architecture}", bake_file, sets, dict(variables)))
+    exported.unpack(left, reports)
+    report = read_report(reports, (*names, "metadata"))
+    if image.budget is not None:
+        report = replace(report, outcomes=(*report.outcomes, within_budget(image.budget, parts)))
+    if report.failed:
+        attempts.write_text(str(time.time_ns()))
+    return report, reports
+
+
+def read_report(folder: Path, files: tuple[str, ...]) -> Report:
+    """Reads what the test stage left. A file without a report, or without a test, counts as one failure."""
+    outcomes: list[Outcome] = []
+    for file in files:
+        outcomes += _outcomes(folder, file)
+    try:
+        unpacked = int((folder / "unpacked").read_text().split()[0]) * 1024
+    except (OSError, ValueError, IndexError):
+        unpacked = 0
+    return Report(tuple(outcomes), unpacked, _versions(folder / "versions"))
+
+
+def _versions(file: Path) -> dict[str, str]:
+    """Versions by name from lines such as `torch 2.10.0`; none where there is no file."""
+    if not file.is_file():
+        return {}
+    lines = (line.split(maxsplit=1) for line in file.read_text(errors="replace").split("\n"))
+    return {line[0]: line[1] for line in lines if len(line) == 2}
+
+
+class _Result(BaseModel):
+    """What container-structure-test writes about a test; the duration is in nanoseconds."""
+
+    Name: str
+    Pass: bool
+    Duration: float = 0
+    Errors: list[str] | None = None
+    Stdout: str = ""
+    Stderr: str = ""
+
+
+class _Results(BaseModel):
+    Results: list[_Result] | None
+
+
+def _outcomes(folder: Path, file: str) -> list[Outcome]:
+    try:
+        content = untrusted.json_value((folder / f"{file}.json").read_bytes())
+        results = _Results.model_validate(content).Results
+    except (OSError, ValueError):
+        log = folder / f"{file}.log"
+        said = log.read_text(errors="replace")[-2000:] if log.exists() else "did not start"
+        return [Outcome(file, "the test runner", False, 0.0, said)]
+    if not results:
+        return [Outcome(file, "the test file", False, 0.0, "it holds no test")]
+    return [
+        Outcome(
+            file,
+            result.Name.removeprefix("Command Test: "),
+            result.Pass,
+            result.Duration / 1e9,
+            "\n".join(filter(None, [*(result.Errors or []), result.Stdout, result.Stderr]))[-3000:],
+        )
+        for result in results
+    ]

@@ -1,0 +1,115 @@
+"""Where a distribution's packages come from, and of when that apt repository is."""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import os
+import re
+from collections.abc import Iterable, Mapping
+from datetime import UTC
+from email.utils import parsedate_to_datetime
+from pathlib import Path
+
+from rosml.base import archives, files, untrusted
+from rosml.base.errors import RosmlError
+from rosml.images.builds import release_file
+from rosml.images.image_set.apt_source import Source
+
+MIRROR = "ROS_APT_MIRROR"
+RELEASE_BYTES = 1 << 20
+"""More than any InRelease file has; ROS's have some ten kB."""
+
+LIST_BYTES, LIST_UNPACKED = 64 << 20, 512 << 20
+"""More than any list of packages has, packed and unpacked; ROS's have some MB."""
+
+
+def published(source: Source, environ: Mapping[str, str] = os.environ) -> str:
+    """When a repository was published last, such as 2026-11-20T21:14:09Z.
+
+    The signature is not looked at: the build, which does, fails where it finds another time.
+
+    Raises:
+        RosmlError: it does not answer, or says no date.
+    """
+    address = release_file.address(source.address, environ.get(MIRROR, ""), MIRROR)
+    url = f"{address}/dists/{source.codename}/InRelease"
+    return date_of(release_file.read(url, RELEASE_BYTES, MIRROR), url)
+
+
+def date_of(text: str, url: str) -> str:
+    """When a repository was published last, as its Release file says it.
+
+    Raises:
+        RosmlError: it says no date.
+    """
+    found = re.search(r"^Date: (.+)$", text, re.MULTILINE)
+    try:
+        moment = parsedate_to_datetime(found[1] if found else "").astimezone(UTC)
+        return moment.strftime("%Y-%m-%dT%H:%M:%SZ")
+    except (ArithmeticError, LookupError, TypeError, ValueError):
+        raise RosmlError(f"{release_file.shown(url)} says no date", "check the mirror") from None
+
+
+def lacking(state: Path, source: Source, architecture: str, wanted: Iterable[str]) -> list[str]:
+    """The packages that a repository does not have for an architecture: a build would fail, an hour later.
+
+    The list of packages is looked up by its digest in the Release file, and kept under it. Of a repository that has no list
+    in gzip nobody knows.
+
+    Args:
+        state: folder of this machine's state. wanted: names of packages.
+
+    Raises:
+        RosmlError: the repository does not answer, or with another list than its Release file says.
+    """
+    address = release_file.address(source.address, os.environ.get(MIRROR, ""), MIRROR)
+    suite = f"{address}/dists/{source.codename}"
+    release = release_file.read(f"{suite}/InRelease", RELEASE_BYTES, MIRROR)
+    there: set[str] = set()
+    for component in source.components:
+        path = f"{component}/binary-{architecture}/Packages.gz"
+        found = re.search(rf"^ ([0-9a-f]{{64}}) +\d+ {re.escape(path)}$", release, re.MULTILINE)
+        if found is None:
+            return []
+        there |= _names(state / "apt-names" / found[1], f"{suite}/{path}", found[1])
+    return [name for name in wanted if name not in there]
+
+
+def _names(kept: Path, url: str, digest: str) -> set[str]:
+    """The names in a list of packages, by the digest of the list."""
+    with contextlib.suppress(OSError, UnicodeDecodeError):
+        return set(kept.read_text(encoding="utf-8").split("\n"))
+    packed = release_file.fetched(url, LIST_BYTES, MIRROR)
+    if hashlib.sha256(packed).hexdigest() != digest:
+        remedy = "run it again: it may be just being published"
+        raise RosmlError(f"{release_file.shown(url)} is another list than its Release file names", remedy)
+    try:
+        text = archives.gunzipped(packed, LIST_UNPACKED)
+    except ValueError:
+        what = f"{release_file.shown(url)} cannot be unpacked, or is too large"
+        raise RosmlError(what, "check the mirror") from None
+    names = sorted(set(re.findall(r"^Package: (\S+)$", text.decode(errors="replace"), re.MULTILINE)))
+    kept.parent.mkdir(parents=True, exist_ok=True)
+    files.write(kept, "\n".join(names))
+    return set(names)
+
+
+def remember(state: Path, source: Source, when: str) -> None:
+    """Notes when a repository was published, for a time when it does not answer."""
+    known = _known(state) | {f"{source.address} {source.codename}": when}
+    files.write(state / "ros-sync.json", json.dumps(known, indent=2) + "\n")
+
+
+def remembered(state: Path, source: Source) -> str:
+    """What was noted; empty if nothing was."""
+    return _known(state).get(f"{source.address} {source.codename}", "")
+
+
+def _known(state: Path) -> dict[str, str]:
+    try:
+        found = untrusted.json_value((state / "ros-sync.json").read_bytes())
+    except (OSError, ValueError):
+        return {}
+    return {str(key): str(value) for key, value in found.items()} if isinstance(found, dict) else {}

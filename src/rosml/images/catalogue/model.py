@@ -1,0 +1,186 @@
+"""The structure of catalogue.json: what is published, for people's pages and for other people's programs.
+
+`FORMAT` is raised where something that a reader relies on goes away or changes its meaning; a new field does not raise it.
+The descriptions here become catalogue.schema.json.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from rosml.images.image_set import missing
+from rosml.images.image_set.model import Image as Wanted
+from rosml.images.matrix.model import DIGEST
+
+FORMAT = 1
+
+Status = Literal["built", "not built"]
+"""Published here, or not."""
+
+WORDS: dict[Status, str] = {"built": "built", "not built": "not built yet"}
+"""The same for people."""
+
+Bytes = Annotated[int, Field(ge=0)]
+Digest = Annotated[str, Field(pattern=DIGEST)]
+Count = Annotated[int, Field(ge=0)]
+
+
+class Fact(BaseModel):
+    """Base of all: unknown keys are errors, nothing changes afterwards."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class Distribution(Fact):
+    """A ROS distribution, as matrix.yaml has it."""
+
+    ros: Literal[1, 2] = Field(description="ROS 1 or ROS 2")
+    os: str = Field(description="its operating system")
+    python: str = Field(description="version of that one's Python")
+    eol: str | None = Field(description="end of life, such as 2029-05-31; null for a rolling distribution")
+    lts: bool = Field(description="a long-term release")
+    experimental: bool = Field(description="not what its generation's users expect")
+
+
+class Layer(Fact):
+    """A layer, which any number of images may have."""
+
+    digest: Digest
+    compressed: Bytes = Field(description="bytes in the registry")
+    part: str = Field(description="the ROS image or part that brought it; empty where nobody knows")
+
+
+class Size(Fact):
+    """Bytes of something."""
+
+    compressed: Bytes = Field(description="in the registry")
+    unpacked: Bytes | None = Field(description="on disk; null where nobody counted")
+
+
+class Tests(Fact):
+    """Structure tests that ran inside the image."""
+
+    passed: Count
+    failures: tuple[str, ...] = Field(description="those that did not pass")
+
+
+class Scan(Fact):
+    """What a scan for known vulnerabilities came to."""
+
+    outcome: str = Field(description="clean, policy failed or scanner failed")
+    database: str = Field(description="when the database of vulnerabilities was made; empty where nobody knows")
+    packages: Count = Field(description="how many packages were held against it")
+    findings: dict[str, Count] = Field(description="number of findings by severity, those that are ignored among them")
+    failing: tuple[str, ...] = Field(description="advisories that stop the image")
+
+
+class Platform(Fact):
+    """An image, or part, for one platform."""
+
+    platform: str = Field(description="such as linux/amd64")
+    digest: Digest = Field(description="of the image manifest")
+    inputs: str = Field(description="digest of all that decides its content; empty where nobody knows")
+    ros_sync: str = Field(
+        description="of when ROS's packages are: the repository's date, or a digest of the system's lists; else empty"
+    )
+    size: Size
+    parts: dict[str, Size] = Field(description="what it is the sum of: ROS images by target, parts by name")
+    layers: tuple[Count, ...] = Field(description="its layers, lowest first: positions in the catalogue's `layers`")
+    versions: dict[str, str] = Field(description="what was found inside; what the labels say where nobody looked")
+    found_inside: bool = Field(description="whether the versions were found inside, by the tests")
+    tests: Tests | None = Field(description="null where nobody knows")
+    scan: Scan | None = Field(description="null where there was none")
+
+
+class Build(Fact):
+    """What a tag points at, or pointed at: an index."""
+
+    digest: Digest = Field(description="of the index")
+    created: str = Field(description="date of the run that made it, such as 2026-11-22T03:00:00Z; else empty")
+    tags: tuple[str, ...] = Field(description="tags that point at it now; none may be left")
+    platforms: tuple[Platform, ...]
+
+
+class Tag(Fact):
+    """A tag of a repository."""
+
+    name: str
+    kind: Literal["main", "versions", "floating", "dated"] = Field(
+        description="the main one; one that spells versions out; a short one; one that never moves"
+    )
+    digest: Digest
+
+
+class Move(Fact):
+    """A run moved the main tag."""
+
+    run: str = Field(description="date of the run")
+    old: str = Field(description="where the tag was; empty: nowhere")
+    new: str
+
+
+class Tagged(Fact):
+    """What images and parts have in common."""
+
+    repository: str = Field(description="without the registry")
+    tags: tuple[Tag, ...] = Field(description="the main one first; none where nothing is published")
+    builds: tuple[Build, ...] = Field(
+        description="the one that the main tag points at first, then others, newest first"
+    )
+    moves: tuple[Move, ...] = Field(description="as far as records of runs are kept, newest first")
+
+
+class Image(Tagged):
+    """An image that the matrix describes."""
+
+    target: str = Field(description="bake target")
+    distribution: str
+    component: str
+    framework: str
+    stack: str | None
+    platforms: tuple[str, ...] = Field(description="those that the matrix allows; a build has its own")
+    promised: dict[str, str] = Field(description="versions that the matrix gives it")
+    status: Status
+    reason: str = Field(description="why it is not published; empty where it is")
+
+
+class Part(Tagged):
+    """What is built once for a stack, and can be added to any image with the same Python."""
+
+    name: str
+    kind: str
+    stack: str
+    python: str = Field(description="`any` where it is the same for all")
+    platforms: tuple[str, ...]
+
+
+class Sharing(Fact):
+    """What sharing layers saves, in the images that main tags point at, on all platforms."""
+
+    images: Count = Field(description="number of manifests")
+    apart: Bytes = Field(description="bytes if each had its layers to itself")
+    stored: Bytes = Field(description="bytes with each layer once")
+
+
+class Published(Fact):
+    """All that is published, and what is not."""
+
+    format: Literal[1] = Field(description="version of this format")
+    created: str = Field(description="when this was written")
+    registry: str = Field(description="registry and path, to be put before a repository's name")
+    source: str | None = Field(description="the project's address")
+    distributions: dict[str, Distribution]
+    words: dict[Status, str] = Field(description="what people call each status")
+    images: tuple[Image, ...]
+    parts: tuple[Part, ...]
+    layers: tuple[Layer, ...]
+    sharing: Sharing
+
+
+def status(image: Wanted, built: bool) -> tuple[Status, str]:
+    """Whether an image was built, tested and published, as its `built` says; and if not, why."""
+    if built:
+        return "built", ""
+    return "not built", missing.reason(image) if image.unlocked else "nobody has built it yet"

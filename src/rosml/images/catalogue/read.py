@@ -1,0 +1,498 @@
+"""Reads what is published: the matrix says what to look for, the registry what is there, the records what is known of it.
+
+Nothing is pulled but manifests and configs, each once. What cannot be read is left out and told: one damaged image does
+not keep people from finding the others.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from typing import Any, TypeVar
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from rosml.base import progress_bar
+from rosml.base.errors import RosmlError
+from rosml.images.catalogue.model import (
+    FORMAT,
+    WORDS,
+    Build,
+    Distribution,
+    Image,
+    Layer,
+    Move,
+    Part,
+    Platform,
+    Published,
+    Scan,
+    Sharing,
+    Size,
+    Tag,
+    Tests,
+    status,
+)
+from rosml.images.image_set import model as sets
+from rosml.images.image_set.labels import PREFIX
+from rosml.images.image_set.model import repository_of, tags_of
+from rosml.images.image_set.selection import select
+from rosml.images.matrix.names import DATED
+from rosml.images.records import tag_moves
+from rosml.images.records.store import INDEX, READERS, Entry, Records, date_of
+from rosml.registry import documents
+from rosml.registry.oci import Registry
+from rosml.registry.repositories import repository_path
+
+HISTORY = 10
+"""How many builds of an image without a tag are described at most: the newest. Those with one are all described."""
+
+_SYNC = f"{PREFIX}ros.sync"
+
+Thing = sets.Image | sets.Part
+Key = TypeVar("Key")
+Value = TypeVar("Value")
+
+
+@dataclass(frozen=True)
+class _Member:
+    """An image manifest, its platform and labels, and what the records say of it: now, or when an index was made of it."""
+
+    digest: str
+    platform: str
+    layers: tuple[tuple[str, int], ...]
+    labels: Mapping[str, str]
+    entry: Entry | None = None
+
+    @property
+    def architecture(self) -> str:
+        return self.platform.partition("/")[2].partition("/")[0]
+
+
+@dataclass(frozen=True)
+class _Index:
+    """An index and its images."""
+
+    digest: str
+    created: str
+    members: tuple[_Member, ...]
+
+
+@dataclass
+class _Found:
+    """What the registry has of an image or part: where its tags are, and everything that they point or pointed at."""
+
+    tags: dict[str, str] = field(default_factory=dict)
+    moves: list[Move] = field(default_factory=list)
+    indexes: list[_Index] = field(default_factory=list)
+
+
+@dataclass
+class Gatherer:
+    """Reads a registry.
+
+    Attributes:
+        image_set: what the matrix describes. registry: where images are.
+        place: the registry with the path of its repositories, as people write it. prefix: that path.
+        history: how many builds to describe of an image that no tag points at any more.
+        remarks: what was left out, and why.
+    """
+
+    image_set: sets.ImageSet
+    registry: Registry
+    place: str
+    prefix: str
+    history: int = HISTORY
+    remarks: list[str] = field(default_factory=list)
+    _current: dict[str, Entry] = field(default_factory=dict)
+
+    def gather(self, created: str, only: Sequence[str] = ()) -> Published:
+        """All that is published of the images that are asked for, their ROS images, and parts.
+
+        Args:
+            created: the time to write down. only: patterns of targets, or groups; all if empty.
+
+        Raises:
+            RosmlError: the registry does not answer, or there is no such image.
+        """
+        images = self._with_parents(select(self.image_set, only))
+        wanted = {name for image in images for name in image.parts}
+        parts = tuple(part for part in self.image_set.parts if part.name in wanted)
+        things: list[Thing] = [*images, *parts]
+        keys = [(thing.target, name) for thing in things for name in (*thing.architectures, INDEX)]
+        known = Records(self.registry, self.prefix).read_all(keys)
+        self._current = {entry.digest: entry for key, entry in known.items() if key[1] != INDEX and entry.digest}
+        found = self._find(things, known)
+        table = _Table(self.image_set, {thing.target: found[thing.target].indexes for thing in things})
+        described = tuple(self._image(image, found[image.target], table) for image in images)
+        asked = {image.target for image in select(self.image_set, only)}
+        return Published(
+            format=FORMAT,
+            created=created,
+            registry=self.place,
+            source=self.image_set.matrix.source,
+            distributions={name: self._distribution(name) for name in dict.fromkeys(i.distribution for i in images)},
+            words=WORDS,
+            images=tuple(image for image in described if image.target in asked),
+            parts=tuple(self._part(part, found[part.target], table) for part in parts),
+            layers=tuple(table.layers),
+            sharing=_sharing([image for image in described if image.target in asked], table.layers),
+        )
+
+    def _with_parents(self, images: Iterable[sets.Image]) -> tuple[sets.Image, ...]:
+        """Images and the ROS images below them, which say whose layers are whose; in the matrix's order."""
+        names: set[str] = set()
+        for image in images:
+            link: sets.Image | None = image
+            while link and link.target not in names:
+                names.add(link.target)
+                link = self.image_set.by_target.get(link.parent)
+        return tuple(image for image in self.image_set.images if image.target in names)
+
+    def _distribution(self, name: str) -> Distribution:
+        facts = self.image_set.matrix.distributions[name]
+        return Distribution(
+            ros=facts.ros,
+            os=facts.os,
+            python=self.image_set.matrix.operating_systems[facts.os].python,
+            eol=str(facts.eol) if facts.eol else None,
+            lts=facts.lts,
+            experimental=facts.experimental,
+        )
+
+    # ---- The registry ------------------------------------------------------------------------------------------------
+
+    def _path(self, repository: str) -> str:
+        return repository_path(self.prefix, repository)
+
+    def _find(self, things: Sequence[Thing], known: Mapping[tuple[str, str], Entry]) -> dict[str, _Found]:
+        """What the registry has, by target."""
+        repositories = dict.fromkeys(repository_of(thing) for thing in things)
+        names = _each(repositories, lambda name: _by_base(self.registry.tags(self._path(name))), "tags")
+        found = {thing.target: _Found() for thing in things}
+        wanted = [(repository_of(t), tag) for t in things for tag in _tags_there(t, names[repository_of(t)])]
+        heads = _each(wanted, lambda key: self.registry.head(self._path(key[0]), key[1]), "digests")
+        moves = self._moves()
+        asked: dict[str, list[str]] = {}
+        for thing in things:
+            here, repository = found[thing.target], repository_of(thing)
+            tags = _tags_there(thing, names[repository])
+            here.tags = {tag: heads[repository, tag] for tag in tags if heads[repository, tag]}
+            here.moves = moves.get((repository, tags_of(thing)[0]), [])
+            entry = known.get((thing.target, INDEX))
+            before = [*here.tags.values(), *(digest for move in here.moves for digest in (move.new, move.old))]
+            asked[thing.target] = list(dict.fromkeys(filter(None, [*before, *(entry.superseded if entry else ())])))
+        digests = {(repository_of(t), digest): None for t in things for digest in asked[t.target]}
+        indexes = _each(digests, lambda key: self._index(*key), "images")
+        for thing in things:
+            read = [indexes[repository_of(thing), digest] for digest in asked[thing.target]]
+            found[thing.target].indexes = self._described(tags_of(thing)[0], found[thing.target].tags, read)
+        return found
+
+    def _described(self, main: str, tags: Mapping[str, str], indexes: Iterable[_Index | None]) -> list[_Index]:
+        """The present one, then others, newest first: whatever a tag points at, and some that none points at any more."""
+        there = [index for index in indexes if index]
+        there.sort(key=lambda index: (index.digest == tags.get(main), index.created), reverse=True)
+        tagged = set(tags.values())
+        others = [index.digest for index in there if index.digest not in tagged]
+        kept = tagged.union(others[: self.history])
+        return [index for index in there if index.digest in kept]
+
+    def _moves(self) -> dict[tuple[str, str], list[Move]]:
+        """How tags moved, by repository and tag, newest first: as records of runs tell."""
+        book = Records(self.registry, self.prefix)
+        found: dict[tuple[str, str], list[Move]] = {}
+        names = sorted((n for n in self.registry.tags(book.repository) if n.startswith(tag_moves.UNDO)), reverse=True)
+        for name, moves in _each(names, lambda name: self._record(book, name), "records").items():
+            for move in moves:
+                if move.old != move.new:
+                    run = _spelled(name.removeprefix(tag_moves.UNDO))
+                    found.setdefault((move.repository, move.tag), []).append(Move(run=run, old=move.old, new=move.new))
+        return found
+
+    def _record(self, book: Records, name: str) -> list[tag_moves.Move]:
+        try:
+            return tag_moves.read_moves(book, name)
+        except RosmlError as error:
+            self.remarks.append(error.message)
+            return []
+
+    def _index(self, repository: str, digest: str) -> _Index | None:
+        """An index and its images; None where it is gone or damaged.
+
+        Raises:
+            RosmlError: the registry does not answer.
+        """
+        path = self._path(repository)
+        try:
+            found = self.registry.manifest(path, digest)
+            if found is None:  # a build that was removed since
+                return None
+            if not found.is_index:
+                raise ValueError("it is no index")
+            listed = [(item.digest, _platform(item.platform)) for item in found.members]
+            members = [self._member(path, *item) for item in listed if not item[1].startswith("unknown")]
+            return _Index(digest, date_of(found), tuple(members))
+        except (ArithmeticError, LookupError, TypeError, ValueError, RosmlError) as error:
+            self.registry.head(path, digest)  # a registry that does not answer any more is another matter
+            self.remarks.append(f"{repository}@{digest} is left out: it cannot be read ({error})")
+            return None
+
+    def _member(self, path: str, digest: str, platform: str) -> _Member:
+        found = self.registry.manifest(path, digest)
+        if found is None:
+            raise ValueError(f"{digest} is not there")
+        config = self.registry.config(path, found)
+        layers = tuple((layer.digest, layer.size) for layer in found.layers)
+        entry = self._current.get(digest)
+        if entry is None:  # of one that another has taken the place of since
+            entry = Records(self.registry, self.prefix).attached(path.removeprefix(f"{self.prefix}/"), digest)
+        return _Member(digest, platform, layers, config.labels, entry)
+
+    # ---- What it means -----------------------------------------------------------------------------------------------
+
+    def _image(self, image: sets.Image, found: _Found, table: _Table) -> Image:
+        main = found.tags.get(tags_of(image)[0], "")
+        state, reason = status(image, main in {index.digest for index in found.indexes})
+        if main and state != "built":
+            reason = f"its tag points at {main}, which cannot be read"
+        return Image(
+            **self._tagged(image, found, table),
+            target=image.target,
+            distribution=image.distribution,
+            component=image.component,
+            framework=image.framework,
+            stack=image.stack,
+            platforms=image.platforms,
+            promised=image.versions,
+            status=state,
+            reason=reason,
+        )
+
+    def _part(self, part: sets.Part, found: _Found, table: _Table) -> Part:
+        return Part(
+            **self._tagged(part, found, table),
+            name=part.name,
+            kind=part.kind,
+            stack=part.stack,
+            python=part.python,
+            platforms=part.platforms,
+        )
+
+    def _tagged(self, thing: Thing, found: _Found, table: _Table) -> dict[str, Any]:
+        tags = tuple(
+            Tag(name=name, kind=_kind(thing, name), digest=digest)
+            for name, digest in sorted(found.tags.items(), key=lambda item: (_ORDER[_kind(thing, item[0])], item[0]))
+        )
+        by_digest: dict[str, list[str]] = {}
+        for tag in tags:
+            by_digest.setdefault(tag.digest, []).append(tag.name)
+        builds = (
+            Build(
+                digest=index.digest,
+                created=index.created,
+                tags=tuple(by_digest.get(index.digest, ())),
+                platforms=tuple(table.platform(thing, member) for member in index.members),
+            )
+            for index in found.indexes
+        )
+        return {
+            "repository": repository_of(thing),
+            "tags": tags,
+            "builds": tuple(builds),
+            "moves": tuple(found.moves),
+        }
+
+
+class _Table:
+    """Layers, whose they are, and how large parts are unpacked: what is known of one image from others."""
+
+    def __init__(
+        self,
+        image_set: sets.ImageSet,
+        indexes: Mapping[str, Sequence[_Index]],
+    ) -> None:
+        self.layers: list[Layer] = []
+        self._position: dict[str, int] = {}
+        self._counted = ["python", *dict.fromkeys(name for part in image_set.matrix.parts for name in part.brings)]
+        # Parts first; then ROS images from the lowest up, so that a layer belongs to the lowest that has it.
+        whole: list[Thing] = [
+            *image_set.parts,
+            *sorted((i for i in image_set.images if not i.stack), key=_height(image_set)),
+        ]
+        for thing in whole:
+            name = thing.name if isinstance(thing, sets.Part) else thing.target
+            for index in indexes.get(thing.target, ()):
+                for member in index.members:
+                    self._add(member.layers, name)
+        self._unpacked = dict(self._measure(image_set, indexes))
+
+    def _add(self, layers: Iterable[tuple[str, int]], part: str) -> None:
+        for digest, size in layers:
+            if digest not in self._position:
+                self._position[digest] = len(self.layers)
+                self.layers.append(Layer(digest=digest, compressed=size, part=part))
+
+    def _measure(
+        self, image_set: sets.ImageSet, indexes: Mapping[str, Sequence[_Index]]
+    ) -> Iterator[tuple[tuple[int, ...], int]]:
+        """Unpacked sizes of parts by their layers: what an image has more than all its other parts together.
+
+        Only what was measured is told: a ROS image less the one below it, and a part that is alone beside known ones.
+        """
+        sizes: dict[tuple[int, ...], int] = {}
+        totals = []
+        for image in image_set.images:
+            for member in indexes[image.target][0].members if indexes.get(image.target) else ():
+                self._add(member.layers, "")
+                if member.entry and member.entry.unpacked:
+                    totals.append((list(self._grouped(member).values()), member.entry.unpacked))
+        more = True
+        while more:
+            more = False
+            for parts, unpacked in totals:
+                unknown = [part for part in parts if part not in sizes]
+                if len(unknown) == 1:
+                    sizes[unknown[0]] = max(0, unpacked - sum(sizes[part] for part in parts if part in sizes))
+                    more = True
+        yield from sizes.items()
+
+    def _grouped(self, member: _Member) -> dict[str, tuple[int, ...]]:
+        """The layers of an image by the part that brought them, in their order."""
+        parts: dict[str, tuple[int, ...]] = {}
+        for digest, _ in member.layers:
+            position = self._position[digest]
+            part = self.layers[position].part
+            parts[part] = (*parts.get(part, ()), position)
+        return parts
+
+    def platform(self, thing: Thing, member: _Member) -> Platform:
+        """The facts of an image for one platform."""
+        self._add(member.layers, thing.name if isinstance(thing, sets.Part) else "")
+        entry = member.entry
+        versions = dict(entry.versions) if entry else {}
+        promised = {name: member.labels[PREFIX + name] for name in self._counted if PREFIX + name in member.labels}
+        positions = tuple(self._position[digest] for digest, _ in member.layers)
+        total = sum(size for _, size in member.layers)
+        tested = isinstance(thing, sets.Image) and entry and (entry.passed or entry.failures)
+        return Platform(
+            platform=member.platform,
+            digest=member.digest,
+            inputs=entry.inputs if entry else "",
+            ros_sync=member.labels.get(_SYNC, "") or (entry.upstream if entry else ""),
+            size=Size(compressed=total, unpacked=(entry.unpacked if entry else 0) or None),
+            parts=self._sizes(member),
+            layers=positions,
+            versions=versions or promised,
+            found_inside=bool(versions),
+            tests=Tests(passed=entry.passed, failures=entry.failures) if entry and tested else None,
+            scan=scan_of(entry) if entry and entry.scanned else None,
+        )
+
+    def _sizes(self, member: _Member) -> dict[str, Size]:
+        """The sizes of its parts."""
+        return {
+            part: Size(
+                compressed=sum(self.layers[position].compressed for position in positions),
+                unpacked=self._unpacked.get(positions),
+            )
+            for part, positions in self._grouped(member).items()
+        }
+
+
+class _Scanned(BaseModel):
+    """What an entry of the records says of a scan."""
+
+    model_config = ConfigDict(strict=True)
+
+    updated: str = ""
+    packages: int = 0
+    findings: dict[str, int] = {}
+    failing: list[str] = []
+
+
+def scan_of(entry: Entry) -> Scan | None:
+    """What is known of an image's vulnerabilities; None where it was not scanned, or the entry is damaged."""
+    try:
+        found = _Scanned.model_validate(dict(entry.scan))
+        return Scan(
+            outcome=entry.scanned,
+            database=found.updated,
+            packages=found.packages,
+            findings=found.findings,
+            failing=tuple(found.failing),
+        )
+    except ValidationError:
+        return None
+
+
+def _sharing(images: Iterable[Image], layers: Sequence[Layer]) -> Sharing:
+    """What sharing saves among present builds."""
+    platforms = [platform for image in images if image.status == "built" for platform in image.builds[0].platforms]
+    used = [position for platform in platforms for position in dict.fromkeys(platform.layers)]
+    return Sharing(
+        images=len(platforms),
+        apart=sum(layers[position].compressed for position in used),
+        stored=sum(layers[position].compressed for position in set(used)),
+    )
+
+
+def _parts(image_set: sets.ImageSet, image: sets.Image) -> list[str]:
+    """Whose layers an image has: ROS images from the lowest up, then parts."""
+    chain: list[str] = []
+    link = image_set.by_target.get(image.parent) if image.stack else image
+    while link:
+        chain.append(link.target)
+        link = image_set.by_target.get(link.parent)
+    return [*reversed(chain), *image.parts]
+
+
+def _height(image_set: sets.ImageSet) -> Callable[[sets.Image], int]:
+    return lambda image: len(_parts(image_set, image))
+
+
+def _by_base(tags: Iterable[str]) -> dict[str, list[str]]:
+    """The tags of a repository by what they are without a day."""
+    found: dict[str, list[str]] = {}
+    for tag in tags:
+        found.setdefault(DATED.sub("", tag), []).append(tag)
+    return found
+
+
+def _tags_there(thing: Thing, there: Mapping[str, list[str]]) -> list[str]:
+    """Those tags of a repository that are an image's: the matrix's, and dated ones of the main tag."""
+    main, *others = tags_of(thing)
+    return [*there.get(main, ()), *(tag for tag in others if tag in there.get(tag, ()))]
+
+
+_ORDER = {"main": 0, "versions": 1, "floating": 2, "dated": 3}
+
+
+def _kind(thing: Thing, tag: str) -> Any:
+    """What a tag is for."""
+    main = tags_of(thing)[0]
+    if tag == main:
+        return "main"
+    if DATED.sub("", tag) == main:
+        return "dated"
+    return "versions" if tag.startswith(f"{main}-") else "floating"
+
+
+def _spelled(run: str) -> str:
+    """A run's date from the name of its record: `20261122T030000Z` is 2026-11-22T03:00:00Z."""
+    found = re.fullmatch(r"(\d{4})(\d\d)(\d\d)T(\d\d)(\d\d)(\d\d)Z", run)
+    return f"{found[1]}-{found[2]}-{found[3]}T{found[4]}:{found[5]}:{found[6]}Z" if found else run
+
+
+def _platform(place: documents.Platform | None) -> str:
+    """Under BuildKit's name: `linux/arm64`."""
+    platform = "/".join(filter(None, (place.os, place.architecture, place.variant))) if place else ""
+    return platform.removesuffix("/v8") if platform.startswith("linux/arm64") else platform
+
+
+def _each(keys: Iterable[Key], work: Callable[[Key], Value], title: str) -> dict[Key, Value]:
+    """Asks for several things at a time; a terminal shows how many of them have answered."""
+    wanted = list(keys)
+    with ThreadPoolExecutor(READERS) as pool:
+        return dict(zip(wanted, progress_bar.over(pool.map(work, wanted), title, len(wanted)), strict=True))

@@ -1,0 +1,105 @@
+"""The tables of images in README.md, rendered from the catalogue between two markers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed
+from rosml.images.image_set import missing
+from rosml.images.image_set.model import Image, ImageSet
+from rosml.images.matrix import rules
+
+BEGIN = "<!-- images: written by scripts/generate_bake.py -->"
+END = "<!-- /images -->"
+
+
+def render(readme: str, image_set: ImageSet) -> str:
+    """The README with the tables of this catalogue.
+
+    Raises:
+        RosmlError: the markers are missing.
+    """
+    head, begin, rest = readme.partition(BEGIN)
+    _, end, tail = rest.partition(END)
+    if not begin or not end:
+        raise RosmlError(
+            f"README.md: the markers {BEGIN} and {END} are missing", "put them back where the table belongs"
+        )
+    return f"{head}{BEGIN}\n{tables(image_set)}{END}{tail}"
+
+
+def tables(image_set: ImageSet) -> str:
+    """Images without a lock; distributions with their components; then what images carry, and on which distributions."""
+    head = ["distribution", "ROS", "system, Python", "components", "end of life", "images"]
+    lines = [*_unlocked(image_set), f"| {' | '.join(head)} |", "| --- " * len(head) + "|"]
+    lines += [*_distributions(image_set)]
+    head = ["image", "content", "distributions", "platforms"]
+    lines += ["", f"| {' | '.join(head)} |", "| --- " * len(head) + "|", *_contents(image_set)]
+    return "\n".join(lines) + "\n"
+
+
+def _unlocked(image_set: ImageSet) -> Iterator[str]:
+    """Which images cannot be built from the locks that are there, and what makes those; nothing where all can be."""
+    rows: dict[str, dict[str, None]] = {}
+    lacking = [image for image in image_set.images if not image.locked]
+    for image in lacking:
+        rows.setdefault(f"{image.repository}:<d>-<c>-{image.stack}", {})[image.distribution] = None
+    if lacking:
+        remedies = listed(list(dict.fromkeys(missing.remedy(image) for image in lacking))).replace(
+            "'rosml locks'", "`rosml locks`"
+        )
+        yield from ("", f"These have no lock yet, and cannot be built before you {remedies}:", "")
+        yield from (f"- `{tag}`: {listed(list(distributions))}" for tag, distributions in rows.items())
+        yield ""
+
+
+def _distributions(image_set: ImageSet) -> Iterator[str]:
+    matrix = image_set.matrix
+    for name, distribution in matrix.distributions.items():
+        python = matrix.operating_systems[distribution.os].python
+        eol = f"{distribution.eol}{' (LTS)' if distribution.lts else ''}" if distribution.eol else "rolling"
+        components = ", ".join(distribution.components)
+        only = ", ".join(distribution.architectures)
+        notes = [*(["experimental"] if distribution.experimental else []), *([f"{only} only"] if only else [])]
+        note = f" ({', '.join(notes)})" if notes else ""
+        facts = [f"`{name}`{note}", str(distribution.ros), f"{distribution.os}, {python}", components, eol]
+        number = sum(image.distribution == name for image in image_set.images)
+        yield f"| {' | '.join([*facts, str(number)])} |"
+
+
+def _contents(image_set: ImageSet) -> Iterator[str]:
+    rows: dict[tuple[str, str | None], list[Image]] = {}
+    for image in image_set.images:
+        rows.setdefault((image.framework, image.stack), []).append(image)
+    for images in rows.values():
+        first = images[0]
+        tag = "-".join(filter(None, ["<distribution>-<component>", first.stack]))
+        locked = dict.fromkeys(image.distribution for image in images if image.locked)
+        others = dict.fromkeys(image.distribution for image in images if not image.locked)
+        where = ", ".join(locked) if len(locked) < len(image_set.matrix.distributions) else "all"
+        if others:
+            where = (
+                f"{where}; without a lock yet: {', '.join(others)}"
+                if locked
+                else f"without a lock yet: {', '.join(others)}"
+            )
+        platforms = ", ".join(dict.fromkeys(platform for image in images for platform in image.platforms))
+        facts = [f"`{first.repository}:{tag}`", _content(image_set, first), where, platforms]
+        yield f"| {' | '.join(facts)} |"
+
+
+def _content(image_set: ImageSet, image: Image) -> str:
+    versions = listed([f"{name} {version}" for name, version in image.versions.items() if name != "nccl"])
+    titles = [item.title for item in image.brought if item.title]
+    released = [item.title for item in image.brought if item.title and item.released]
+    return ", ".join(["ROS", *(released or titles)]) + _abi(image_set, image) + (f": {versions}" if versions else "")
+
+
+def _abi(image_set: ImageSet, image: Image) -> str:
+    """Says which images' C++ libraries cannot be linked together with ROS's."""
+    matrix = image_set.matrix
+    for family in rules.families(matrix, matrix.frameworks[image.framework]):
+        if not matrix.releases[family][image.versions[family]].cxx11_abi:
+            return " (old C++ ABI on amd64: not in one program with ROS's libraries)"
+    return ""

@@ -1,0 +1,264 @@
+"""The facts of a matrix -> every image and part that they allow."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rosml.images.image_set import labels
+from rosml.images.image_set.model import Image, ImageSet, Part, Wheels
+from rosml.images.matrix import names, rules
+from rosml.images.matrix.model import ANY_PYTHON, Distribution, Framework, Matrix, Size
+from rosml.images.matrix.rules import Brought
+
+
+def expand(matrix: Matrix) -> ImageSet:
+    """Every image and part of a matrix whose references hold."""
+    images = tuple(_images(matrix))
+    return ImageSet(matrix, images, tuple(_parts(matrix, images)), tuple(_wheels(matrix)))
+
+
+@dataclass(frozen=True)
+class _Kind:
+    """What images of one distribution with one framework and stack have in common.
+
+    `covering`: the frameworks whose images have all their parts and more, those with the most first. `short`: whether they have
+    the short tags.
+    """
+
+    framework: str
+    facts: Framework
+    stack: str | None
+    architectures: tuple[str, ...]
+    parts: tuple[Part, ...]
+    versions: dict[str, str]
+    brought: tuple[Brought, ...] = ()
+    covering: tuple[str, ...] = ()
+    short: bool = True
+
+
+def _images(matrix: Matrix) -> Iterator[Image]:
+    latest = _latest(matrix)
+    for name, distribution in matrix.distributions.items():
+        for framework, facts in matrix.frameworks.items():
+            for stack in matrix.stacks if facts.parts else (None,):
+                if rules.stack_reason(matrix, name, framework, stack) is None:
+                    kind = _kind(matrix, name, distribution, framework, stack)
+                    for component in matrix.components:
+                        if component in distribution.present:
+                            yield _image(matrix, name, distribution, component, kind, name == latest)
+
+
+def _kind(matrix: Matrix, name: str, distribution: Distribution, framework: str, stack: str | None) -> _Kind:
+    facts = matrix.frameworks[framework]
+    architectures = rules.architectures(matrix, name, framework, stack)
+    python = matrix.operating_systems[distribution.os].python
+    if stack is None:
+        return _Kind(framework, facts, None, architectures, (), {})
+    kinds = rules.parts(matrix, facts, matrix.stacks[stack])
+    parts = tuple(_part(matrix, kind, stack, python, architectures) for kind in kinds)
+    more = {
+        other: rules.parts(matrix, entry, matrix.stacks[stack])
+        for other, entry in matrix.frameworks.items()
+        if rules.stack_reason(matrix, name, other, stack) is None
+        and set(architectures) <= set(rules.architectures(matrix, name, other, stack))
+    }
+    covering = sorted((other for other in more if set(kinds) < set(more[other])), key=lambda other: -len(more[other]))
+    known = rules.versions(matrix, matrix.stacks[stack])
+    versions = {name: known[name] for name in rules.counted(matrix, facts) if name in known}
+    brought = rules.brought(matrix, kinds, matrix.stacks[stack])
+    short = stack == rules.default_stack(matrix, name, framework)
+    return _Kind(framework, facts, stack, architectures, parts, versions, brought, tuple(covering), short)
+
+
+def _image(matrix: Matrix, name: str, distribution: Distribution, component: str, kind: _Kind, latest: bool) -> Image:
+    chain = _chain(matrix, distribution, component)
+    ros_image = names.image_target(name, component)
+    runtime = rules.only_runs(matrix, component)
+    below = names.image_target(name, chain[-2]) if len(chain) > 1 else names.os_target(distribution.os, runtime)
+    target = names.image_target(name, component, kind.framework, kind.stack)
+    groups = [name, component, kind.framework, *([kind.stack] if kind.stack else []), "all"]
+    tests = _tests(matrix, name, component, kind)
+    carries = tests.carriers[:1] == (target,)
+    wheels = _wheels_of(matrix, name, kind.architectures)
+    return Image(
+        target=target,
+        distribution=name,
+        component=component,
+        framework=kind.framework,
+        stack=kind.stack,
+        os=distribution.os,
+        python=matrix.operating_systems[distribution.os].python,
+        ros=distribution.ros,
+        ros_distro=distribution.ros_distro or name,
+        architectures=kind.architectures,
+        platforms=tuple(matrix.architectures[architecture].platform for architecture in kind.architectures),
+        versions=kind.versions,
+        brought=kind.brought,
+        gpu=rules.gpu(matrix, kind.stack, [part.kind for part in kind.parts]),
+        repository=kind.facts.repository,
+        tags=_tags(name, distribution.aliases, component, kind, latest),
+        groups=(*groups, "default") if target in matrix.default.group else tuple(groups),
+        parent=ros_image if kind.stack else below,
+        packages="" if kind.stack else _packages(matrix, name, distribution, component),
+        wheels=() if kind.stack else distribution.wheels,
+        parts=tuple(part.name for part in kind.parts),
+        tests=(*tests.own, *(tests.carried if carries else ())),
+        shared=(*tests.below, *(() if carries else tests.carried)),
+        carried=tests.carried,
+        carriers=tests.carriers,
+        locks=(
+            *(lock for item in wheels for lock in item.locks),
+            *(lock for item in kind.parts for lock in item.locks),
+        ),
+        disk=Size.total(
+            rules.system_size(matrix, component),
+            *(matrix.disk.components[link] for link in chain),
+            *(part.disk for part in kind.parts),
+        ),
+        budget=matrix.disk.budgets.get(kind.stack or "", {}).get(kind.framework),
+    )
+
+
+@dataclass(frozen=True)
+class _Tests:
+    """What an image is tested with.
+
+    What ROS, and parts, promise is the same in every image that has them, and is tried once: of ROS in the ROS image, of parts
+    once in each row, with its lowest component and all frameworks of a stack. An image that is asked for alone runs all of it.
+
+    Attributes:
+        own: what depends on its own sum. below: what the ROS image below it was tested with.
+        carried: what one image of a row runs for the others. carriers: the images that may be this one, the best first.
+    """
+
+    own: tuple[str, ...]
+    below: tuple[str, ...]
+    carried: tuple[str, ...]
+    carriers: tuple[str, ...]
+
+
+def _tests(matrix: Matrix, name: str, component: str, kind: _Kind) -> _Tests:
+    distribution = matrix.distributions[name]
+    ros, runtime = f"ros{distribution.ros}", rules.only_runs(matrix, component)
+    entries = [matrix.part[part.kind] for part in kind.parts]
+    own = ["contract", "runtime" if runtime else "tools"]
+    own += [f"{ros}-wheels"] if distribution.wheels else [ros, f"{ros}-beside"]
+    own += [entry.name for entry in entries if entry.tested]
+    first = (link for link in matrix.components if link in distribution.present and not rules.only_runs(matrix, link))
+    lowest = next((link for link in first if len(_chain(matrix, distribution, link)) == 1), component)
+    frameworks = (*kind.covering, kind.framework) if kind.stack or not runtime else ()
+    carriers = tuple(names.image_target(name, lowest, framework, kind.stack) for framework in frameworks)
+    if runtime:  # the others need a compiler
+        return _Tests(tuple(own), (), (), carriers)
+    carried = [f"{entry.name}-build" for entry in entries if entry.compiled]
+    if distribution.wheels:
+        return _Tests(tuple(own), (), (*carried, "pip"), carriers)
+    chain = [f"{ros}-{link}" for link in _chain(matrix, distribution, component)]
+    of_ros = [*chain, f"{ros}-components"]
+    below = of_ros if kind.stack else of_ros[:-2]
+    return _Tests((*own, *of_ros[len(below) :]), tuple(below), (*carried, f"{ros}-workspace", "pip"), carriers)
+
+
+def _chain(matrix: Matrix, distribution: Distribution, component: str) -> tuple[str, ...]:
+    """The components that one is built on, lowest first, itself last; those that the distribution lacks are skipped."""
+    return tuple(link for link in rules.chain(matrix, component) if link in distribution.present)
+
+
+def _packages(matrix: Matrix, name: str, distribution: Distribution, component: str) -> str:
+    component = matrix.components[component].runtime_of or component
+    metapackage = matrix.components[component].metapackage or component
+    ros_distro = distribution.ros_distro or name
+    return (distribution.packages or "").format(component=component, metapackage=metapackage, ros_distro=ros_distro)
+
+
+def _tags(name: str, aliases: tuple[str, ...], component: str, kind: _Kind, latest: bool) -> tuple[str, ...]:
+    tags: list[str] = []
+    for called in (name, *aliases):
+        main = names.main_tag(called, component, kind.stack)
+        tags += dict.fromkeys((main, names.spelled_tag(main, labels.spelled(kind.brought))))
+    if component == FLOATING and kind.short:
+        tags += [name, *aliases, *(["latest"] if latest else [])]
+    return tuple(f"{kind.facts.repository}:{tag}" for tag in tags)
+
+
+FLOATING = "base"
+"""The component of the short tags: `ros:jazzy` is `ros:jazzy-base`."""
+
+
+def _latest(matrix: Matrix) -> str | None:
+    """The newest long-term distribution, the one that lives longest, of those that have the component of the short tags and
+    every framework. None that is experimental."""
+    rows = matrix.distributions.items()
+    lasting = [(row.eol, name, row) for name, row in rows if row.lts and row.eol and not row.experimental]
+    whole = [
+        (eol, name) for eol, name, row in lasting if FLOATING in row.present and _has_every_framework(matrix, name)
+    ]
+    return max(whole)[1] if whole else None
+
+
+def _has_every_framework(matrix: Matrix, name: str) -> bool:
+    return all(
+        any(rules.stack_reason(matrix, name, framework, stack) is None for stack in matrix.stacks)
+        for framework, facts in matrix.frameworks.items()
+        if facts.parts
+    )
+
+
+def _wheels(matrix: Matrix) -> Iterator[Wheels]:
+    """Of each distribution without Debian packages."""
+    for name in matrix.distributions:
+        yield from _wheels_of(matrix, name, rules.built_for(matrix, name))
+
+
+def _wheels_of(matrix: Matrix, name: str, architectures: tuple[str, ...]) -> tuple[Wheels, ...]:
+    """The wheels that ROS comes from on some architectures; none where it comes from Debian packages."""
+    distribution = matrix.distributions[name]
+    python = matrix.operating_systems[distribution.os].python
+    locks = tuple(names.lock_path(name, architecture, python, names.ROS) for architecture in architectures)
+    found = Wheels(name, distribution.os, python, distribution.wheels, architectures, locks)
+    return (found,) if distribution.wheels else ()
+
+
+def _part(matrix: Matrix, kind: str, stack: str, python: str, architectures: tuple[str, ...]) -> Part:
+    any_python = matrix.part[kind].any_python
+    pythons = _pythons(matrix, kind, stack) if any_python else (python,)
+    fitting = sorted(name for name, system in matrix.operating_systems.items() if system.python in pythons)
+    assembler = matrix.default.assembler
+    os = assembler if assembler in fitting or not fitting else fitting[0]
+    if any_python:
+        python = ANY_PYTHON
+    return Part(
+        name=names.part_name(kind, stack, python),
+        kind=kind,
+        stack=stack,
+        python=python,
+        os=os,
+        architectures=architectures,
+        platforms=tuple(matrix.architectures[architecture].platform for architecture in architectures),
+        locks=tuple(names.lock_path(stack, architecture, python, kind) for architecture in architectures),
+        disk=matrix.disk.parts[stack][kind],
+    )
+
+
+def _pythons(matrix: Matrix, part: str, stack: str) -> tuple[str, ...]:
+    """The Pythons of the wheels that a part for any Python is taken from; none where the wheels say the same themselves."""
+    family = matrix.part[part].release
+    return matrix.releases[family][matrix.stacks[stack].releases[family]].python if family else ()
+
+
+def _parts(matrix: Matrix, images: tuple[Image, ...]) -> Iterator[Part]:
+    """Each part that an image needs, once, for all architectures that any image needs it for."""
+    needed: dict[tuple[str, str], dict[str, set[str]]] = {}
+    for image in images:
+        if image.stack:
+            parts = needed.setdefault((image.stack, image.python), {})
+            for part in rules.parts(matrix, matrix.frameworks[image.framework], matrix.stacks[image.stack]):
+                parts.setdefault(part, set()).update(image.architectures)
+    merged: dict[tuple[str, str, str], set[str]] = {}
+    for (stack, python), parts in needed.items():
+        for part, wanted in parts.items():
+            key = part, stack, ANY_PYTHON if matrix.part[part].any_python else python
+            merged.setdefault(key, set()).update(wanted)
+    for key, wanted in merged.items():
+        yield _part(matrix, *key, tuple(name for name in matrix.architectures if name in wanted))

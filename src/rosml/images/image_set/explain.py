@@ -1,0 +1,216 @@
+"""Why an image exists, or why it does not."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import product
+from typing import Any
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import counted, listed, unknown
+from rosml.images.image_set import apt_source, missing
+from rosml.images.image_set.expand import FLOATING
+from rosml.images.image_set.model import Image, ImageSet
+from rosml.images.matrix import names, rules
+from rosml.images.matrix.model import Matrix
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What a name asks for. `stack` is None where the name has none."""
+
+    distribution: str
+    component: str
+    framework: str
+    stack: str | None
+
+
+@dataclass(frozen=True)
+class Explained:
+    """What there is to say of a name.
+
+    Attributes:
+        target: the image, part or group that the name means; the name itself where there is none.
+        exists: whether there is one, with its lock or without.
+        reasons: the facts behind it; or one sentence, about why the facts rule it out or what it is.
+        head: what stands before several reasons.
+    """
+
+    target: str
+    exists: bool
+    reasons: tuple[str, ...]
+    head: str = ""
+
+    @property
+    def text(self) -> str:
+        """For people."""
+        return "\n".join([self.head, *(f"  - {reason}" for reason in self.reasons)]) if self.head else self.reasons[0]
+
+    def to_json(self) -> dict[str, Any]:
+        """For `--json`."""
+        return {"target": self.target, "exists": self.exists, "reasons": list(self.reasons)}
+
+
+def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.environ) -> Explained:
+    """Why there is an image, part or group of a name, or why not.
+
+    Args:
+        image_set: what there is.
+        name: of the image, part or group.
+        environ: `ROS_CHANNEL` and `ROS_SNAPSHOT` name another apt repository of ROS for this time.
+
+    Raises:
+        RosmlError: the name is not understood at all (exit code 2); names near ones. Or there is no such repository.
+    """
+    if not name:
+        raise RosmlError("no image is named", remedy="name one: rosml explain jazzy-robot", exit_code=2)
+    tagged = image_set.by_tag(name)
+    if image := tagged or image_set.by_target.get(name.removesuffix("-test"), image_set.by_target.get(name)):
+        head = f"{image.target} {'exists' if image.locked else 'exists, but cannot be built yet'}:"
+        return Explained(image.target, True, tuple(_facts(image_set.matrix, image, environ)), head)
+    if part := image_set.part_by_name.get(name.removeprefix("part-")):
+        users = sum(part.name in image.parts for image in image_set.images)
+        text = f"{part.name}: {part.kind} of stack {part.stack}, assembled from {listed(part.locks)}, in {counted(users, 'image')}"
+        return Explained(part.name, True, (text,))
+    if name in image_set.groups:
+        listed_by = "rosml list" if name in ("parts", "tests") else f"rosml list {name}"
+        text = f"{name}: a group of {counted(len(image_set.groups[name]), 'target')}; see them with: {listed_by}"
+        return Explained(name, True, (text,))
+    if members := [image for image in image_set.images if name in image.groups]:
+        text = f"{name}: a group of no targets: none of its images has a lock; {missing.remedy(members[0])}"
+        return Explained(name, True, (text,))
+    if reason := why_not(image_set, name):
+        return Explained(name, False, (reason,))
+    raise RosmlError(unknown("image", name, _alike(image_set, name)), remedy="see all with: rosml list", exit_code=2)
+
+
+def _alike(image_set: ImageSet, name: str) -> list[str]:
+    """Among what near names are sought: for a tag, those of its repository."""
+    repository = name.rpartition("/")[2].partition(":")[0] if ":" in name else ""
+    tags = [tag for image in image_set.images for tag in image.tags if image.repository == repository]
+    return tags or [*image_set.by_target, *image_set.groups]
+
+
+def why_not(image_set: ImageSet, name: str) -> str | None:
+    """One sentence about why a combination does not exist; None where it exists or the name is not understood."""
+    if name in image_set.by_target:
+        return None
+    for row, facts in image_set.matrix.distributions.items():
+        if name in facts.aliases:
+            return f"{name} is called {row}."
+    for wanted in _readings(image_set.matrix, name):
+        if sentence := _reason(image_set, name, wanted):
+            return sentence
+    return None
+
+
+def image(image_set: ImageSet, name: str) -> Image:
+    """The image of a target, or of one of its tags, with or without the registry: `ros-torch:jazzy-base-cu128`.
+
+    Raises:
+        RosmlError: there is none (exit code 2); says why the facts rule it out, or names near ones.
+    """
+    if name not in image_set.by_target and not image_set.by_tag(name) and (reason := why_not(image_set, name)):
+        raise RosmlError(reason, remedy="see all with: rosml list", exit_code=2)
+    return image_set.image(name)
+
+
+def _reason(image_set: ImageSet, name: str, wanted: Wanted) -> str | None:
+    matrix = image_set.matrix
+    if reason := rules.component_reason(matrix, wanted.distribution, wanted.component):
+        return f"{name} does not exist: {reason}."
+    row, facts = wanted.distribution, matrix.frameworks[wanted.framework]
+    if wanted.stack or not facts.parts:
+        if reason := rules.stack_reason(matrix, row, wanted.framework, wanted.stack):
+            return f"{name} does not exist: {reason}."
+        target = names.image_target(wanted.distribution, wanted.component, wanted.framework, wanted.stack)
+        if ":" in name and target in image_set.by_target:
+            stack = rules.default_stack(matrix, row, wanted.framework)
+            why = (
+                f"short ones are for stack {stack} alone" if stack else "the row's default stack has no such framework"
+            )
+            return f"there is no tag {name}: {why}; take {image_set.by_target[target].tags[0]}."
+        return f"{name} is called {target}."
+    reasons = {stack: rules.stack_reason(matrix, row, wanted.framework, stack) for stack in matrix.stacks}
+    image = wanted.distribution, wanted.component, wanted.framework
+    if there := [names.image_target(*image, stack) for stack, reason in reasons.items() if reason is None]:
+        return f"{name} names no stack; there is {listed(there)}."
+    why = "; ".join(dict.fromkeys(reason for reason in reasons.values() if reason)) or "there is no stack"
+    return f"{name} does not exist on any stack: {why}."
+
+
+def _readings(matrix: Matrix, name: str) -> Iterator[Wanted]:
+    """Every way to read a name as `<distribution>-<component>[-<framework>[-<stack>]]`, or as a tag,
+    `<repository>:<distribution>-<component>[-<stack>]`. Without a component it is that of the short tags: `jazzy-torch`
+    is read as `jazzy-base-torch`."""
+    name = name.rpartition("/")[2]
+    components = {component: f"-{component}" for component in matrix.components}
+    short = {FLOATING: ""} if FLOATING in components else {}
+    called = [(row, name) for name, facts in matrix.distributions.items() for row in (name, *facts.aliases)]
+    starts = [*product(called, components.items()), *product(called, short.items())]
+    for (row, distribution), (component, word) in starts:
+        start = f"{row}{word}"
+        if name == start and word:
+            yield Wanted(distribution, component, rules.plain(matrix), None)
+        for framework, stack in product(matrix.frameworks, (None, *matrix.stacks)):
+            end = f"-{stack}" if stack else ""
+            if name in (f"{start}-{framework}{end}", f"{matrix.frameworks[framework].repository}:{start}{end}"):
+                yield Wanted(distribution, component, framework, stack)
+
+
+def _where_from(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator[str]:
+    """ROS's apt repository, as matrix.yaml names it, or another one for this time."""
+    this_time = bool(environ.get("ROS_CHANNEL") or environ.get("ROS_SNAPSHOT"))
+    found = apt_source.source(matrix, image.distribution, environ)
+    if found and (this_time or not image.stack):
+        kinds = {
+            "live": "ROS's live apt repository",
+            "testing": "ROS's testing repository, before they are released",
+            "final": "ROS's apt snapshot: final, which gets no updates",
+            apt_source.ARCHIVE: f"the suite {found.codename} of an apt archive",
+        }
+        kind = kinds.get(found.channel, f"ROS's apt snapshot: of {found.day}")
+        yield f"{'this time, ' * this_time}packages come from {kind}, {found.address}"
+
+
+def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator[str]:
+    system, distribution = matrix.operating_systems[image.os], matrix.distributions[image.distribution]
+    yield f"{image.distribution} (ROS {image.ros}) has the component {image.component} and stands on {image.os}"
+    yield f"{image.os} has Python {image.python} and numpy{system.numpy}, and is built for {listed(system.architectures)}"
+    if distribution.experimental:
+        page = (
+            "docs/limits.md says what it has, and " if distribution.wheels else ""
+        )  # the page is about ROS 2 from wheels
+        yield f"{image.distribution} is experimental: {page}it never gets the tag latest"
+    stands_on = (
+        image.os if image.parent.startswith("_") else image.parent
+    )  # a stage of the Dockerfile, which has no image
+    if image.stack:
+        stack = matrix.stacks[image.stack]
+        for family in rules.families(matrix, matrix.frameworks[image.framework]):
+            version = stack.releases[family]
+            release = matrix.releases[family][version]
+            wheels = listed(release.architectures(image.stack))
+            yield f"{family} {version} has a wheel for Python {image.python}, and {image.stack} wheels for {wheels}"
+            if company := rules.company(matrix, image.stack, [family]):
+                yield f"with it {'go' if len(company) > 1 else 'goes'} {listed([' '.join(item) for item in company.items()])}"
+        yield f"stack {image.stack} carries {listed([f'{name} {version}' for name, version in image.versions.items()])}"
+        yield f"it is {image.parent} joined with {listed(image.parts)}"
+    elif image.wheels:
+        yield f"it is {stands_on} with ROS from wheels: {listed(image.wheels)}, and what they need, by {listed(image.locks)}"
+    else:
+        yield f"it is {stands_on} with {image.packages} installed"
+    yield from _where_from(matrix, image, environ)
+    yield f"platforms: {listed(image.platforms)}"
+    for architecture in matrix.architectures:
+        reason = rules.architecture_reason(matrix, image.distribution, image.framework, image.stack, architecture)
+        if architecture not in image.architectures and reason:
+            yield f"not for {architecture}: {reason}"
+    yield f"tags: {listed(image.tags)}"
+    yield f"a publishing run tests it with {listed(image.tests)}"
+    if image.shared:
+        yield f"what it shares with others is tested in {listed(image.proven_by)}: {listed(image.shared)}"
+    if not image.locked:
+        yield f"{missing.reason(image)}; {missing.remedy(image)}"

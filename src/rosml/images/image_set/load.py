@@ -1,0 +1,61 @@
+"""Reads a matrix and gives its image set, checked, with the locks that are there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from rosml import ROOT
+from rosml.base.problems import InputError
+from rosml.base.problems import Path as Place
+from rosml.images.image_set.collisions import collisions
+from rosml.images.image_set.expand import expand
+from rosml.images.image_set.locked import current_locks, unusable_locks, with_locks
+from rosml.images.image_set.model import ImageSet
+from rosml.images.matrix.model import Matrix
+from rosml.images.matrix.source import Document, read
+from rosml.images.matrix.validate import validate
+
+KEYS = "components/archive-keys"
+BEGIN = "-----BEGIN PGP PUBLIC KEY BLOCK-----"
+
+
+def load(file: Path, root: Path = ROOT) -> ImageSet:
+    """Reads, validates and expands a matrix, and looks which locks are there.
+
+    Args:
+        file: the matrix.
+        root: the project's root, where the locks are, and the keys of archives.
+
+    Raises:
+        RosmlError: the file cannot be read (exit code 2).
+        InputError: it has problems: all that can be seen at once, each with its place (exit code 2).
+    """
+    document = read(file)
+    result = image_set(document)
+    if found := [document.problem(path, text) for path, text in lacking_keys(result.matrix, root)]:
+        raise InputError(document.name, found)
+    present = current_locks(result, root)
+    return with_locks(result, present, unusable_locks(result, root, present))
+
+
+def lacking_keys(matrix: Matrix, root: Path) -> Iterator[tuple[Place, str]]:
+    """Rows whose ROS comes from an archive without the key that signs it."""
+    for name, distribution in matrix.distributions.items():
+        if archive := distribution.archive:
+            file = root / KEYS / archive.key
+            try:
+                there = BEGIN in file.read_text(errors="replace")
+            except OSError:
+                there = False
+            if not there:
+                text = f"{KEYS}/{archive.key} is no armored public key; put it there: gpg --armor --export KEY"
+                yield ("distributions", name, "archive", "key"), text
+
+
+def image_set(document: Document) -> ImageSet:
+    """The image set of a parsed matrix; raises as `load` does."""
+    result = expand(validate(document))
+    if found := [document.problem(path, text) for path, text in collisions(result)]:
+        raise InputError(document.name, found)
+    return result

@@ -1,0 +1,88 @@
+"""The text of a lock: what it pins, and whether it is the one that a part needs now."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from fnmatch import fnmatchcase
+
+from rosml.images.image_set.model import Part, Wheels
+from rosml.images.matrix import names
+from rosml.images.matrix.model import Matrix, Release
+
+_PIN = re.compile(r"^([A-Za-z0-9._-]+)==([^\s;\\]+)", re.MULTILINE)
+_WHOLE = re.compile(
+    r"(?:#[^\n]*\n)+"
+    r"(?:[A-Za-z0-9][A-Za-z0-9._-]*==[A-Za-z0-9.+!_-]+(?: \\\n    --hash=sha256:[0-9a-f]{64})+\n)+"
+)
+"""A whole lock as `locks/resolve.py` writes it: comments, and versions each with hashes. Anything else was cut or edited."""
+
+
+NVIDIA_PACKAGES = {"cuda": "cuda-runtime", "cudnn": "cudnn", "nccl": "nccl"}
+"""A stack's facts of CUDA, and the packages, without `nvidia-` and a generation, whose versions they are."""
+
+
+def versions(text: str) -> dict[str, str]:
+    """What a lock pins: packages and their versions."""
+    return dict(_PIN.findall(text))
+
+
+def package_name(requirement: str) -> str:
+    """``tensorflow_cpu[x]==2.20.0`` -> ``tensorflow-cpu``, as uv spells it."""
+    return re.sub(r"[-_.]+", "-", re.split(r"[\[=<>!~;\s]", requirement, maxsplit=1)[0]).lower()
+
+
+def cuda_packages(cuda: str) -> Iterator[tuple[str, str]]:
+    """Facts of a stack, and the packages whose versions they are, for a version of CUDA: up to CUDA 12 names of NVIDIA's
+    packages end in its generation, later only some do."""
+    for fact, package in NVIDIA_PACKAGES.items():
+        yield fact, f"nvidia-{package}"
+        yield fact, f"nvidia-{package}-cu{cuda.split('.')[0]}"
+
+
+def current(text: str, part: Part, matrix: Matrix, architecture: str) -> bool:
+    """Whether a text is the part's lock: its head says so, it is whole, and it pins what the stack's facts say."""
+    head = names.lock_head(part.stack, architecture, part.python, part.kind)
+    if not text.startswith(f"{head}\n") or not _WHOLE.fullmatch(text):
+        return False
+    pinned, stack, entry = versions(text), matrix.stacks[part.stack], matrix.part[part.kind]
+    if entry.release:
+        requirement = stack.requirement(entry.release, architecture) or ""
+        version = stack.releases[entry.release]
+        if pinned.get(package_name(requirement), "").partition("+")[0] != version:
+            return False
+        return entry.name != entry.release or _whole(
+            text, matrix.releases[entry.release][version], entry.name, part.stack
+        )
+    for requirement in entry.added(stack.cuda):
+        added = pinned.get(package_name(requirement))
+        if added is None or not fnmatchcase(added, requirement.partition("==")[2] or "*"):
+            return False
+    if entry.versions:
+        facts = {package: getattr(stack, fact) for fact, package in cuda_packages(stack.cuda or "")}
+        return all(pinned[package] == fact for package, fact in facts.items() if package in pinned and fact)
+    return True
+
+
+def _whole(text: str, release: Release, package: str, stack: str) -> bool:
+    """Whether the lock of a release's own part pins what goes with it, and says what is adapted."""
+    pinned = versions(text)
+    adapted = [line for line in text.splitlines() if line.startswith(names.adapted_line(package, ""))]
+    return adapted == adapted_lines(release, package) and all(
+        pinned.get(name) == version for name, version in release.company(stack).items()
+    )
+
+
+def adapted_lines(release: Release, package: str) -> list[str]:
+    """The lines of a lock that say what the metadata of a release's package asks for."""
+    return [names.adapted_line(package, f"{name}{bound}") for name, bound in sorted(release.adapted.items())]
+
+
+def current_wheels(text: str, wheels: Wheels, architecture: str) -> bool:
+    """Whether a text is the lock of the wheels that ROS comes from: its head says so, it is whole, and it pins what the
+    matrix names."""
+    head = names.wheels_head(wheels.distribution, architecture, wheels.python)
+    if not text.startswith(f"{head}\n") or not _WHOLE.fullmatch(text):
+        return False
+    pinned = versions(text)
+    return all(pinned.get(package_name(wanted)) == wanted.partition("==")[2] for wanted in wheels.requirements)

@@ -1,0 +1,93 @@
+"""Which locks are there and hold what the facts say now, and the image set without what lacks one."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Collection
+from dataclasses import replace
+from pathlib import Path
+
+from rosml.base.errors import RosmlError
+from rosml.base.files import shown
+from rosml.images.image_set import lock_file, missing
+from rosml.images.image_set.model import Image, ImageSet
+
+
+def current_locks(image_set: ImageSet, root: Path) -> frozenset[str]:
+    """The locks that can be used: they are there, whole, and hold what the facts say now."""
+    present = locks(root)
+    wheels = frozenset(
+        lock
+        for item in image_set.wheels
+        for architecture, lock in zip(item.architectures, item.locks, strict=True)
+        if lock in present and lock_file.current_wheels(_text(root / lock), item, architecture)
+    )
+    return wheels | frozenset(
+        lock
+        for part in image_set.parts
+        for architecture, lock in zip(part.architectures, part.locks, strict=True)
+        if lock in present and lock_file.current(_text(root / lock), part, image_set.matrix, architecture)
+    )
+
+
+def _text(file: Path) -> str:
+    """A lock's text.
+
+    Raises:
+        RosmlError: it is there and cannot be read: that is another matter than a lock that nobody made yet.
+    """
+    try:
+        return file.read_text(encoding="utf-8", errors="replace")
+    except OSError as error:
+        raise RosmlError(f"{shown(file)}: cannot be read: {error.strerror}", "give this user read access") from None
+
+
+def unusable_locks(image_set: ImageSet, root: Path, present: Collection[str]) -> frozenset[str]:
+    """The locks whose files exist and cannot be used."""
+    return frozenset(lock for lock in image_set.locks.difference(present) if os.path.lexists(root / lock))
+
+
+def with_locks(image_set: ImageSet, present: Collection[str], unusable: Collection[str] = ()) -> ImageSet:
+    """An image set that knows which of its images and parts lack a lock.
+
+    Args:
+        present: the locks that can be used. unusable: those that are there, and cannot.
+    """
+    absent = image_set.locks.difference(present)
+    lost = absent - missing.waiting(image_set.matrix, image_set.parts)
+
+    def without(image: Image) -> Image:
+        unlocked = tuple(lock for lock in image.locks if lock in absent)
+        damaged = tuple(lock for lock in unlocked if lock in unusable)
+        return replace(image, unlocked=unlocked, damaged=damaged, lost=tuple(lock for lock in unlocked if lock in lost))
+
+    images = tuple(without(image) if absent.intersection(image.locks) else image for image in image_set.images)
+    locked = {image.target for image in images if image.locked}
+
+    def carried(image: Image) -> Image:
+        """With the tests that it shares in an image that can be built; in itself, if it is the first of these."""
+        carriers = tuple(name for name in image.carriers if name in locked) or image.carriers
+        if carriers[:1] != (image.target,):
+            return replace(image, carriers=carriers)
+        shared = tuple(name for name in image.shared if name not in image.carried)
+        return replace(
+            image, carriers=carriers, tests=tuple(dict.fromkeys((*image.tests, *image.carried))), shared=shared
+        )
+
+    images = tuple(map(carried, images))
+    parts = tuple(
+        replace(part, unlocked=tuple(lock for lock in part.locks if lock in absent)) for part in image_set.parts
+    )
+    return replace(image_set, images=images, parts=parts)
+
+
+def locks(root: Path) -> frozenset[str]:
+    """The locks that are there, relative to the project's root.
+
+    Raises:
+        RosmlError: the folder cannot be read: that is another matter than locks that nobody made yet.
+    """
+    folder = root / "locks"
+    if folder.exists() and not os.access(folder, os.R_OK | os.X_OK):
+        raise RosmlError(f"{shown(folder)} cannot be read", "make it a folder that you can read")
+    return frozenset(str(file.relative_to(root)) for file in folder.rglob("*.txt") if file.is_file())

@@ -1,0 +1,136 @@
+"""The operating system of an image that somebody else made, and the row of the matrix that stands on it."""
+
+from __future__ import annotations
+
+import datetime
+import re
+from collections.abc import Collection
+from dataclasses import dataclass
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed, unknown
+from rosml.images.image_set.model import Image, ImageSet
+from rosml.images.matrix import rules
+from rosml.images.matrix.model import Distribution, Matrix
+
+DEBIAN, CALLED = "Debian", "noetic"
+"""What Debian's own ROS 1 calls itself, and the release that manifests mean: it has the packages of that one."""
+
+_LINE = re.compile(r"""(ID|VERSION_ID|VERSION_CODENAME|PRETTY_NAME)=(["']?)([^"'\\$`]*)\2""")
+"""What is read of os-release: https://www.freedesktop.org/software/systemd/man/latest/os-release.html"""
+
+
+@dataclass(frozen=True)
+class System:
+    """What an image says of its operating system.
+
+    Attributes:
+        id: such as `ubuntu`. version, codename: such as `24.04` and `noble`; empty if it has none.
+        title: for people, such as `Ubuntu 24.04.3 LTS`.
+        ros: ROS distributions below /opt/ros.
+        tools: programs that ROS cannot be installed without, and that it has: `apt-get`, `bash`.
+    """
+
+    id: str = ""
+    version: str = ""
+    codename: str = ""
+    title: str = ""
+    ros: tuple[str, ...] = ()
+    tools: frozenset[str] = frozenset()
+
+
+TOOLS = ("apt-get", "bash")
+"""Programs that ROS cannot be installed without."""
+
+
+def system(release: str, ros: Collection[str] = (), tools: Collection[str] = TOOLS) -> System:
+    """What the text of an image's os-release says. It is a stranger's word: control characters are left out."""
+    text = "".join(letter if letter.isprintable() else "\n" for letter in release[:65536])
+    facts = {found[1]: found[3].strip()[:80] for line in text.splitlines() if (found := _LINE.fullmatch(line.strip()))}
+    return System(
+        facts.get("ID", ""),
+        facts.get("VERSION_ID", ""),
+        facts.get("VERSION_CODENAME", ""),
+        facts.get("PRETTY_NAME", ""),
+        tuple(sorted(ros)),
+        frozenset(tools),
+    )
+
+
+def rows(matrix: Matrix, found: System) -> dict[str, Distribution]:
+    """The distributions that stand on a system, the one to take if nobody names one first: long-term releases before others,
+    what is supported longest before others, experimental ones last."""
+    names = {f"{found.id}:{found.version}", f"{found.id}:{found.codename}"}
+    systems = {name for name, facts in matrix.operating_systems.items() if _named(facts.image) in names}
+
+    def order(item: tuple[str, Distribution]) -> tuple[bool, bool, datetime.timedelta]:
+        facts = item[1]
+        return facts.experimental, not facts.lts, datetime.date.max - (facts.eol or datetime.date.max)
+
+    return dict(
+        sorted(((name, facts) for name, facts in matrix.distributions.items() if facts.os in systems), key=order)
+    )
+
+
+def _named(image: str) -> str:
+    """How the image of an operating system is called, without where it is: `ubuntu:24.04`."""
+    return image.rpartition("/")[2]
+
+
+def choose(
+    image_set: ImageSet, found: System, name: str, ros_distro: str, component: str, architectures: Collection[str]
+) -> Image:
+    """The ROS image whose ROS an image of somebody else gets.
+
+    Args:
+        found: the system of that image. name: what people call it.
+        ros_distro: the distribution that the user names; empty if they name none.
+        component: of ROS, such as `core`. architectures: that it is wanted for.
+
+    Raises:
+        RosmlError: nothing fits, with what does (exit code 2).
+    """
+    matrix = image_set.matrix
+    what = f"{name} is {found.title or found.id}" if found.id else f"{name} does not say which system it has"
+    if lacking := [tool for tool in TOOLS if tool not in found.tools]:
+        text = f"{name} has no {' and no '.join(lacking)}, so ROS cannot be installed on it"
+        raise RosmlError(text, "name a base image of Debian or Ubuntu with a package manager and a shell", exit_code=2)
+    there = rows(matrix, found)
+    if not there:
+        known = [_named(matrix.operating_systems[facts.os].image) for facts in matrix.distributions.values()]
+        text = f"{what}, and ROS is installed on {listed(sorted(set(known)))} alone"
+        raise RosmlError(text, "name another base image, or one that has ROS", exit_code=2)
+    fits = [row for row, facts in there.items() if not ros_distro or ros_distro in _called(row, facts)]
+    if not fits:
+        raise _unfit(matrix, what, there, ros_distro)
+    row = fits[0]
+    if component not in there[row].components or rules.only_runs(matrix, component):
+        full = [item for item in there[row].components if not rules.only_runs(matrix, item)]
+        raise RosmlError(unknown("component", component, full), f"{row} has {listed(full)}", exit_code=2)
+    image = next(
+        image
+        for image in image_set.images
+        if (image.distribution, image.component, image.stack) == (row, component, None)
+    )
+    if others := sorted(set(architectures).difference(image.architectures)):
+        text = f"{row} is for {listed(image.architectures)}, and not for {listed(others)}"
+        raise RosmlError(text, "name other platforms", exit_code=2)
+    return image
+
+
+def _called(row: str, facts: Distribution) -> set[str]:
+    """The names that a distribution answers to."""
+    own = facts.ros_distro or row
+    return {row, own, *facts.aliases, *([CALLED] if own == DEBIAN else [])}
+
+
+def _unfit(matrix: Matrix, what: str, there: dict[str, Distribution], wanted: str) -> RosmlError:
+    """The error for a distribution that does not stand on the system."""
+    every = {name: facts for name, facts in matrix.distributions.items() if wanted in _called(name, facts)}
+    has = listed([name for name, facts in there.items() if not facts.experimental] or [*there])
+    if not every:
+        names = {name for row, facts in matrix.distributions.items() for name in _called(row, facts)}
+        return RosmlError(unknown("ROS distribution", wanted, names), f"{what}, which has {has}", exit_code=2)
+    stands = listed([_named(matrix.operating_systems[facts.os].image) for facts in every.values()])
+    text = f"{what}, which has {has}; {wanted} stands on {stands}"
+    return RosmlError(text, "name another --ros-distro, or another base image", exit_code=2)

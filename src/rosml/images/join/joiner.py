@@ -1,0 +1,279 @@
+"""Puts images together in the registry: a new manifest and config over layers that are there, which nobody pulls.
+
+What is pushed before the tag moves can be seen by nobody who does not know its digest, and the tag moves last. What was
+pushed is found again by its digest, so that a second call, after one that broke off, costs next to nothing.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict, dataclass, field
+from itertools import combinations
+from typing import Any
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed, unknown
+from rosml.images.join.file_lists import Files, Lists
+from rosml.images.join.layers import Joined, Source, join, platform
+from rosml.registry import oci
+from rosml.registry.oci import Reference, Registry
+
+THREADS = 8
+"""How many requests are under way at a time: registries far away take a tenth of a second for each."""
+
+
+@dataclass
+class JoinReport:
+    """What joining an image came to.
+
+    Attributes:
+        reference: what to put after FROM; with the tag, where one was moved.
+        digest: of the index. manifests: of the image manifest for each platform.
+        layers: how many there are, of all platforms.
+        mounted, present, copied: of how many of them the repository got a mount, had them already, or got a copy.
+        unlisted: images without a list of files, of which nobody knows whether they carry another one's.
+        uploaded: bytes that were sent to the registry. seconds: wall time.
+    """
+
+    reference: str = ""
+    digest: str = ""
+    manifests: dict[str, str] = field(default_factory=dict)
+    layers: int = 0
+    mounted: int = 0
+    present: int = 0
+    copied: int = 0
+    unlisted: list[str] = field(default_factory=list)
+    uploaded: int = 0
+    seconds: float = 0.0
+
+    def to_json(self) -> dict[str, Any]:
+        """For `--json`."""
+        return asdict(self)
+
+
+class Joiner:
+    """Joins images; what it read of ROS images and parts it need not read again. Safe to share among threads.
+
+    Attributes:
+        allow_unlisted: go on although an image has no list of its files.
+    """
+
+    def __init__(
+        self,
+        registries: Callable[[str], Registry],
+        *,
+        allow_unlisted: bool = False,
+        say: Callable[[str], None] = lambda _: None,
+    ) -> None:
+        """
+        Args:
+            registries: gives the client of a host.
+            say: told what a person should know, a line at a time.
+        """
+        self.allow_unlisted = allow_unlisted
+        self._registries = registries
+        self._lists = Lists()
+        self._say = say
+        self._pool = ThreadPoolExecutor(THREADS)
+        self._sources: dict[tuple[str, str, str], Source] = {}
+        self._lock = threading.Lock()
+
+    def __enter__(self) -> Joiner:
+        return self
+
+    def __exit__(self, failed: object, *_: object) -> None:
+        self._pool.shutdown(wait=not failed, cancel_futures=True)  # Ctrl-C waits for no registry
+
+    def join(self, ros: str, parts: Sequence[str], target: str, platforms: Sequence[str] = ()) -> JoinReport:
+        """Joins an image for every platform that a ROS image and parts have in common, and tags it.
+
+        Args:
+            ros, parts: complete references of indexes or manifests.
+            target: complete reference with the tag to move.
+            platforms: for these only, such as `linux/arm64`.
+
+        Raises:
+            RosmlError: they do not go together (exit code 2), a registry does not answer or refuses; no tag was moved.
+        """
+        started = time.monotonic()
+        where = oci.parse(target)
+        if oci.is_digest(where.reference):
+            raise RosmlError(f"{target} is a digest, and a tag is to be moved", "write it with a tag", exit_code=2)
+        if str(where) in {str(oci.parse(source)) for source in (ros, *parts)}:
+            text = f"{target} is one of the images that are joined, and would be overwritten"
+            raise RosmlError(text, "name another tag", exit_code=2)
+        found = list(self._pool.map(self._platforms, [ros, *parts]))
+        wanted = _common(found, platforms)
+        self._say_what_is_left_out(found, wanted, platforms)
+        result = JoinReport()
+        images = [self._joined([item[name] for _, item in found], result) for name in wanted]
+        for image in images:
+            result.manifests[image.platform] = self._push(image, where.host, where.repository, result)
+        index = oci.encoded(_index(images))
+        result.digest = self._registries(where.host).put_manifest(where.repository, where.reference, index, oci.INDEX)
+        result.uploaded += len(index)
+        result.reference = str(where)
+        result.seconds = time.monotonic() - started
+        return result
+
+    def manifest(self, ros: Reference, parts: Sequence[Reference], host: str, repository: str) -> JoinReport:
+        """Joins an image from manifests for one platform; by its digest alone, without an index or a tag.
+
+        Args:
+            ros, parts: by digest. host, repository: where the image goes.
+
+        Raises:
+            RosmlError: as in `join`.
+        """
+        started = time.monotonic()
+        sources = list(self._pool.map(lambda item: self._source(str(item), item), (ros, *parts)))
+        result = JoinReport()
+        image = self._joined(sources, result)
+        digest = self._push(image, host, repository, result)
+        result.manifests[image.platform] = result.digest = digest
+        result.reference = str(Reference(host, repository, digest))
+        result.seconds = time.monotonic() - started
+        return result
+
+    # ---- What there is -----------------------------------------------------------------------------------------------
+
+    def _platforms(self, name: str) -> tuple[str, Mapping[str, Source]]:
+        """An image's manifests by platform."""
+        where = oci.parse(name)
+        manifest = self._registries(where.host).manifest(where.repository, where.reference)
+        if manifest is None:
+            known = self._registries(where.host).tags(where.repository)
+            near = unknown("tag", where.reference, known).partition("; ")[2] or "its repository has no tags"
+            raise RosmlError(f"{name} is not there", f"check its name: {near}", exit_code=2)
+        if not manifest.is_index:
+            source = self._source(name, where._replace(reference=manifest.digest), manifest)
+            return name, {source.platform: source}
+        entries = {platform(entry.platform): entry.digest for entry in manifest.members}
+        sources = {
+            key: self._source(name, where._replace(reference=digest))
+            for key, digest in entries.items()
+            if "unknown" not in key  # what says how an image was built
+        }
+        return name, sources
+
+    def _source(self, name: str, where: Reference, manifest: oci.Manifest | None = None) -> Source:
+        """An image for one platform, by its digest."""
+        if where not in self._sources:
+            registry = self._registries(where.host)
+            manifest = manifest or registry.manifest(where.repository, where.reference)
+            if manifest is None:
+                raise RosmlError(f"{where} is not there any more", "check its name", exit_code=2)
+            config = registry.config(where.repository, manifest, str(where))
+            source = Source(name, where.host, where.repository, manifest.digest, manifest, config)
+            with self._lock:
+                self._sources.setdefault(where, source)
+        return self._sources[where]
+
+    def _say_what_is_left_out(
+        self, found: Sequence[tuple[str, Mapping[str, Source]]], wanted: Sequence[str], asked: Sequence[str]
+    ) -> None:
+        first, known = found[0]
+        if left := [name for name in known if name not in wanted and not asked]:
+            without = [name for name, other in found if any(item not in other for item in left)]
+            self._say(f"{first} is for {listed(left)} as well, which {listed(without)} is not: left out")
+
+    # ---- What they make ----------------------------------------------------------------------------------------------
+
+    def _joined(self, sources: Sequence[Source], result: JoinReport) -> Joined:
+        image = join(sources[0], sources[1:])
+        self._compare(sources, result)
+        return image
+
+    def _compare(self, sources: Sequence[Source], result: JoinReport) -> None:
+        """Checks that no two images carry the same file, as far as they have lists.
+
+        Raises:
+            RosmlError: two do; or one has no list.
+        """
+        lists = list(
+            self._pool.map(lambda s: self._lists.of(self._registries(s.host), s.repository, s.digest), sources)
+        )
+        if unlisted := [source.name for source, files in zip(sources, lists, strict=True) if files is None]:
+            text = (
+                f"{listed(unlisted)} has no list of its files: whether another image carries one of them is not known"
+            )
+            if not self.allow_unlisted:
+                remedy = "take one that has it: of an app, the run image, made without --no-sbom"
+                raise RosmlError(text, f"{remedy}; or go on with --allow-unlisted")
+            self._say(text)
+            result.unlisted += [name for name in unlisted if name not in result.unlisted]
+        known: list[tuple[Source, Files]] = [
+            (source, files) for source, files in zip(sources, lists, strict=True) if files is not None
+        ]
+        for (one, files), (other, others) in combinations(known, 2):
+            if name := self._lists.clash(files, others):
+                text = f"{one.name} and {other.name} both carry /{name}: one would hide the other's"
+                raise RosmlError(
+                    text,
+                    "take the file, or the package that has it, out of one of them, and publish that again",
+                    exit_code=2,
+                )
+
+    def _push(self, image: Joined, host: str, repository: str, result: JoinReport) -> str:
+        """Puts an image by its digest alone: layers, then config, then manifest."""
+        registry = self._registries(host)
+        result.layers += len(image.layers)
+        if registry.head(repository, image.digest):  # with all that belongs to it
+            result.present += len(image.layers)
+            return image.digest
+        unique = {layer["digest"]: (layer, source) for layer, source in image.layers}
+        ways = self._pool.map(lambda item: self._bring(registry, repository, *item), unique.values())
+        by_digest = dict(zip(unique, ways, strict=True))
+        for layer, _ in image.layers:
+            way = by_digest[layer["digest"]]
+            setattr(result, way, getattr(result, way) + 1)
+        copied = sum(layer["size"] for layer, _ in unique.values() if by_digest[layer["digest"]] == "copied")
+        registry.put_blob(repository, image.config)
+        registry.put_manifest(repository, "", image.manifest, oci.IMAGE)
+        result.uploaded += copied + len(image.config) + len(image.manifest)
+        return image.digest
+
+    def _bring(self, registry: Registry, repository: str, layer: Mapping[str, Any], source: Source) -> str:
+        """Makes a layer one of the repository. Gives the way in which it got there: a counter of `JoinReport`."""
+        digest = layer["digest"]
+        if source.host == registry.host:
+            if source.repository == repository:
+                return "present"
+            if registry.mount(repository, digest, source.repository):
+                return "mounted"
+        if registry.has_blob(repository, digest):
+            return "present"
+        registry.copy_blob(repository, digest, layer["size"], self._registries(source.host), source.repository)
+        return "copied"
+
+
+def _common(found: Sequence[tuple[str, Mapping[str, Source]]], asked: Sequence[str]) -> list[str]:
+    """The platforms that all images have, or those asked for.
+
+    Raises:
+        RosmlError: an image is not for one that was asked for, or they have none in common (exit code 2).
+    """
+    for name, known in found:
+        for wanted in asked:
+            if wanted not in known:
+                text = f"{name} is for {listed(sorted(known)) or 'no platform'}, not for {wanted}"
+                raise RosmlError(text, "ask for a platform that all of them have", exit_code=2)
+    common = [name for name in sorted(found[0][1]) if all(name in known for _, known in found)]
+    if not common:
+        text = "; ".join(f"{name} is for {listed(sorted(known)) or 'no platform'}" for name, known in found)
+        raise RosmlError(f"no platform in common: {text}", "take images for one platform", exit_code=2)
+    return list(dict.fromkeys(asked)) or common
+
+
+def _index(images: Sequence[Joined]) -> dict[str, Any]:
+    """The index of an image's manifests; it says of itself what they say."""
+    entries = []
+    for image in sorted(images, key=lambda item: item.platform):
+        os, architecture, *variant = image.platform.split("/")
+        place = {"os": os, "architecture": architecture, **({"variant": variant[0]} if variant else {})}
+        entries.append({**oci.descriptor(oci.IMAGE, image.manifest), "platform": place})
+    said = {key: text for key, text in images[0].labels.items() if key.startswith("org.opencontainers.image.")}
+    return {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries, "annotations": said}

@@ -1,0 +1,283 @@
+"""A ROS image and parts -> the manifest and config of the image that they make together. Nothing here uses a network.
+
+The same inputs give the same bytes, on any machine and in any order: layers in the order in which the Dockerfile joins
+them, environment and labels as a build of the same target has them.
+"""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed
+from rosml.images.image_set import labels
+from rosml.images.matrix import names
+from rosml.images.matrix.model import ANY_PYTHON
+from rosml.images.matrix.rules import Brought
+from rosml.registry import documents, oci
+from rosml.registry.oci import Config, Manifest
+
+_LAYER = "application/vnd.oci.image.layer.v1.tar"
+_OCI_LAYERS = {
+    "application/vnd.docker.image.rootfs.diff.tar": _LAYER,
+    "application/vnd.docker.image.rootfs.diff.tar.gzip": f"{_LAYER}+gzip",
+    "application/vnd.docker.image.rootfs.diff.tar.zstd": f"{_LAYER}+zstd",
+}
+_DISTRIBUTION, _COMPONENT, _PYTHON, _ROS = (
+    labels.PREFIX + name for name in ("distribution", "component", "python", "ros")
+)
+_PART, _STACK, _FRAMEWORK = (labels.PREFIX + name for name in ("part", "stack", "framework"))
+_FRAMEWORKS = labels.PREFIX + "frameworks"
+
+
+@dataclass(frozen=True)
+class Source:
+    """An image for one platform, as its registry holds it.
+
+    Attributes:
+        name: what the user called it. host, repository, digest: where it is.
+        manifest, config: of the image.
+    """
+
+    name: str
+    host: str
+    repository: str
+    digest: str
+    manifest: Manifest
+    config: Config
+
+    @property
+    def platform(self) -> str:
+        """`linux/arm64`."""
+        return platform(self.config.facts)
+
+    @property
+    def labels(self) -> Mapping[str, str]:
+        """The labels of its config."""
+        return self.config.labels
+
+    @property
+    def layers(self) -> list[dict[str, Any]]:
+        """Its layers, lowest first, with OCI's media types."""
+        return [
+            {
+                "mediaType": _OCI_LAYERS.get(layer.mediaType, layer.mediaType),
+                "digest": layer.digest,
+                "size": layer.size,
+            }
+            for layer in self.manifest.layers
+        ]
+
+    @property
+    def diff_ids(self) -> list[str]:
+        """Digests of its layers before they were compressed."""
+        return self.config.diff_ids
+
+
+@dataclass(frozen=True)
+class Joined:
+    """An image that is not in a registry yet: its config and manifest as they will be stored, and its layers' sources."""
+
+    platform: str
+    config: bytes
+    manifest: bytes
+    labels: Mapping[str, str]
+    layers: tuple[tuple[dict[str, Any], Source], ...]
+
+    @property
+    def digest(self) -> str:
+        """Of the manifest."""
+        return oci.digest_of(self.manifest)
+
+
+def platform(facts: Mapping[str, Any] | documents.Config | documents.Platform | None) -> str:
+    """The platform that a config, or an index' entry, is for; arm64 has one variant that matters."""
+    found = facts if isinstance(facts, Mapping) else vars(facts) if facts else {}
+    variant = found.get("variant")
+    known = f"{found.get('os') or 'unknown'}/{found.get('architecture') or 'unknown'}"
+    return known if not variant or known == "linux/arm64" else f"{known}/{variant}"
+
+
+def join(ros: Source, parts: Sequence[Source]) -> Joined:
+    """Joins a ROS image and parts, all for one platform.
+
+    Raises:
+        RosmlError: they do not go together (exit code 2); with the reason and what to do.
+    """
+    _require_ros(ros)
+    for part in parts:
+        _require_part(part)
+    parts = sorted(parts, key=lambda item: (item.labels[_PART], item.name))
+    for part in parts:
+        _require_fit(ros, part)
+    framework, order = _framework(ros, parts)
+    parts = sorted(parts, key=lambda item: order.index(item.labels[_PART]))
+    brought = _brought(parts)
+    stack = parts[0].labels[_STACK]
+    merged = _labels(ros, framework, stack, brought) | _about_gpus(parts)
+    sources = (ros, *parts)
+    config = oci.encoded(_config(ros, parts, brought, merged))
+    manifest = {
+        "schemaVersion": 2,
+        "mediaType": oci.IMAGE,
+        "config": oci.descriptor(oci.CONFIG, config),
+        "layers": [layer for source in sources for layer in source.layers],
+    }
+    layers = tuple((layer, source) for source in sources for layer in source.layers)
+    return Joined(ros.platform, config, oci.encoded(manifest), merged, layers)
+
+
+# ---- What goes together ----------------------------------------------------------------------------------------------
+
+
+def _require_ros(ros: Source) -> None:
+    if _PART in ros.labels:
+        text = f"{ros.name} is a part, and the first image has to be a ROS image"
+        raise RosmlError(text, "name the ROS image first, then the parts", exit_code=2)
+    for label in (_DISTRIBUTION, _COMPONENT, _PYTHON, _ROS):
+        if not ros.labels.get(label):
+            text = f"{ros.name} is no ROS image of this project: it has no label {label}"
+            raise RosmlError(text, "take one of the repository ros, or one that was built on it", exit_code=2)
+    if stack := ros.labels.get(_STACK):
+        carried = f"framework {ros.labels.get(_FRAMEWORK)} of stack {stack}"
+        plain = f"the ROS image below it, ros:{names.main_tag(ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT])}"
+        if labels.APP in ros.labels:
+            plain = "an image of the app without a framework"
+        raise RosmlError(f"{ros.name} has {carried} already", f"take {plain}", exit_code=2)
+    if own := ros.labels.get(labels.OWN):
+        text = f"{ros.name} has CUDA or a framework of its own, of its base image: {own}"
+        raise RosmlError(text, "take it as it is; parts go on a base image without", exit_code=2)
+    _require_whole(ros)
+
+
+def _require_part(part: Source) -> None:
+    for label in (_PART, _STACK, _PYTHON, _FRAMEWORKS):
+        if not part.labels.get(label):
+            what = "a ROS image" if _DISTRIBUTION in part.labels else "no part"
+            text = f"{part.name} is {what}: it has no label {label}"
+            raise RosmlError(text, "take one of the repository part, made by this version or a later one", exit_code=2)
+    _require_whole(part)
+
+
+def _require_whole(source: Source) -> None:
+    if not source.layers or len(source.layers) != len(source.diff_ids):
+        raise RosmlError(f"{source.name} is no whole image: its config does not list its layers", "push it again")
+
+
+def _framework(ros: Source, parts: Sequence[Source]) -> tuple[str, tuple[str, ...]]:
+    """The framework that parts make, and its parts in their order."""
+    if not parts:
+        raise RosmlError(f"nothing is to be joined to {ros.name}", "name the parts after it", exit_code=2)
+    stacks = {item.labels[_STACK]: item.name for item in parts}
+    if len(stacks) > 1:
+        found = listed([f"{name} is of stack {stack}" for stack, name in stacks.items()])
+        raise RosmlError(f"an image carries one stack: {found}", "take parts of one stack", exit_code=2)
+    by_kind: dict[str, Source] = {}
+    for item in parts:
+        kind = item.labels[_PART]
+        if kind in by_kind:
+            text = f"part {kind} is there twice: {by_kind[kind].name} and {item.name}"
+            raise RosmlError(text, "leave out one of them", exit_code=2)
+        by_kind[kind] = item
+    known = [_frameworks(item) for item in parts]
+    shared = {name: kinds for name, kinds in known[0].items() if all(name in other for other in known)}
+    stack = parts[0].labels[_STACK]
+    for name, kinds in shared.items():
+        if any(other[name] != kinds for other in known):
+            text = f"these do not agree on the parts of framework {name}: they are of different releases"
+            raise RosmlError(text, "take parts that were published together", exit_code=2)
+        if set(kinds) == set(by_kind):
+            return name, kinds
+    if not shared:
+        text = f"no framework of stack {stack} takes {listed(sorted(by_kind))} together"
+        raise RosmlError(text, "make an image for each of them", exit_code=2)
+    name, kinds = min(shared.items(), key=lambda item: len(item[1]))
+    missing = [kind for kind in kinds if kind not in by_kind]
+    text = f"{listed([item.name for item in parts])} cannot do without {listed(missing)} of stack {stack}"
+    told = parts[0].labels[_FRAMEWORKS]
+    pythons = {kind: ANY_PYTHON if labels.any_python(told, kind) else ros.labels[_PYTHON] for kind in missing}
+    lacking = listed([names.part_name(kind, stack, python) for kind, python in pythons.items()])
+    raise RosmlError(text, f"add {lacking}: framework {name} consists of {listed(kinds)}", exit_code=2)
+
+
+def _frameworks(part: Source) -> dict[str, tuple[str, ...]]:
+    try:
+        return labels.frameworks(part.labels[_FRAMEWORKS])
+    except ValueError:
+        raise RosmlError(f"{part.name}: its label {_FRAMEWORKS} is damaged", "publish it anew", exit_code=2) from None
+
+
+def _require_fit(ros: Source, part: Source) -> None:
+    if part.platform != ros.platform:
+        text = f"{part.name} is for {part.platform}, and {ros.name} for {ros.platform}"
+        raise RosmlError(text, "take images for one platform", exit_code=2)
+    wanted, found = part.labels[_PYTHON], ros.labels[_PYTHON]
+    if wanted not in (ANY_PYTHON, found):
+        name = names.part_name(part.labels[_PART], part.labels[_STACK], found)
+        text = f"{part.name} is for Python {wanted}, and {ros.name} has Python {found}"
+        raise RosmlError(text, f"take the part {name}", exit_code=2)
+
+
+def _brought(parts: Sequence[Source]) -> tuple[Brought, ...]:
+    """What parts bring, each once: releases first, then facts of the stack."""
+    found: dict[str, tuple[Brought, str]] = {}
+    for part in parts:
+        try:
+            brings = list(labels.brought_by(part.labels))
+        except ValueError:
+            text = f"{part.name}: its label {labels.BRINGS} is damaged"
+            raise RosmlError(text, "publish it anew", exit_code=2) from None
+        for item in brings:
+            known, whose = found.setdefault(item.name, (item, part.name))
+            if known.version != item.version:
+                text = f"{whose} has {item.name} {known.version}, and {part.name} has {item.version}"
+                raise RosmlError(text, "take parts that were published together", exit_code=2)
+            if item.title:
+                found[item.name] = (item, part.name)
+    return tuple(sorted((item for item, _ in found.values()), key=lambda item: not item.released))
+
+
+# ---- What they make --------------------------------------------------------------------------------------------------
+
+
+def _labels(ros: Source, framework: str, stack: str, brought: Sequence[Brought]) -> dict[str, str]:
+    named = labels.named(ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT], ros.labels[_ROS], framework, stack, brought)
+    if labels.APP in ros.labels:
+        named[labels.TITLE] = ros.labels.get(labels.TITLE, "")
+    counted = {labels.PREFIX + item.name: item.version for item in brought}
+    return {**ros.labels, **named, _FRAMEWORK: framework, _STACK: stack, **counted}
+
+
+def _about_gpus(parts: Sequence[Source]) -> dict[str, str]:
+    """What the parts say of GPUs, the image says."""
+    return {name: value for part in parts for name, value in part.labels.items() if name.startswith(labels.GPU)}
+
+
+def _config(
+    ros: Source, parts: Sequence[Source], brought: Sequence[Brought], merged: Mapping[str, str]
+) -> dict[str, Any]:
+    config = copy.deepcopy(ros.config.content)
+    inner = config["config"] = config.get("config") or {}
+    environment = labels.environment(brought)
+    kept = [entry for entry in ros.config.environment if entry.partition("=")[0] not in environment]
+    inner["Env"] = [*kept, *(f"{name}={value}" for name, value in environment.items())]
+    inner["Labels"] = dict(merged)
+    config["rootfs"] = (config.get("rootfs") or {"type": "layers"}) | {
+        "diff_ids": [digest for source in (ros, *parts) for digest in source.diff_ids]
+    }
+    if config.get("history"):  # one entry for each layer, or none at all
+        config["history"] += [entry for part in parts for entry in _history(config, part)]
+    return config
+
+
+def _history(config: Mapping[str, Any], part: Source) -> list[dict[str, Any]]:
+    kind, stack, python = (part.labels[name] for name in (_PART, _STACK, _PYTHON))
+    entry = {
+        "created_by": f"COPY --link --from=part:{names.part_name(kind, stack, python)} / /",
+        "comment": "joined in the registry",
+        **({"created": config["created"]} if "created" in config else {}),
+    }
+    return [entry] * len(part.diff_ids)

@@ -1,0 +1,120 @@
+"""Digests of base images in matrix.yaml, moved to what the images' tags point at now.
+
+An image is built from the digest that the matrix names, whatever its tag does. So a base image that its makers renewed
+comes in as a change of the matrix, which everything that depends on it counts as an input.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed
+from rosml.images.matrix.model import Matrix, OperatingSystem
+from rosml.images.matrix.source import Document
+from rosml.registry import oci
+from rosml.registry.credentials import DOCKER_HUB
+
+SECTION = "operating_systems"
+
+WITHOUT_HUB = "ROSML_DOCKER_HUB"
+"""The variable that says, with 0, that Docker Hub does not answer: set-up knows it as well."""
+
+
+@dataclass(frozen=True)
+class Pin:
+    """A base image that moved: the operating system, the image with its tag, the digest in the matrix, and the one of now."""
+
+    system: str
+    image: str
+    old: str
+    new: str
+
+
+@dataclass
+class Pins:
+    """What became of the base images.
+
+    Attributes:
+        moved: those whose tag points elsewhere.
+        left_out: those of which nobody knows, with the reason.
+    """
+
+    moved: list[Pin] = field(default_factory=list)
+    left_out: dict[str, str] = field(default_factory=dict)
+
+
+def look(matrix: Matrix, registries: Callable[[str], oci.Registry]) -> Pins:
+    """Asks the registries where the tags of all base images point.
+
+    Args:
+        matrix: names the images.
+        registries: gives the client of a host.
+    """
+    found = Pins()
+    systems = matrix.operating_systems
+
+    def asked(name: str) -> str | RosmlError:
+        try:
+            return _current(matrix, systems[name], registries)
+        except RosmlError as error:
+            return error
+
+    with ThreadPoolExecutor(8) as pool:
+        for name, answer in zip(systems, pool.map(asked, systems), strict=True):
+            if isinstance(answer, RosmlError):
+                found.left_out[name] = answer.message
+            elif answer != systems[name].digest:
+                found.moved.append(Pin(name, systems[name].image, systems[name].digest, answer))
+    return found
+
+
+def _current(matrix: Matrix, system: OperatingSystem, registries: Callable[[str], oci.Registry]) -> str:
+    """The digest of an image's index now.
+
+    Raises:
+        RosmlError: the registry does not answer; or what it has does not do for all architectures.
+    """
+    where = oci.parse(system.image)
+    if where.host == DOCKER_HUB and os.environ.get(WITHOUT_HUB) == "0":
+        raise RosmlError(f"{WITHOUT_HUB}=0 says that Docker Hub does not answer")
+    manifest = registries(where.host).manifest(where.repository, where.reference)
+    if manifest is None:
+        raise RosmlError(f"{system.image} is not there any more")
+    if not manifest.is_index:
+        raise RosmlError(f"{system.image} is for one platform only: its tag points at no index")
+    places = [entry.platform for entry in manifest.members if entry.platform]
+    there = {f"{place.os}/{place.architecture}" for place in places}
+    wanted = [matrix.architectures[name].platform for name in system.architectures]
+    if lost := [platform for platform in wanted if platform not in there]:
+        raise RosmlError(f"{system.image} is not there for {listed(lost)} now")
+    return manifest.digest
+
+
+def rewritten(text: str, document: Document, pins: Iterable[Pin]) -> str:
+    """The text of a matrix with other digests; all else, comments included, as it was.
+
+    Args:
+        text: of the file. document: the same, parsed.
+    """
+    lines = text.splitlines(keepends=True)
+    for pin in pins:
+        place = document.places[(SECTION, pin.system, "digest")]
+        start = sum(map(len, lines[: place.line - 1])) + place.column - 1
+        whole = "".join(lines)
+        at = whole.index(pin.old, start)  # the value may stand on the next line
+        lines = (whole[:at] + pin.new + whole[at + len(pin.old) :]).splitlines(keepends=True)
+    return "".join(lines)
+
+
+def rows(moved: Iterable[Pin]) -> list[tuple[str, str, str, str]]:
+    """For a table: system, image, and the beginnings of the digests."""
+    return [(pin.system, pin.image, pin.old[:19], pin.new[:19]) for pin in moved]
+
+
+def reasons(left_out: Mapping[str, str]) -> list[str]:
+    """A line for each base image of which nobody knows."""
+    return [f"{name}: its base image stays as it is: {reason}" for name, reason in left_out.items()]

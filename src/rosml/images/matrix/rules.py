@@ -1,0 +1,327 @@
+"""Why a combination does not exist. Each rule looks at positive facts and returns one sentence, or None if they hold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from rosml.base.problems import listed
+from rosml.images.matrix.model import Framework, Matrix, PartEntry, RosArchive, Size, Stack
+
+NVIDIA = ("cuda", "cudnn", "nccl")
+"""A stack's facts of CUDA."""
+
+
+@dataclass(frozen=True)
+class Brought:
+    """What a part brings whose version counts.
+
+    Attributes:
+        name: `tensorflow`. version: `2.20.0`. title: `TensorFlow`. short: what tags call it: `tf`; both may be empty.
+        released: whether it is a release of its own, and no fact of the stack.
+    """
+
+    name: str
+    version: str
+    title: str = ""
+    short: str = ""
+    released: bool = False
+
+
+def component_reason(matrix: Matrix, distribution: str, component: str) -> str | None:
+    """Does the distribution have the component?"""
+    facts = matrix.distributions[distribution]
+    if component in facts.components:
+        return None
+    return f"{distribution} (ROS {facts.ros}) has no {component} metapackage; it has {listed(facts.components)}"
+
+
+def stack_reason(matrix: Matrix, distribution: str, framework: str, stack: str | None) -> str | None:
+    """Can images of a distribution carry the framework on the stack, on any architecture?"""
+    facts, os = matrix.frameworks[framework], matrix.distributions[distribution].os
+    if (reason := _content_reason(matrix, framework, stack)) or stack is None:
+        return reason
+    return _python(matrix, os, facts, matrix.stacks[stack]) or _architectures(matrix, distribution, facts, stack)
+
+
+def default_stack(matrix: Matrix, distribution: str, framework: str) -> str | None:
+    """The stack of a framework's short tags: the first of the distribution's that it exists on, if any."""
+    stacks = matrix.distributions[distribution].default_stacks
+    return next((stack for stack in stacks if stack_reason(matrix, distribution, framework, stack) is None), None)
+
+
+def _content_reason(matrix: Matrix, framework: str, stack: str | None) -> str | None:
+    """Does the stack have what the framework takes?"""
+    facts = matrix.frameworks[framework]
+    if stack is None or not facts.parts:
+        return _pairing(framework, facts, stack)
+    return (
+        _accelerator(framework, facts, stack, matrix.stacks[stack])
+        or _parts(matrix, framework, facts, stack)
+        or _releases(matrix, facts, stack)
+        or _apart(matrix, framework, facts, stack)
+    )
+
+
+def built_for(matrix: Matrix, distribution: str) -> tuple[str, ...]:
+    """The architectures of a distribution: those of its operating system, or the ones among them that it names."""
+    facts = matrix.distributions[distribution]
+    system = matrix.operating_systems[facts.os].architectures
+    return tuple(name for name in system if not facts.architectures or name in facts.architectures)
+
+
+def ros_live(matrix: Matrix, distribution: str) -> str:
+    """The address of ROS's live apt repository for a distribution that gets its packages from ROS."""
+    return _ros_archive(matrix).live.format(generation=matrix.distributions[distribution].generation)
+
+
+def ros_testing(matrix: Matrix, distribution: str) -> str:
+    """The address of ROS's repository of packages before their release; empty if matrix.yaml names none."""
+    return (_ros_archive(matrix).testing or "").format(generation=matrix.distributions[distribution].generation)
+
+
+def ros_snapshot(matrix: Matrix, distribution: str, day: str) -> str:
+    """The address of a snapshot of it: of a day, such as 2026-08-07, or `final`."""
+    return _ros_archive(matrix).snapshot.format(
+        ros_distro=matrix.distributions[distribution].ros_distro or distribution, day=day
+    )
+
+
+def ros_apt_source(matrix: Matrix, distribution: str) -> str | None:
+    """The address and digest of the package that sets up the live repository; none where matrix.yaml pins none."""
+    facts = matrix.distributions[distribution]
+    system = matrix.operating_systems[facts.os]
+    if (pinned := system.apt_sources.get(facts.generation)) is None:
+        return None
+    address = _ros_archive(matrix).apt_source.format(
+        generation=facts.generation, version=pinned.version, codename=system.codename
+    )
+    return f"{address}@{pinned.digest}"
+
+
+def _ros_archive(matrix: Matrix) -> RosArchive:
+    assert matrix.ros_archive, "references: a distribution with apt needs it"
+    return matrix.ros_archive
+
+
+def architectures(matrix: Matrix, distribution: str, framework: str, stack: str | None) -> tuple[str, ...]:
+    """Architectures with the same content: those of the distribution for which every release has a wheel."""
+    return _with_wheels(matrix, built_for(matrix, distribution), framework, stack)
+
+
+def joined_for(matrix: Matrix, framework: str, stack: str) -> tuple[str, ...]:
+    """Architectures for which every release has a wheel, whatever a distribution is built for."""
+    return _with_wheels(matrix, tuple(matrix.architectures), framework, stack)
+
+
+def _with_wheels(matrix: Matrix, among: Sequence[str], framework: str, stack: str | None) -> tuple[str, ...]:
+    allowed = set(among)
+    if stack is not None:
+        for _, wheels in _available(matrix, matrix.frameworks[framework], stack):
+            allowed &= set(wheels)
+    return tuple(name for name in matrix.architectures if name in allowed)
+
+
+def architecture_reason(
+    matrix: Matrix, distribution: str, framework: str, stack: str | None, architecture: str
+) -> str | None:
+    """Why an image that exists leaves out an architecture."""
+    os = matrix.distributions[distribution].os
+    if architecture not in matrix.operating_systems[os].architectures:
+        return f"images of {os} are built for {listed(matrix.operating_systems[os].architectures)} only"
+    if architecture not in built_for(matrix, distribution):
+        return f"{distribution} exists for {listed(built_for(matrix, distribution))} only"
+    for what, wheels in _available(matrix, matrix.frameworks[framework], stack) if stack else ():
+        if architecture not in wheels:
+            return f"{what} has {stack} wheels for {listed(wheels)} only"
+    return None
+
+
+def plain(matrix: Matrix) -> str:
+    """The framework of images that carry none: the only one without parts."""
+    return next(name for name, framework in matrix.frameworks.items() if not framework.parts)
+
+
+def parts(matrix: Matrix, framework: Framework, stack: Stack) -> tuple[str, ...]:
+    """The parts that a framework takes of a stack, in the order in which they are joined."""
+    return tuple(
+        part.name
+        for part in matrix.parts
+        if part.name in framework.parts and part.accelerator in (None, stack.accelerator)
+    )
+
+
+def shown(matrix: Matrix, part: str) -> str:
+    """The part whose packages another one shows to its Python: one for any Python, which no Python finds by itself.
+
+    One that only repeats what another part has is not shown. Empty if there is none.
+    """
+    found = (matrix.part[need] for need in matrix.part[part].needs)
+    return next((need.name for need in found if need.any_python and need.takes), "")
+
+
+def versions(matrix: Matrix, stack: Stack) -> dict[str, str]:
+    """Every version of a stack that counts, by name: of releases, in the order of parts, then of CUDA."""
+    released = {family: stack.releases[family] for family in matrix.families if family in stack.releases}
+    return released | {name: version for name in NVIDIA if (version := getattr(stack, name))}
+
+
+def brought(matrix: Matrix, parts: Iterable[str], stack: Stack) -> tuple[Brought, ...]:
+    """What parts of a stack bring, each once: releases first, then facts of the stack."""
+    known, found = versions(matrix, stack), dict[str, Brought]()
+    for item in (item for name in parts for item in brought_by(matrix.part[name])):
+        if item.name in known and (item.title or item.name not in found):
+            found[item.name] = replace(item, version=known[item.name])
+    return tuple(sorted(found.values(), key=lambda item: not item.released))
+
+
+def brought_by(part: PartEntry) -> Iterator[Brought]:
+    """What a part brings, whatever its version; the first of it has the part's title."""
+    for index, name in enumerate(part.brings):
+        title = (part.title or "") if index == 0 else ""
+        yield Brought(name, "", title, (part.short or part.name) if title else "", bool(part.release))
+
+
+def company(matrix: Matrix, stack: str | None, families: Iterable[str]) -> dict[str, str]:
+    """What goes with releases of a stack in their parts: packages and their versions."""
+    chosen = matrix.stacks[stack].releases if stack else {}
+    releases = [matrix.releases[family][chosen[family]] for family in families if family in chosen]
+    return {name: version for release in releases for name, version in release.company(stack or "").items()}
+
+
+def gpu(matrix: Matrix, stack: str | None, parts: Iterable[str]) -> dict[str, str]:
+    """What parts of a stack say of GPUs: the oldest driver, and what each release was built for on an architecture:
+    `{"driver": "580", "torch.amd64": "sm_80 sm_90"}`. Nothing on a stack without CUDA."""
+    facts, found = matrix.stacks[stack] if stack else None, dict[str, str]()
+    if facts is None or facts.accelerator != "cuda":
+        return found
+    for entry in (matrix.part[name] for name in parts):
+        if "cuda" in entry.versions and (driver := matrix.drivers.get((facts.cuda or "").partition(".")[0])):
+            found["driver"] = driver
+        if entry.release == entry.name:
+            built = matrix.releases[entry.name][facts.releases[entry.name]].gpus
+            found |= {f"{entry.name}.{architecture}": " ".join(built[architecture]) for architecture in sorted(built)}
+    return found
+
+
+def frameworks(matrix: Matrix, stack: str) -> dict[str, tuple[str, ...]]:
+    """The parts of every framework that a stack can carry, on some operating system and architecture."""
+    facts = matrix.stacks[stack]
+    return {
+        name: parts(matrix, framework, facts)
+        for name, framework in matrix.frameworks.items()
+        if _content_reason(matrix, name, stack) is None
+    }
+
+
+def families(matrix: Matrix, framework: Framework) -> tuple[str, ...]:
+    """What a framework's parts are releases of, in the order in which they are joined."""
+    released = {matrix.part[part].release for part in framework.parts}
+    return tuple(family for family in matrix.families if family in released)
+
+
+def counted(matrix: Matrix, framework: Framework) -> tuple[str, ...]:
+    """What an image of a framework carries whose versions count, in a fixed order."""
+    cuda = any(matrix.part[part].versions for part in framework.parts)
+    return (*families(matrix, framework), *(NVIDIA if cuda else ()))
+
+
+def chain(matrix: Matrix, component: str) -> tuple[str, ...]:
+    """A component with all that it is built on, the lowest first."""
+    links: list[str] = []
+    link: str | None = component
+    while link:
+        links.insert(0, link)
+        link = matrix.components[link].builds_on
+    return tuple(links)
+
+
+def only_runs(matrix: Matrix, component: str) -> bool:
+    """Whether a component is only for programs that are built."""
+    return matrix.components[component].runtime_of is not None
+
+
+def system_size(matrix: Matrix, component: str) -> Size:
+    """The size of the operating system that a component stands on."""
+    return (only_runs(matrix, component) and matrix.disk.runtime) or matrix.disk.os
+
+
+def runtime(matrix: Matrix, distribution: str, component: str) -> str:
+    """The component on which programs run that are built on another one, or on the nearest below it; empty if there is none."""
+    present = matrix.distributions[distribution].present
+    smaller = {
+        facts.runtime_of: name for name, facts in matrix.components.items() if facts.runtime_of and name in present
+    }
+    return next((smaller[link] for link in reversed(chain(matrix, component)) if link in smaller), "")
+
+
+def _pairing(name: str, framework: Framework, stack: str | None) -> str | None:
+    if framework.parts and stack is None:
+        return f"framework {name} needs a stack"
+    if not framework.parts and stack is not None:
+        return f"framework {name} adds nothing to a ROS image, so it has no stack"
+    return None
+
+
+def _accelerator(name: str, framework: Framework, stack: str, facts: Stack) -> str | None:
+    if facts.accelerator in framework.accelerators:
+        return None
+    return f"framework {name} needs accelerator {listed(framework.accelerators)}, and stack {stack} has {facts.accelerator}"
+
+
+def _parts(matrix: Matrix, name: str, framework: Framework, stack: str) -> str | None:
+    found = parts(matrix, framework, matrix.stacks[stack])
+    return None if found else f"stack {stack} has nothing that framework {name} takes"
+
+
+def _releases(matrix: Matrix, framework: Framework, stack: str) -> str | None:
+    lacking = [family for family in families(matrix, framework) if family not in matrix.stacks[stack].releases]
+    return f"stack {stack} has no release of {listed(lacking)}" if lacking else None
+
+
+def _apart(matrix: Matrix, name: str, framework: Framework, stack: str) -> str | None:
+    reason = matrix.stacks[stack].apart
+    if reason is None or len(families(matrix, framework)) < 2:
+        return None
+    return f"what framework {name} needs of stack {stack} does not go together ({reason})"
+
+
+def _python(matrix: Matrix, os: str, framework: Framework, stack: Stack) -> str | None:
+    python = matrix.operating_systems[os].python
+    for family in families(matrix, framework):
+        releases, version = matrix.releases[family], stack.releases[family]
+        if python in releases[version].python:
+            continue
+        others = [name for name, release in releases.items() if python in release.python]
+        if not others:
+            return f"no release of {family} has a wheel for Python {python}, the Python of {os}"
+        have = f"{listed(others)} {'has' if len(others) == 1 else 'have'}"
+        return f"{family} {version} has no wheel for Python {python}, the Python of {os} ({have})"
+    return None
+
+
+def _architectures(matrix: Matrix, distribution: str, framework: Framework, stack: str) -> str | None:
+    facts, available = matrix.distributions[distribution], built_for(matrix, distribution)
+    who = distribution if facts.architectures else facts.os
+    common = set(available)
+    for what, wheels in _available(matrix, framework, stack):
+        if not common & set(wheels):
+            if not wheels:
+                return f"{what} has no wheel for stack {stack}"
+            return f"{what} has {stack} wheels for {listed(wheels)} only, and {who} is built for {listed(available)}"
+        common &= set(wheels)
+    return None
+
+
+def _available(matrix: Matrix, framework: Framework, stack: str) -> Iterator[tuple[str, Sequence[str]]]:
+    """What a framework takes of a stack, and the architectures that it has wheels for."""
+    facts = matrix.stacks[stack]
+    wheels = {
+        family: matrix.releases[family][version].architectures(stack) for family, version in facts.releases.items()
+    }
+    carried = families(matrix, framework)
+    for family in carried:
+        yield f"{family} {facts.releases[family]}", wheels.get(family, ())
+    if not carried:  # CUDA's libraries come with the releases: they are where any of those is
+        anywhere = [architecture for found in wheels.values() for architecture in found]
+        yield f"CUDA {facts.cuda}", tuple(name for name in matrix.architectures if name in anywhere)

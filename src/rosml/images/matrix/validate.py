@@ -1,0 +1,187 @@
+"""A document -> its model, such as a `Matrix`, or every problem that it has, each with its place in the file."""
+
+from __future__ import annotations
+
+import types
+from collections.abc import Mapping, Sequence
+from datetime import date
+from typing import Any, TypeVar, Union, get_args, get_origin
+
+from pydantic import BaseModel, ValidationError
+
+from rosml.base.problems import InputError, Path, Problem, listed, near
+from rosml.images.matrix.model import MEANING, Matrix
+from rosml.images.matrix.references import findings
+from rosml.images.matrix.source import Document
+
+Top = TypeVar("Top", bound=BaseModel)
+"""The model of a whole file."""
+
+
+def checked(document: Document, top: type[Top], meaning: Mapping[str, str]) -> Top:
+    """What a document says, as a model of any kind.
+
+    Args:
+        document: the file.
+        top: the model of the whole of it.
+        meaning: what the model's own patterns ask for, in words.
+
+    Raises:
+        InputError: with every problem of its structure.
+    """
+    problems = list(document.problems)
+    try:
+        found = top.model_validate(document.data)
+    except ValidationError as error:
+        details = _first_errors(error.errors(include_url=False))
+        if other := [
+            it for it in details if top is Matrix and it["loc"] == ("version",) and it["type"] == "literal_error"
+        ]:
+            # The rest may be right in that version.
+            text = f"{_problem(document, other[0], top, meaning).text}; {_OTHER_VERSION}"
+            raise InputError(document.name, [document.problem(("version",), text)]) from None
+        # What YAML itself misreads (a key twice, `yes` for true) was explained already.
+        explained = {problem.path for problem in problems}
+        complaints = [_problem(document, detail, top, meaning) for detail in details]
+        raise InputError(
+            document.name, [*problems, *(problem for problem in complaints if problem.path not in explained)]
+        ) from None
+    if problems:
+        raise InputError(document.name, problems)
+    return found
+
+
+_OTHER_VERSION = "take the rosml of the checkout that the file is from, or a newer one"
+"""What to do about a file whose format this release does not know."""
+
+
+def validate(document: Document) -> Matrix:
+    """The matrix of a document.
+
+    Raises:
+        InputError: with every problem of its structure; or, where that is sound, with every name that does not exist.
+    """
+    matrix = checked(document, Matrix, MEANING)
+    if problems := [document.problem(path, text) for path, text in findings(matrix)]:
+        raise InputError(document.name, problems)
+    return matrix
+
+
+def _problem(document: Document, error: Any, top: type[BaseModel], meaning: Mapping[str, str]) -> Problem:
+    kind: str = error["type"]
+    path, of_key = _path(document, error["loc"], kind)
+    if kind == "missing":
+        return document.problem(path[:-1], f"'{path[-1]}' is missing; add '{path[-1]}: …'{_purpose(path, top)}")
+    if kind == "extra_forbidden":
+        return document.problem(path, _join(f"unknown key {path[-1]!r}", near(str(path[-1]), _fields(path[:-1], top))))
+    context, value = error.get("ctx", {}), error["input"]
+    if of_key:
+        value = path[-1]
+    written = document.place(path).text if not of_key else ""
+    return document.problem(path, _complaint(kind, context, value, written, error["msg"], meaning))
+
+
+def _first_errors(details: Sequence[Any]) -> list[Any]:
+    """Pydantic's errors without those that follow from others: a list is too short for it where an item is wrong."""
+    wrong = {detail["loc"][:-1] for detail in details}
+    return [detail for detail in details if detail["type"] != "too_short" or detail["loc"] not in wrong]
+
+
+def _complaint(
+    kind: str, context: Mapping[str, Any], value: Any, written: str, otherwise: str, meaning: Mapping[str, str]
+) -> str:
+    """One sentence: what was expected, what is there, and how to put it right."""
+    if kind == "string_type":
+        quoted = isinstance(value, (int, float, date)) and written
+        remedy = f'write it in quotes: "{written}"' if quoted else ""
+        if isinstance(value, tuple):
+            remedy = "write it without brackets"
+        return _join(f"expected text, found {_found(value, written)}", remedy)
+    if kind == "string_pattern_mismatch":
+        return f"expected {meaning.get(context['pattern'], 'text')}, found {_found(value)}"
+    if kind == "literal_error":
+        known = str(context["expected"]).replace("'", "").replace(" or ", ", ").split(", ")
+        return f"expected {listed(known, last='or')}, found {_found(value, written)}"
+    if kind in _EXPECTED:
+        return f"expected {_EXPECTED[kind]}, found {_found(value, written)}"
+    if kind in ("greater_than_equal", "less_than_equal"):
+        bound = "at least" if kind.startswith("greater") else "at most"
+        return f"expected {bound} {context.get('ge', context.get('le'))}, found {_found(value, written)}"
+    if kind == "too_short":
+        return "nothing is there; at least one entry is needed"
+    if kind == "string_too_long":
+        return f"too long: {len(value)} characters, at most {context['max_length']} are allowed"
+    return f"{otherwise[:1].lower()}{otherwise[1:]}, found {_found(value, written)}"
+
+
+_EXPECTED = {
+    "model_type": "keys and values",
+    "dict_type": "keys and values",
+    "tuple_type": "a list, such as [a, b]",
+    "int_type": "a whole number",
+    "bool_type": "true or false",
+    "date_type": "a day, such as 2028-06-30, without quotes",
+}
+
+
+def _found(value: Any, written: str = "") -> str:
+    if value is None:
+        return "nothing"
+    if isinstance(value, Mapping):
+        return "keys and values"
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return "a list"
+    if isinstance(value, str):
+        return repr(value)
+    kind = "a date" if isinstance(value, date) else "the number" if not isinstance(value, bool) else ""
+    return f"{kind} {written or value}".strip()
+
+
+def _join(*sentences: str) -> str:
+    return "; ".join(sentence for sentence in sentences if sentence)
+
+
+def _path(document: Document, location: Sequence[Any], kind: str) -> tuple[Path, bool]:
+    """Pydantic's location as a path in the file, and whether the key itself is meant.
+
+    Pydantic adds steps that the file does not have: `[key]` after a bad key, the tag of a union's member.
+    """
+    of_key = bool(location) and location[-1] == "[key]"
+    steps = list(location[:-1] if of_key else location)
+    path: Path = ()
+    for index, step in enumerate(steps):
+        last = index == len(steps) - 1
+        if (*path, step) in document.places or (last and kind == "missing"):
+            path = (*path, step)
+    return path, of_key
+
+
+def _fields(path: Path, top: type[BaseModel]) -> list[str]:
+    model = _model(path, top)
+    return list(model.model_fields) if model else []
+
+
+def _purpose(path: Path, top: type[BaseModel]) -> str:
+    model = _model(path[:-1], top)
+    field = model.model_fields.get(str(path[-1])) if model else None
+    return f" ({field.description})" if field and field.description else ""
+
+
+def _model(path: Path, top: type[BaseModel]) -> type[BaseModel] | None:
+    """The model that describes what stands at `path` below `top`; None where there is none."""
+    kind: Any = top
+    for step in path:
+        if isinstance(kind, type) and issubclass(kind, BaseModel):
+            field = kind.model_fields.get(str(step))
+            kind = _bare(field.annotation) if field else None
+        else:
+            arguments = get_args(kind)
+            kind = _bare(arguments[1 if get_origin(kind) is dict else 0]) if arguments else None
+    return kind if isinstance(kind, type) and issubclass(kind, BaseModel) else None
+
+
+def _bare(kind: Any) -> Any:
+    """A type without `| None`; of a union, its first member."""
+    while get_origin(kind) in (Union, types.UnionType):
+        kind = next(argument for argument in get_args(kind) if argument is not type(None))
+    return kind

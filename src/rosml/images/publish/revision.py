@@ -1,0 +1,64 @@
+"""An earlier revision of the checkout, read from git, to compare with."""
+
+from __future__ import annotations
+
+import io
+import os
+import tarfile
+import tempfile
+from pathlib import Path
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import InputError
+from rosml.images.bake.diff import Difference, between
+from rosml.images.bake.inputs import Inputs
+from rosml.images.image_set import load
+from rosml.images.image_set import model as sets
+from rosml.images.matrix import source
+from rosml.machine import git
+
+
+def since(version: str, now: Inputs) -> Difference:
+    """What differs from a git revision, or from another matrix file with everything else as it is now.
+
+    Raises:
+        RosmlError: there is no such version, or this version of the project cannot read it.
+    """
+    if os.path.isfile(version):
+        return between(Inputs(now.root, load.load(Path(version))), now)
+    with tempfile.TemporaryDirectory() as folder:
+        _unpack(version, now.root, Path(folder))
+        return between(Inputs(Path(folder), _catalogue(version, Path(folder) / "matrix.yaml")), now)
+
+
+def _catalogue(revision: str, file: Path) -> sets.ImageSet:
+    if not file.is_file():
+        raise RosmlError(f"revision {revision} has no matrix.yaml", remedy="name a later one", exit_code=2)
+    try:
+        return load.image_set(source.parse(file.read_bytes(), f"{revision}:matrix.yaml"))
+    except InputError as error:
+        reason = f"this version of the project does not understand the matrix of revision {revision}:\n{error.message}"
+        raise RosmlError(reason, remedy="compare with a later revision", exit_code=2) from None
+
+
+def _unpack(revision: str, root: Path, folder: Path) -> None:
+    """The files of a revision."""
+    commit = _git(root, "rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}^{{commit}}")
+    if not commit:
+        remedy = "see the revisions with: git log --oneline --all (a shallow clone lacks most: git fetch --unshallow)"
+        raise RosmlError(f"no revision and no file named {revision!r}", remedy=remedy, exit_code=2)
+    content = _git(root, "archive", "--format=tar", commit.decode().strip())
+    try:
+        with tarfile.open(fileobj=io.BytesIO(content)) as archive:
+            archive.extraction_filter = getattr(tarfile, "data_filter", lambda member, path: member)
+            archive.extractall(folder)
+    except tarfile.TarError as error:
+        raise RosmlError(f"revision {revision} cannot be unpacked: {error}", "compare with another one") from None
+
+
+def _git(root: Path, *arguments: str) -> bytes:
+    """What git says; nothing where it fails silently."""
+    try:
+        return git.ask(root, *arguments)
+    except RosmlError as error:
+        raise RosmlError(error.message, f"{error.remedy}, or name another matrix file") from None

@@ -1,0 +1,66 @@
+"""Records what a scan found that might not write into the registry (scan/results.py). All that is made of it is the outcome
+in entries that are about the very same image.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from rosml.base import untrusted
+from rosml.base.errors import RosmlError
+from rosml.base.problems import first_of
+from rosml.images.publish.pipeline import Outcome as Done
+from rosml.images.publish.pipeline import Pipeline
+from rosml.images.records import store
+from rosml.images.scan.judge import Outcome
+from rosml.images.scan.trivy import WRITTEN_BYTES
+from rosml.registry.oci import is_digest
+
+
+class _Facts(BaseModel):
+    model_config = ConfigDict(frozen=True, strict=True)
+
+
+class _Handed(_Facts):
+    """What the file says, as `scan/results.py` writes it."""
+
+    version: Literal[1]
+    entries: list[Any]
+
+
+def record(pipeline: Pipeline, file: Path) -> None:
+    """Writes into the registry what a scan handed over.
+
+    Raises:
+        RosmlError: the file cannot be read, or the registry fails.
+    """
+    try:
+        data = file.read_bytes()
+        content = _Handed.model_validate_json(data)
+        untrusted.json_value(data, WRITTEN_BYTES)  # within the limits: entries go into the records as they are
+        entries = [_entry(item) for item in content.entries]
+    except (OSError, ValueError) as error:
+        reason = first_of(error) if isinstance(error, ValidationError) else getattr(error, "strerror", "") or error
+        text = f"{file} holds no results of a scan: {reason}"
+        raise RosmlError(text, "write it again with: rosml publish scan --output FILE", exit_code=2) from None
+    for found in entries:
+        key = found.target, found.architecture
+        known = pipeline.plan.known.get(key)
+        if known is None or known.digest != found.digest:
+            pipeline.outcomes.append(Done("record", *key, "waits", "it was made anew since it was scanned"))
+            continue
+        entry = replace(known, scanned=found.scanned, scan=found.scan, changed=pipeline.plan.date)
+        pipeline.records.write(entry)
+        pipeline.plan.known[key] = entry
+        pipeline.outcomes.append(Done("record", *key, "done", found.scanned))
+
+
+def _entry(item: Any) -> store.Entry:
+    found = store.parse(item)
+    if found is None or found.scanned not in {outcome.value for outcome in Outcome} or not is_digest(found.digest):
+        raise ValueError("an outcome in it is none")
+    return found

@@ -1,0 +1,84 @@
+"""Moves tags back to where they were before a run."""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+from rosml.base.errors import RosmlError
+from rosml.images.image_set.labels import TITLE
+from rosml.images.image_set.model import PARTS
+from rosml.images.matrix.names import part_target
+from rosml.images.publish.pipeline import Outcome
+from rosml.images.records.store import INDEX, READERS, Records
+from rosml.images.records.tag_moves import UNDO, Move, read_moves, record_name
+
+
+def undo(book: Records, date: str, run: str = "") -> list[Outcome]:
+    """Moves tags back to where they were before a run. What they pointed at is held: no later run moves them there again.
+
+    It reads the run's record and the indexes that it names, and nothing else: no matrix, and nothing of this machine.
+
+    Args:
+        book: the records of the registry.
+        date: of now; entries say that they are held since then.
+        run: the run's date; of the last one that has a record if empty.
+
+    Returns:
+        What was done about each tag that is not back yet.
+
+    Raises:
+        RosmlError: there is no such record; the registry does not answer.
+    """
+    known = sorted(name for name in book.registry.tags(book.repository) if name.startswith(UNDO))
+    name = record_name(run) if run else (known[-1] if known else "")
+    if name not in known:
+        dates = ", ".join(item.removeprefix(UNDO) for item in known[-5:])
+        text = f"there is no record of {'a run of ' + run if run else 'any run'}"
+        raise RosmlError(text, f"there is: {dates}" if known else "no run has moved a tag in this registry yet")
+    recorded = list(reversed(read_moves(book, name)))
+    with ThreadPoolExecutor(READERS) as pool:
+        there = list(pool.map(lambda move: book.registry.head(book.path(move.repository), move.tag), recorded))
+        now = list(zip(recorded, there, strict=True))
+        # Before the first tag moves: one who is killed between them leaves nothing that the next night moves there again.
+        held = {(move.repository, move.new) for move, where in now if where in (move.old, move.new)}
+        list(pool.map(lambda item: _hold(book, item[0], item[1], date), sorted(held)))
+        images: dict[tuple[str, str], list[tuple[Move, str]]] = {}
+        for move, where in now:
+            images.setdefault((move.repository, move.new), []).append((move, where))
+        # Tags of one image in their order, images side by side.
+        found = pool.map(lambda item: [_back(book, name, move, where) for move, where in item], images.values())
+        outcomes = [outcome for several in found for outcome in several if outcome]
+    return outcomes or [Outcome("undo", name, "", "done", "nothing was left to move back")]
+
+
+def _back(book: Records, record: str, move: Move, there: str) -> Outcome | None:
+    """Moves one tag back from where it is; None where it is back already.
+
+    Raises:
+        RosmlError: the registry does not answer.
+    """
+    repository, text = book.path(move.repository), f"{move.repository}:{move.tag}"
+    if there == move.old:
+        return None
+    if there != move.new:
+        return Outcome("undo", text, "", "waits", "it has moved on since")
+    try:
+        if move.old:
+            book.registry.tag(repository, move.old, move.tag)
+        else:
+            book.registry.delete(repository, move.tag)
+    except RosmlError as error:  # a registry that deletes no tag, an old index that is gone: others move all the same
+        book.registry.head(book.repository, record)  # without an answer, each other tag would take its time to fail
+        reason = f"{error.message}: {error.remedy}" if error.remedy else error.message
+        return Outcome("undo", text, "", "failed", reason)
+    return Outcome("undo", text, "", "done", f"back to {move.old}" if move.old else "removed: it was not there before")
+
+
+def _hold(book: Records, repository: str, digest: str, date: str) -> None:
+    """Writes down that an index gets no tags any more: in the entry of the image, or part, that its title names."""
+    index = book.registry.manifest(book.path(repository), digest)
+    title = index.annotations.get(TITLE, "") if index else ""
+    entry = book.read(part_target(title) if repository == PARTS else title, INDEX) if title else None
+    if entry and not entry.held and (entry.repository, entry.digest) == (repository, digest):
+        book.write(replace(entry, held=date, changed=date), {})

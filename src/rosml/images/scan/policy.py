@@ -1,0 +1,158 @@
+"""scan.yaml: which known vulnerabilities keep an image from its tags, and which are ignored, why, and until when."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass
+from datetime import date
+from fnmatch import fnmatchcase
+from pathlib import Path
+from typing import Annotated, Literal
+
+from pydantic import BeforeValidator, Field
+
+from rosml.base.problems import Problem
+from rosml.images.matrix import source, validate
+from rosml.images.matrix.model import Facts, only_whole
+
+Severity = Literal["critical", "high", "medium", "low", "unknown"]
+
+SEVERITIES: tuple[Severity, ...] = ("critical", "high", "medium", "low", "unknown")
+"""The worst first."""
+
+ADVISORY = r"^[A-Z][A-Za-z0-9]*(-[A-Za-z0-9]+)+$"
+PACKAGE = r"^[A-Za-z0-9][A-Za-z0-9._+-]*$"
+GLOB = r"^[a-z0-9*?][a-z0-9*?.-]*$"
+REASON = r"\S+\s+\S+"
+REPOSITORY = (
+    r"^[a-z0-9]([a-z0-9.-]*[a-z0-9])?(:[1-9][0-9]{0,4})?(/[a-z0-9]+([._-]+[a-z0-9]+)*)+(:[A-Za-z0-9_][A-Za-z0-9._-]*)?$"
+)
+MEANING = {
+    ADVISORY: "the name of an advisory, such as CVE-2026-12345 or GHSA-abcd-efgh-ijkl",
+    PACKAGE: "the name of a package, such as libssl3 or torch",
+    GLOB: 'a pattern of bake targets, such as "jazzy-*"',
+    REASON: "a reason of more than one word",
+    REPOSITORY: "a repository with its registry, such as ghcr.io/aquasecurity/trivy-db:2",
+}
+
+
+class Ignored(Facts):
+    """A vulnerability that does not stop images, for a reason and for some time."""
+
+    id: Annotated[str, Field(pattern=ADVISORY, max_length=64)] = Field(
+        description="the advisory, such as CVE-2026-12345"
+    )
+    package: Annotated[str, Field(pattern=PACKAGE, max_length=128)] | None = Field(
+        default=None, description="only in this package; in all of them if left out"
+    )
+    targets: Annotated[str, Field(pattern=GLOB, max_length=128)] = Field(
+        default="*", description="only in images whose bake target matches this pattern"
+    )
+    reason: Annotated[str, Field(pattern=REASON, max_length=400)] = Field(description="why it does no harm here")
+    expires: date = Field(description="the last day on which it is ignored")
+
+    def covers(self, target: str, advisory: str, package: str) -> bool:
+        """Whether it speaks of a vulnerability of a package in an image."""
+        return self.id == advisory and self.package in (None, package) and self.is_for(target)
+
+    def is_for(self, target: str) -> bool:
+        """Whether it speaks of an image."""
+        return fnmatchcase(target, self.targets)
+
+
+class DatabaseRules(Facts):
+    """Where known vulnerabilities come from."""
+
+    repositories: Annotated[
+        tuple[Annotated[str, Field(pattern=REPOSITORY, max_length=200)], ...], Field(min_length=1)
+    ] = Field(description="repositories of trivy's database; the next one is asked where one does not answer")
+    max_age_hours: Annotated[int, Field(ge=1, le=24 * 365)] = Field(
+        description="a database that was made earlier than that is too old to vouch for anything"
+    )
+
+
+class Policy(Facts):
+    """What is looked for, and what follows."""
+
+    version: Annotated[Literal[1], BeforeValidator(only_whole)] = Field(description="version of this file's format")
+    fail: Annotated[tuple[Severity, ...], Field(min_length=1)] = Field(description="severities that stop an image")
+    unknown: Literal["fail", "list"] = Field(
+        default="fail", description="whether a vulnerability that nobody has rated stops an image, or is only listed"
+    )
+    fixable_only: bool = Field(description="whether only what a newer package mends stops an image")
+    database: DatabaseRules
+    ignore: tuple[Ignored, ...] = Field(default=(), description="what does not stop images, though it is found")
+
+    def stops(self, severity: str) -> bool:
+        """Whether a vulnerability of a severity stops an image."""
+        return severity in self.fail or (severity == "unknown" and self.unknown == "fail")
+
+
+@dataclass(frozen=True)
+class Rules:
+    """A policy with its places in the file.
+
+    Attributes:
+        policy: what the file says.
+        document: where it says so.
+    """
+
+    policy: Policy
+    document: source.Document
+
+    def expired(self, today: date) -> dict[int, Problem]:
+        """The entries of `ignore` whose time is over, and what to say of each."""
+        return {
+            index: self._problem(
+                index,
+                f"{entry.id} was ignored until {entry.expires}; look at it again: give it a new date, or remove it",
+            )
+            for index, entry in enumerate(self.policy.ignore)
+            if entry.expires < today
+        }
+
+    def in_force(self, today: date) -> Policy:
+        """The policy without the entries of `ignore` whose time is over."""
+        expired = self.expired(today)
+        entries = tuple(entry for index, entry in enumerate(self.policy.ignore) if index not in expired)
+        return self.policy.model_copy(update={"ignore": entries})
+
+    def unmatched(self, matched: Iterable[int], judged: Iterable[int]) -> list[Problem]:
+        """What to say of entries that ignored nothing.
+
+        Args:
+            matched: indexes of those that did.
+            judged: of those of whose images all were scanned.
+        """
+        return [
+            self._problem(index, f"{self.policy.ignore[index].id} is in no image that the entry is for; remove it")
+            for index in sorted({*judged} - {*matched})
+        ]
+
+    def for_nobody(self, targets: Collection[str]) -> list[Problem]:
+        """What to say of entries whose pattern fits none of the targets, which are all that there are."""
+        return [
+            self._problem(
+                index, f"{entry.targets!r} fits no image of the matrix; mend the pattern, or remove the entry"
+            )
+            for index, entry in enumerate(self.policy.ignore)
+            if not any(map(entry.is_for, targets))
+        ]
+
+    def _problem(self, index: int, text: str) -> Problem:
+        return self.document.problem(("ignore", index), text)
+
+
+def load(file: Path) -> Rules:
+    """Reads a policy.
+
+    Raises:
+        RosmlError: the file is missing or unreadable (exit code 2).
+        InputError: with every problem that it has.
+    """
+    return parsed(source.read(file, "--policy"))
+
+
+def parsed(document: source.Document) -> Rules:
+    """The policy of a document; raises as `load` does."""
+    return Rules(validate.checked(document, Policy, MEANING), document)

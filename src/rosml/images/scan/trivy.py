@@ -1,0 +1,432 @@
+"""The scanner: the pinned trivy, its database, and what its failures become."""
+
+from __future__ import annotations
+
+import hashlib
+import mmap
+import os
+import re
+import subprocess
+import tempfile
+import time
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass, field
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+from typing import Any
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from rosml.base import untrusted
+from rosml.base.errors import RosmlError
+from rosml.base.problems import first_of
+from rosml.base.programs import pinned_version
+from rosml.images.scan.policy import DatabaseRules
+
+SCANNER_FAILED = 4
+"""Exit code where nobody knows what is in an image: never to be mistaken for findings."""
+
+INSTALL = "run 'rosml setup scanner'"
+VERSION_SECONDS = 30.0
+SCAN_SECONDS = 600.0
+FETCH_SECONDS = 900.0
+DATABASE_FORMAT = 2
+"""Version of the database's format that the pinned trivy reads; also the tag of it in trivy's own repositories."""
+REPORT_FORMAT = 2
+"""Version of the JSON reports that the pinned trivy writes."""
+ATTEMPTS = 3
+PAUSE_SECONDS = 5.0
+"""Before the second attempt; twice that before the third."""
+
+OUR_OWN = ("TRIVY_USERNAME", "TRIVY_PASSWORD", "TRIVY_REGISTRY_TOKEN", "TRIVY_INSECURE", "TRIVY_NON_SSL")
+"""Settings of the user's that trivy gets to see: how to reach a registry. All others could change what it finds."""
+
+
+class ScannerFailed(RosmlError):
+    """The scanner could not do its work: nothing is known, neither good nor bad."""
+
+    def __init__(self, message: str, remedy: str = "") -> None:
+        super().__init__(message, remedy, exit_code=SCANNER_FAILED)
+
+
+@dataclass(frozen=True)
+class Database:
+    """One state of trivy's database.
+
+    Attributes:
+        updated: when it was made.
+        digest: sha256 of the file, the same for all who scan with this state.
+        source: repository that it came from, with the digest there where that is known.
+    """
+
+    updated: str
+    digest: str
+    source: str = ""
+
+    def to_json(self) -> dict[str, str]:
+        """For records and reports."""
+        return asdict(self)
+
+    def require_fresh(self, rules: DatabaseRules, now: datetime) -> None:
+        """Checks that it is young enough.
+
+        Raises:
+            ScannerFailed: it is not, or it was made in the future.
+        """
+        age = now - _moment(self.updated)
+        if age > timedelta(hours=rules.max_age_hours):
+            raise ScannerFailed(
+                f"the database of vulnerabilities was made {_hours(age)} ago ({self.updated}); "
+                f"the policy allows {rules.max_age_hours} hours",
+                "fetch it anew; where its repositories have no newer one, see database.repositories in the policy",
+            )
+        if age < timedelta(hours=-1):
+            raise ScannerFailed(
+                f"the database of vulnerabilities was made in the future ({self.updated})", "set this machine's clock"
+            )
+
+
+class _Said(BaseModel):
+    """What trivy writes, by its own names."""
+
+    model_config = ConfigDict(frozen=True, strict=True)
+
+
+class Vulnerability(_Said):
+    """A known vulnerability in a package."""
+
+    VulnerabilityID: str
+    PkgName: str
+    InstalledVersion: str
+    Severity: str
+    FixedVersion: str = ""
+    Title: str = ""
+    PrimaryURL: str = ""
+
+
+class Result(_Said):
+    """What trivy says of packages of one kind."""
+
+    Type: str = ""
+    Packages: list[Any] | None = None
+    Vulnerabilities: list[Vulnerability] | None = None
+
+
+class System(_Said):
+    """The operating system; EOSL: it gets no advisories any more."""
+
+    Family: str = ""
+    Name: str = ""
+    EOSL: bool = False
+
+
+class About(_Said):
+    """What trivy says of the whole."""
+
+    OS: System | None = None
+
+
+class Report(_Said):
+    """Trivy's report about an SBOM."""
+
+    SchemaVersion: int
+    Metadata: About | None = None
+    Results: list[Result] | None = None
+
+
+class _Database(_Said):
+    """What trivy's database says of itself."""
+
+    Version: int = 0
+    UpdatedAt: str
+
+
+WRITTEN_BYTES = 512 << 20
+"""Bytes that trivy may write; SBOMs and reports have some MB."""
+
+ANOTHER = "run it again with another trivy"
+
+
+@dataclass
+class Trivy:
+    """The program, and the folder with its database.
+
+    Attributes:
+        program: path of trivy.
+        version: its version, which is the pinned one.
+        folder: its cache; the database is below `db`.
+        environment: what calls of it inherit.
+        scan_seconds: how long a scan may take.
+        pause: before the second attempt to fetch the database.
+    """
+
+    program: str
+    version: str
+    folder: Path
+    environment: Mapping[str, str] = field(default_factory=lambda: dict(os.environ), repr=False)
+    scan_seconds: float = SCAN_SECONDS
+    pause: float = PAUSE_SECONDS
+
+    @classmethod
+    def find(cls, root: Path, folder: Path | None = None, environment: Mapping[str, str] = os.environ) -> Trivy:
+        """The scanner that `rosml setup scanner` left in a checkout.
+
+        Args:
+            root: the checkout.
+            folder: for the database; `.state/trivy` by default.
+            environment: what calls of it inherit.
+
+        Raises:
+            ScannerFailed: there is none, or it is not of the pinned version.
+        """
+        try:
+            program = str(untrusted.json_value((root / ".state" / "scanner.json").read_bytes())["trivy"])
+        except FileNotFoundError:
+            raise ScannerFailed("the scanner is not installed", INSTALL) from None
+        except (OSError, ValueError, KeyError, TypeError):
+            raise ScannerFailed(f"{root}/.state/scanner.json is damaged", INSTALL) from None
+        found = cls(
+            program, pinned_version(root, "trivy", ScannerFailed), folder or root / ".state" / "trivy", environment
+        )
+        said = found.run("--version", seconds=VERSION_SECONDS)
+        version = next((line.split()[-1].lstrip("v") for line in said.splitlines() if line.startswith("Version:")), "")
+        if version != found.version:
+            raise ScannerFailed(
+                f"{program} is trivy {version or 'of unknown version'}, and {found.version} is pinned", INSTALL
+            )
+        return found
+
+    # ---- work -----------------------------------------------------------------------------------------------------
+    def scan(self, sbom: bytes, what: str) -> Report:
+        """What the database knows of an SBOM's packages: trivy's own report, with all packages that it looked at.
+
+        Args:
+            sbom: CycloneDX.
+            what: it is of, for messages.
+
+        Raises:
+            ScannerFailed: trivy failed, there is no database, or what it wrote is no report.
+        """
+        with tempfile.TemporaryDirectory(prefix="rosml-scan-") as folder:
+            file = Path(folder) / "sbom.cdx.json"
+            file.write_bytes(sbom)
+            written = self._written(
+                *("sbom", "--format", "json", "--list-all-pkgs", "--scanners", "vuln", "--cache-backend", "memory"),
+                *("--skip-db-update", "--skip-java-db-update", "--offline-scan", "--skip-vex-repo-update"),
+                str(file),
+                seconds=self.scan_seconds,
+            )
+        return read_report(written, what)
+
+    # ---- the database ---------------------------------------------------------------------------------------------
+    def fetch(self, rules: DatabaseRules, pinned: str = "", say: Callable[[str], None] = lambda line: None) -> Database:
+        """Fetches the database, from the first repository that has it: once per run and machine.
+
+        Args:
+            rules: name the repositories.
+            pinned: the one state that all shards of a run use, as `resolve` gave it; empty: what the tags point at.
+            say: told what is going on, a line at a time.
+
+        Raises:
+            ScannerFailed: no repository gave it, or what they gave cannot be read.
+        """
+        reasons: list[str] = []
+        for attempt in range(ATTEMPTS):
+            if attempt:
+                time.sleep(self.pause * 2 ** (attempt - 1))
+            for source in (pinned,) if pinned else rules.repositories:
+                # An older one that is not finished, or that trivy takes for new enough, must not stand in for it.
+                for name in ("trivy.db", "metadata.json", "source"):
+                    (self.folder / "db" / name).unlink(missing_ok=True)
+                say(f"fetch the database of vulnerabilities from {source}")
+                try:
+                    self.run(
+                        *("image", "--download-db-only", "--no-progress", "--db-repository", source),
+                        seconds=FETCH_SECONDS,
+                    )
+                    (self.folder / "db" / "source").write_text(source)
+                    return self.database()
+                except ScannerFailed as error:
+                    reasons.append(f"{source}: {error.message}")
+        raise ScannerFailed(
+            "the database of vulnerabilities cannot be fetched:\n"
+            + "\n".join(f"    {text}" for text in dict.fromkeys(reasons)),
+            "see database.repositories in the policy, and whether this machine reaches them",
+        )
+
+    def database(self) -> Database:
+        """The database that is there.
+
+        Raises:
+            ScannerFailed: there is none, or it is damaged or of another format.
+        """
+        folder = self.folder / "db"
+        try:
+            facts = _Database.model_validate(untrusted.json_value((folder / "metadata.json").read_bytes()))
+            updated = _written_moment(facts.UpdatedAt)
+            with (folder / "trivy.db").open("rb") as stream:
+                digest = f"sha256:{hashlib.file_digest(stream, 'sha256').hexdigest()}"
+        except FileNotFoundError:
+            raise ScannerFailed(f"there is no database of vulnerabilities in {folder}", "fetch it first") from None
+        except (OSError, OverflowError, ValueError):
+            raise ScannerFailed(f"the database of vulnerabilities in {folder} is damaged", "fetch it anew") from None
+        if facts.Version != DATABASE_FORMAT:
+            raise ScannerFailed(
+                f"the database of vulnerabilities has format {facts.Version}, and trivy reads {DATABASE_FORMAT}",
+                f"take the tag :{DATABASE_FORMAT} of the repository, or pin a trivy that reads it",
+            )
+        source = folder / "source"
+        return Database(updated, digest, source.read_text() if source.exists() else "")
+
+    def lacks(self, sources: Iterable[str]) -> list[str]:
+        """Of names of advisories' sources, such as `debian 12`, those that the database cannot have.
+
+        Trivy finds nothing in what its database knows nothing of, and says nothing of it. The names of its sources stand
+        in the file as they are.
+        """
+        with (self.folder / "db" / "trivy.db").open("rb") as stream:
+            if not os.fstat(stream.fileno()).st_size:
+                return list(sources)
+            with mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ) as content:
+                return [name for name in sources if content.find(name.encode()) < 0]
+
+    # ---- calls ----------------------------------------------------------------------------------------------------
+    def run(self, *arguments: str, seconds: float) -> str:
+        """Calls trivy; gives what it prints.
+
+        Raises:
+            ScannerFailed: it cannot be run, hangs, or ends with anything but 0.
+        """
+        self.folder.mkdir(parents=True, exist_ok=True)
+        env = {
+            name: text for name, text in self.environment.items() if name in OUR_OWN or not name.startswith("TRIVY_")
+        }
+        # Neither a trivy.yaml nor a .trivyignore of the folder from which somebody calls us may change what is found.
+        with tempfile.TemporaryDirectory(prefix="rosml-trivy-") as nowhere:
+            quiet = () if arguments == ("--version",) else ("--disable-telemetry", "--skip-version-check")
+            argv = [self.program, "--cache-dir", str(self.folder), *arguments[:1], *quiet, *arguments[1:]]
+            if arguments != ("--version",):
+                argv[1:1] = ["--timeout", f"{int(seconds)}s"]
+            code, output, errors = _call(argv, env, nowhere, seconds)
+        if code != 0:
+            raise ScannerFailed(f"trivy {arguments[0]}: {_reason(errors) or f'exit code {code}'}")
+        return output
+
+    def _written(self, *arguments: str, seconds: float) -> bytes:
+        """Calls trivy; gives what it writes into a file."""
+        with tempfile.TemporaryDirectory(prefix="rosml-trivy-") as folder:
+            file = Path(folder) / "output.json"
+            self.run(arguments[0], "--output", str(file), *arguments[1:], seconds=seconds)
+            try:
+                return file.read_bytes()
+            except OSError:
+                return b""
+
+
+def read_report(written: bytes, what: str) -> Report:
+    """Trivy's report.
+
+    Args:
+        written: by trivy. what: it is about, for messages.
+
+    Raises:
+        ScannerFailed: it is no such report.
+    """
+    try:
+        report = Report.model_validate(_object(written, f"report about {what}"))
+    except ValidationError as error:
+        raise ScannerFailed(f"trivy did not write a report about {what}: {first_of(error)}", ANOTHER) from None
+    if report.SchemaVersion != REPORT_FORMAT:
+        raise ScannerFailed(f"trivy did not write a report about {what}", ANOTHER)
+    return report
+
+
+def _object(written: bytes, what: str) -> dict[str, Any]:
+    try:
+        found = untrusted.json_value(written, WRITTEN_BYTES)
+    except ValueError as error:
+        raise ScannerFailed(f"{what}: trivy ended well, and wrote no JSON object: {error}", ANOTHER) from None
+    if not isinstance(found, dict):
+        raise ScannerFailed(f"{what}: trivy ended well, and wrote no JSON object", ANOTHER)
+    return found
+
+
+def resolve(rules: DatabaseRules, head: Callable[[str], str]) -> str:
+    """The newest state of the database, to be shared by all shards of a run.
+
+    Args:
+        rules: name the repositories.
+        head: gives the digest that a reference points at; empty where there is none.
+
+    Returns:
+        Repository and digest, for `Trivy.fetch`.
+
+    Raises:
+        ScannerFailed: no repository says which it has.
+    """
+    reasons = []
+    for repository in rules.repositories:
+        tagged = ":" in repository.rpartition("/")[2]
+        name, _, tag = repository.rpartition(":") if tagged else (repository, "", str(DATABASE_FORMAT))
+        try:
+            if digest := head(f"{name}:{tag}"):
+                return f"{name}@{digest}"
+            reasons.append(f"{name}:{tag}: there is no such tag")
+        except RosmlError as error:
+            reasons.append(f"{name}:{tag}: {error.message}")
+    raise ScannerFailed(
+        "no repository says which database of vulnerabilities it has:\n" + "\n".join(f"    {text}" for text in reasons),
+        "see database.repositories in the policy, and whether this machine reaches them",
+    )
+
+
+def _call(argv: Sequence[str], env: Mapping[str, str], folder: str, seconds: float) -> tuple[int, str, str]:
+    """Runs a program: exit code, output, errors."""
+    try:
+        # trivy itself stops at its timeout, and says in what it was stuck; this is for one that does not.
+        done = subprocess.run(
+            argv,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            env=env,
+            cwd=folder,
+            text=True,
+            errors="replace",
+            timeout=seconds * 1.1 + 1,
+            check=False,
+        )
+    except OSError as error:
+        raise ScannerFailed(f"cannot run {argv[0]}: {error.strerror}", INSTALL) from None
+    except subprocess.TimeoutExpired:
+        raise ScannerFailed(f"trivy did not end within {seconds:.0f} s", "run it again") from None
+    return done.returncode, done.stdout, done.stderr
+
+
+def _reason(errors: str) -> str:
+    """What a failed trivy says of it: from its FATAL line on, without the time and the level."""
+    lines = [line.strip() for line in errors.splitlines() if line.strip()]
+    start = next((number for number, line in enumerate(lines) if "\tFATAL\t" in line), max(0, len(lines) - 1))
+    text = " ".join(lines[start:]).rpartition("\tFATAL\t")[2]
+    text = re.sub(r"\s+", " ", text).removeprefix("Fatal error ")
+    return text if len(text) <= 500 else f"{text[:300]} … {text[-200:]}"
+
+
+def _written_moment(text: str) -> str:
+    """A time as trivy writes it, in UTC and whole seconds.
+
+    Raises:
+        ValueError: it is no time, or the year 1, which stands for never.
+    """
+    if text.startswith("0001-"):
+        raise ValueError("never")
+    moment = datetime.fromisoformat(re.sub(r"\.\d+", "", text).replace("Z", "+00:00")).astimezone(UTC)
+    return f"{moment.replace(tzinfo=None).isoformat()}Z"  # strftime writes the year 900 with three digits
+
+
+def _moment(text: str) -> datetime:
+    return datetime.strptime(text, "%Y-%m-%dT%H:%M:%SZ").replace(tzinfo=UTC)
+
+
+def _hours(age: timedelta) -> str:
+    hours = age.total_seconds() / 3600
+    return f"{hours:.0f} hours" if hours < 72 else f"{hours / 24:.0f} days"

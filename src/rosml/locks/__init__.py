@@ -1,1 +1,0 @@
-"""Locks: resolved from what the matrix asks for, and digests of base images. Uses images and below."""

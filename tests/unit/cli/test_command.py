@@ -1,0 +1,340 @@
+"""How every command ends: exit codes, messages and remedies, never a traceback."""
+
+from __future__ import annotations
+
+import errno
+import json
+import os
+import re
+import shlex
+import signal
+import subprocess
+import sys
+import tomllib
+from collections.abc import Callable, Iterator
+from importlib import import_module
+from pathlib import Path
+
+import click
+import pytest
+from conftest import ROOT
+from stubs import on_a_terminal
+from workflows import accepted
+
+from bench import cli as bench
+from rosml.base import environment
+from rosml.base.errors import RosmlError
+from rosml.base.problems import InputError, Problem
+from rosml.cli import command, main
+
+
+@pytest.fixture(autouse=True)
+def signals() -> Iterator[None]:
+    """Puts back what commands do with signals."""
+    before = signal.getsignal(signal.SIGTERM), signal.getsignal(signal.SIGINT)
+    yield
+    signal.signal(signal.SIGTERM, before[0])
+    signal.signal(signal.SIGINT, before[1])
+
+
+def ending(body: Callable[[], None]) -> click.Command:
+    """A command that does nothing but end in some way."""
+    return click.Command("x", callback=body, params=[click.Option(["--number"], type=int, expose_value=False)])
+
+
+def raising(error: BaseException) -> click.Command:
+    def body() -> None:
+        raise error
+
+    return ending(body)
+
+
+def test_success(capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.run(ending(lambda: click.echo("done")), arguments=[]) == 0
+    assert capsys.readouterr() == ("done\n", "")
+
+
+@pytest.mark.parametrize(
+    ("error", "code", "says"),
+    [
+        (RosmlError("no room"), 1, "error: no room\n"),
+        (RosmlError("no room", "make some"), 1, "error: no room\nremedy: make some\n"),
+        (RosmlError("no image 'x'", exit_code=2), 2, "error: no image 'x'\n"),
+        (InputError("m.yaml", [Problem(4, 2, "a.b", "no 'c'")]), 2, "m.yaml:4:2: a.b: no 'c'\n"),
+        (click.ClickException("odd"), 1, "Error: odd\n"),
+        (KeyboardInterrupt(), 130, "what was finished is kept\n"),
+        (click.Abort(), 130, "what was finished is kept\n"),
+        (
+            PermissionError(errno.EACCES, "Permission denied", "/x"),
+            1,
+            "error: /x: Permission denied\nremedy: run it as the user who may, or let this one\n",
+        ),
+        (OSError(errno.EIO, "Input/output error"), 1, "error: Input/output error\n"),
+    ],
+)
+def test_failures(error: BaseException, code: int, says: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.run(raising(error), "what was finished is kept", []) == code
+    done = capsys.readouterr()
+    assert done.out == ""
+    assert done.err.lstrip("\n") == says
+
+
+@pytest.mark.parametrize("arguments", [["--nmber"], ["--number", "x"], ["extra"]])
+def test_wrong_usage(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.run(ending(lambda: None), arguments=arguments) == 2
+    assert "Usage: " in capsys.readouterr().err
+
+
+def test_a_bug_is_not_hidden() -> None:
+    with pytest.raises(ZeroDivisionError):
+        command.run(raising(ZeroDivisionError()), arguments=[])
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_signals(number: signal.Signals, capsys: pytest.CaptureFixture[str]) -> None:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)  # a command that does not listen must not end the tests
+    assert command.run(ending(lambda: os.kill(os.getpid(), number)), "kept", []) == 130
+    assert capsys.readouterr().err.strip() == "kept"
+
+
+@pytest.mark.parametrize("called", ["src", *(f"scripts/{name}.py" for name in ("generate_bake", "lock", "publish"))])
+def test_outside_of_the_virtual_environment(called: str) -> None:
+    """Without any packages: before the first of them is imported, wherever that is."""
+    argv = [sys.executable, "-S", *called.removeprefix("python ").split(), "--help"]
+    done = subprocess.run(argv, cwd=ROOT, capture_output=True, text=True, check=False)
+    told = (
+        f"error: not installed: {', '.join((*environment.RUN, *environment.IMAGES))}\n"
+        f"remedy: {'rm -r .venv, then call it again' if called == 'src' else 'run this with .venv/bin/python; ./rosml makes it'}\n"
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (2, "", told)
+
+
+def all_commands(command: click.Command, name: str) -> Iterator[tuple[str, click.Command]]:
+    """A command and those below it, by what people type."""
+    yield name, command
+    for inner, found in command.commands.items() if isinstance(command, click.Group) else ():
+        yield from all_commands(found, f"{name} {inner}")
+
+
+LIBRARY = {
+    "publish": "publish",
+    "generate_bake": "generate",
+    "lock": "locks",
+    "join": "join",
+    "catalogue": "catalogue",
+}
+"""Modules of `rosml.cli.images` by the scripts that call them; the others have their command themselves."""
+
+SCRIPTS = {
+    file.name: import_module(
+        f"rosml.cli.images.{LIBRARY[file.stem]}" if file.stem in LIBRARY else f"scripts.{file.stem}"
+    )
+    for file in (ROOT / "scripts").glob("*.py")
+}
+COMMANDS = {
+    name: found
+    for file, module in sorted(SCRIPTS.items())
+    if file != "bootstrap.py"
+    for name, found in all_commands(getattr(module, "cli", None) or module.main, file)
+} | {"python -m bench": bench.main}
+PROGRAMS = {"rosml ": main.cli, "scripts/docs.py": COMMANDS["docs.py"], "python -m bench": bench.main}
+PROGRAMS["scripts/requirements.py"] = COMMANDS["requirements.py"]
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_help_has_an_example(name: str) -> None:
+    """One that the command's own parser reads."""
+    told = COMMANDS[name].get_help(click.Context(COMMANDS[name], info_name=name, **COMMANDS[name].context_settings))
+    _, found, examples = told.partition("Example")
+    assert found, told
+    lines = examples.partition("\n\n")[0].replace("\\\n", " ").splitlines()[1:]
+    shown = [line.strip().removeprefix("uv run ") for line in lines]
+    calls = [
+        (program, line.removeprefix(program)) for line in shown for program in PROGRAMS if line.startswith(program)
+    ]
+    assert calls
+    for program, rest in calls:
+        accepted(PROGRAMS[program], shlex.split(re.split(r"  +", rest)[0]))
+
+
+@pytest.mark.parametrize(("words", "meant"), [(["imge"], "image"), (["publish", "undoo"], "undo")])
+def test_a_command_that_is_mistyped(words: list[str], meant: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.run(main.cli, arguments=words) == 2
+    assert re.search(f"Did you mean .*'{meant}'", capsys.readouterr().err)
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["up"], "rosml setup"),
+        (["publish", "image", "x"], "rosml image"),
+        (["publish", "join"], "rosml publish join-images"),
+    ],
+)
+def test_a_command_that_is_elsewhere(words: list[str], told: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.run(main.cli, arguments=words) == 2
+    assert capsys.readouterr().err.endswith(f"It is: {told}\n")
+
+
+@pytest.mark.parametrize(("no_color", "coloured"), [("", True), ("1", False)])
+def test_colour_on_a_terminal_only(no_color: str, coloured: bool) -> None:
+    """And not where somebody does not want it. The terminal is one of Python's own making."""
+    code = (
+        "import sys, click; from rosml.cli import command; from rosml.base.errors import RosmlError\n"
+        "def fail() -> None:\n"
+        "    click.echo(click.style('==> work', bold=True))\n"
+        "    raise RosmlError('no room', 'make some')\n"
+        "sys.exit(command.run(click.Command('x', callback=fail), arguments=[]))"
+    )
+    env = {**os.environ, "PYTHONPATH": str(ROOT), "NO_COLOR": no_color, "TERM": "xterm"}
+    returned, told = on_a_terminal(code, env=env)
+    assert returned == 1
+    assert b"==> work" in told and b"no room" in told
+    assert (b"\x1b[" in told) == coloured
+
+
+LOOKS = re.compile(r"\n(import rosml\.base\.environment  # noqa|from rosml\.__main__ import run\n)")
+
+
+def test_every_command_looks_for_its_packages() -> None:
+    scripts = [file for file in (ROOT / "scripts").glob("*.py") if file.name != "bootstrap.py"]
+    assert [file.name for file in scripts if not LOOKS.search(file.read_text())] == []
+
+
+def test_what_is_looked_for_is_what_the_project_asks_for() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    for asked, looked_for in (
+        (project["dependencies"], environment.RUN),
+        (project["optional-dependencies"]["images"], environment.IMAGES),
+    ):
+        names = [item.lower().partition("==")[0].replace("pyyaml", "yaml") for item in asked]
+        assert names == [*looked_for]
+
+
+def test_reader_of_our_output_is_gone(tmp_path: Path) -> None:
+    script = tmp_path / "x.py"
+    script.write_text(
+        f"import sys; sys.path.insert(0, {str(ROOT / 'src')!r})\n"
+        "import click; from rosml.cli import command\n"
+        "@click.command()\n"
+        "def main() -> None:\n"
+        "    for _ in range(100_000): click.echo('line')\n"
+        "sys.exit(command.run(main))\n"
+    )
+    pipe = f"set -o pipefail; '{sys.executable}' '{script}' | head -1"
+    done = subprocess.run(["bash", "-c", pipe], capture_output=True, text=True, check=False, timeout=30)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "line\n", "")
+
+
+@pytest.mark.parametrize("more", [[], ["--json"]])
+def test_output_on_a_full_disk(more: list[str]) -> None:
+    argv = [sys.executable, "src", "list", *more]
+    with open("/dev/full", "w") as full:
+        done = subprocess.run(argv, cwd=ROOT, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+    assert done.returncode == 1
+    assert re.fullmatch("error: No space left on device\nremedy: free some disk space .*\n", done.stderr)
+
+
+@pytest.mark.parametrize("more", ["", "--json", "--json 2>&-"])
+def test_output_that_is_closed(more: str) -> None:
+    """Neither a traceback nor a success that shows nothing."""
+    call = f'"$0" -m rosml list {more} >&-'
+    done = subprocess.run(["bash", "-c", call, sys.executable], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 1
+    if "2>&-" not in more:
+        assert re.fullmatch("error: standard output is closed.*\nremedy: send it .*\n", done.stderr)
+
+
+@pytest.mark.parametrize("shell", ['PYTHONIOENCODING=latin-1 "$0" "$1"', 'LC_ALL=C PYTHONUTF8=0 "$0" "$1"'])
+def test_output_that_knows_few_letters(shell: str, tmp_path: Path) -> None:
+    script = tmp_path / "x.py"
+    script.write_text(
+        f"import sys; sys.path.insert(0, {str(ROOT / 'src')!r})\n"
+        "import click; from rosml.cli import command\n"
+        "@click.command()\n"
+        "def main() -> None: click.echo('a → b')\n"
+        "sys.exit(command.run(main))\n"
+    )
+    done = subprocess.run(["bash", "-c", shell, sys.executable, script], capture_output=True, check=False, timeout=30)
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert done.stdout in (b"a \\u2192 b\n", "a → b\n".encode())
+
+
+def test_a_command_that_works_says_that_its_reader_is_gone() -> None:
+    """`make image | head` is not done when head is."""
+    code = (
+        "import sys, click; from rosml.cli import command\n"
+        "work = click.Command('work', callback=lambda: (_ for _ in ()).throw(BrokenPipeError))\n"
+        "sys.exit(command.run(work, arguments=[], reader_gone=command.BROKEN_PIPE))"
+    )
+    env = {**os.environ, "PYTHONPATH": str(ROOT)}
+    done = subprocess.run([sys.executable, "-c", code], env=env, capture_output=True, check=False)
+    assert (done.returncode, done.stderr) == (141, b"")
+
+
+@pytest.mark.parametrize(
+    ("error", "says", "remedy"),
+    [
+        (RosmlError("no room", "make some"), "no room", "make some"),
+        (RosmlError("no image 'x'", exit_code=2), "no image 'x'", ""),
+        (InputError("m.yaml", [Problem(4, 2, "a.b", "no 'c'")]), "m.yaml:4:2: a.b: no 'c'", ""),
+        (click.UsageError("no such thing"), "no such thing", "see --help"),
+        (KeyboardInterrupt(), "interrupted", "what was finished is kept"),
+        (OSError(errno.EIO, "Input/output error"), "Input/output error", ""),
+        (UnicodeDecodeError("utf-8", b"abc\xff", 3, 4, "x"), "a file is not UTF-8, after 'abc'", ""),
+    ],
+)
+def test_an_error_is_an_object_where_json_is_asked_for(
+    error: BaseException, says: str, remedy: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    failing = raising(error)
+    plain = command.run(failing, "what was finished is kept", [])
+    capsys.readouterr()
+    failing.params.append(click.Option(["--json"], is_flag=True, expose_value=False))
+    assert command.run(failing, "what was finished is kept", ["--json"]) == plain
+    done = capsys.readouterr()
+    assert json.loads(done.out) == {"error": says, "remedy": remedy}
+    assert (remedy if isinstance(error, KeyboardInterrupt) else says) in done.err, "people read it as well"
+
+
+@pytest.mark.parametrize(
+    "script", ["src status", "src publish all", "src publish prune", "scripts/join.py a b --tag c"]
+)
+def test_commands_print_an_object_for_an_error(script: str, tmp_path: Path) -> None:
+    name, *arguments = script.split()
+    more = ["--registry", "nowhere"] if name == "src" else []
+    argv = [sys.executable, str(ROOT / name), *arguments, *more, "--json"]
+    done = subprocess.run(argv, capture_output=True, text=True, check=False, cwd=tmp_path)
+    assert done.returncode in (1, 2)
+    assert json.loads(done.stdout)["error"] in done.stderr
+
+
+def made(folder: Path, name: str) -> None:
+    (folder / "a").write_text("a file")
+    (folder / "b").mkdir()
+    works: dict[str, Callable[[], object]] = {
+        "mkdir": (folder / "a").mkdir,
+        "parents": lambda: (folder / "a/x/y").mkdir(parents=True),
+        "below": lambda: (folder / "a/x").write_text("x"),
+        "folder": lambda: (folder / "b").write_text("x"),
+        "read": (folder / "c").read_text,
+    }
+    works[name]()
+
+
+@pytest.mark.parametrize(
+    ("name", "says"),
+    [
+        ("mkdir", "{}/a is in the way: a folder is needed there\nremedy: move it away"),
+        ("parents", "{}/a is in the way: a folder is needed there\nremedy: move it away"),
+        ("below", "{}/a is in the way: a folder is needed there\nremedy: move it away"),
+        ("folder", "{}/b is in the way: it is a folder, and a file is needed there\nremedy: move it away"),
+        ("read", "{}/c: No such file or directory\n"),
+    ],
+)
+def test_what_is_in_the_way_is_named(name: str, says: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """As where `.state/log` is a file."""
+    assert command.run(ending(lambda: made(tmp_path, name)), arguments=[]) == 1
+    err = capsys.readouterr().err
+    assert err.startswith("error: " + says.format(tmp_path)) and "Errno" not in err

@@ -1,0 +1,136 @@
+"""Commands that the documentation shows are ones that there are, with options that they have; scripts that it shows work."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+import subprocess
+from pathlib import Path
+
+import click
+import pytest
+from conftest import ROOT
+from workflows import accepted
+
+from bench import cli as bench
+from rosml.base.errors import RosmlError
+from rosml.cli import main
+from rosml.cli.images import catalogue, generate, join, locks, publish
+from rosml.images.image_set.explain import explained
+from rosml.images.image_set.model import ImageSet
+from tests.pages import SHELLS, blocks, commands, pages
+
+SCRIPTS = {
+    "bench": bench.main,
+    "scripts/catalogue.py": catalogue.main,
+    "scripts/generate_bake.py": generate.main,
+    "scripts/join.py": join.main,
+    "scripts/lock.py": locks.main,
+    "scripts/publish.py": publish.main,
+}
+MAKEFILE = (ROOT / "Makefile").read_text()
+EXTEND = "docs/extend.md"
+"""The page whose examples are not in our own matrix; test_extend.py follows it."""
+
+SHOWN = sorted(
+    {
+        (command, block.page)
+        for page in pages()
+        for block in blocks(page)
+        if block.language in SHELLS
+        for command in commands(block)
+    }
+)
+
+
+# ---- Commands --------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("page", sorted({page for _, page in SHOWN}))
+def test_parsers_accept_what_a_page_shows(page: str, real: ImageSet) -> None:
+    wrong = []
+    for command in (command for command, where in SHOWN if where == page):
+        try:
+            parsed(command, real, page)
+        except (AssertionError, LookupError, RosmlError, ValueError, click.UsageError) as error:
+            wrong.append(f"{command}: {error}")
+    assert wrong == []
+
+
+def parsed(command: str, image_set: ImageSet, page: str) -> None:
+    """Has a command's own parser read it; commands that are not ours are left to the tests that run them."""
+    argv = [word for word in shlex.split(command) if "…" not in word]
+    while argv and re.match(r"[A-Z_]+=", argv[0]):
+        argv = argv[1:]
+    if argv[:1] == ["make"]:
+        made(argv[1:], image_set if page != EXTEND else None)
+    elif argv[:1] in (["rosml"], ["./rosml"]):
+        if "--help" not in argv:
+            accepted(main.cli, argv[1:])
+            if argv[1] in ("image", "explain") and page != EXTEND:
+                explained(image_set, next(word for word in argv[2:] if not word.startswith("-")), {})
+    elif argv[:3] == ["uv", "run", "python"]:
+        if argv[4] in SCRIPTS:
+            accepted(SCRIPTS[argv[4]], argv[5:])
+    elif argv[:2] == ["uv", "run"] and argv[2] in SCRIPTS and argv[3:] != ["--help"]:
+        accepted(SCRIPTS[argv[2]], argv[3:])
+
+
+def made(given: list[str], image_set: ImageSet | None) -> None:
+    """A call of make: targets that people are told of, variables that it has, and an image that there is."""
+    targets = {line.split(":")[0] for line in MAKEFILE.splitlines() if re.match(r"[a-z0-9-]+:.* ## ", line)}
+    for word in given:
+        name, equals, value = word.partition("=")
+        if not equals:
+            assert word in targets, f"make has no target {word}"
+            continue
+        assert re.search(rf"^{name} [?:]=|\$\({name}\)", MAKEFILE, re.MULTILINE), f"make has no variable {name}"
+        if name == "TARGET" and image_set:
+            explained(image_set, value, {})
+
+
+# ---- Scripts ---------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("failing", "code"),
+    [({}, 0), ({"all": 1}, 1), ({"scan": 3, "all": 1}, 3), ({"scan": 4}, 4), ({"prune": 1}, 1), ({"setup": 2}, 2)],
+)
+def test_a_night_without_github(tmp_path: Path, failing: dict[str, int], code: int) -> None:
+    """The script of docs/registry.md, with a local replacement for rosml of which some steps fail: it ends there while it sets
+    up, and goes on later; its code is the first failure's. What it calls is what the nightly workflow calls, or `all` in the
+    place of steps."""
+    page = ROOT / "docs/registry.md"
+    (script,) = [block for block in blocks(page) if block.title == "night.sh"]
+    (tmp_path / "night.sh").write_text(script.text)
+    cases = "".join(f"{step}) exit {failed} ;; " for step, failed in failing.items())
+    text = f'#!/bin/sh\necho "$@" >>calls\n[ "$1" != publish ] || shift\ncase "$1" in {cases}esac\n'
+    (tmp_path / "rosml").write_text(text)
+    (tmp_path / "rosml").chmod(0o755)
+    done = subprocess.run(["bash", tmp_path / "night.sh"], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (code, "")
+    calls = [shlex.split(line) for line in (tmp_path / "calls").read_text().splitlines()]
+    assert calls[0] == ["setup"]
+    if "setup" in failing:
+        assert len(calls) == 1
+        return
+    assert calls[1] == ["setup", "scanner"]
+    steps = [call[1] if call[0] == "publish" else call[0] for call in calls[2:]]
+    assert steps == ["scan", "all", "status", "prune"]
+    night = (ROOT / ".github/workflows/nightly.yml").read_text()
+    options = {word for call in calls[2:] for word in call if word.startswith("--")}
+    assert [option for option in sorted(options) if option not in night] == []
+
+
+def test_a_second_night_leaves_the_log_of_the_first_alone(tmp_path: Path) -> None:
+    (crontab,) = [block for block in blocks(ROOT / "docs/registry.md") if block.title == "crontab"]
+    command = crontab.text.split(maxsplit=5)[5]
+    folder = tmp_path / "rosml"
+    folder.mkdir()
+    (folder / "night.sh").write_text('echo begun; bash -c "$SECOND"; echo refused: $?\n')
+    environment = {**os.environ, "HOME": str(tmp_path), "SECOND": command}
+    for nights in (1, 2):
+        done = subprocess.run(["bash", "-c", command], env=environment, capture_output=True, text=True, check=False)
+        assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+        assert (folder / ".state/night.log").read_text() == "begun\nrefused: 1\n" * nights

@@ -1,0 +1,430 @@
+"""The command `rosml`: its words, where it finds the matrix, what it needs, completion; and as an installed wheel."""
+
+from __future__ import annotations
+
+import ast
+import json
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+import time
+import zipfile
+from collections.abc import Iterator, Mapping
+from importlib import import_module
+from pathlib import Path
+
+import click
+import pytest
+from click.testing import CliRunner
+from conftest import ROOT, SMALL
+from registry_stand_in import standing_in
+
+import rosml
+from rosml.base import environment
+from rosml.cli import checkout, main
+from rosml.cli.images import publish
+from rosml.images.image_set import load
+from rosml.registry.oci import Registry
+from tests.e2e import parts
+
+IMAGES = load.load(ROOT / "matrix.yaml").images
+JOINED = next(image for image in IMAGES if image.stack)
+DISTRIBUTIONS = list(dict.fromkeys(image.distribution for image in IMAGES))
+
+WORDS = [
+    "attach",
+    "catalogue",
+    "ci",
+    "containerize",
+    "diff",
+    "explain",
+    "generate",
+    "image",
+    "join",
+    "list",
+    "locks",
+    "part",
+    "plan",
+    "publish",
+    "run",
+    "setup",
+]
+
+
+def commands(group: click.Group, before: str = "") -> Iterator[tuple[str, click.Command]]:
+    """All commands of a group, and of the groups in it."""
+    for name, command in group.commands.items():
+        yield f"{before}{name}", command
+        if isinstance(command, click.Group):
+            yield from commands(command, f"{before}{name} ")
+
+
+ALL = dict(commands(main.cli))
+
+
+def test_its_words() -> None:
+    assert sorted(main.cli.commands) == sorted([*WORDS, "status"])
+    assert {"all", "build", "join-images", "test", "scan", "record", "index", "promote", "undo", "prune"} <= set(
+        publish.main.commands
+    )
+
+
+@pytest.mark.parametrize("words", ALL)
+def test_each_has_its_help(words: str) -> None:
+    done = CliRunner().invoke(main.cli, [*words.split(), "--help"])
+    assert done.exit_code == 0
+    assert "Usage: " in done.output and ALL[words].help
+
+
+def test_its_version(wheel: Path, tmp_path: Path) -> None:
+    said = CliRunner().invoke(main.cli, ["--version"]).output
+    assert said == installed(wheel, tmp_path, "--version").stdout == f"rosml, version {rosml.__version__}\n"
+    assert (wheel / f"rosml-{rosml.__version__}.dist-info").is_dir()
+
+
+def test_a_target_and_a_tag_are_both_understood() -> None:
+    def explained(name: str) -> object:
+        return json.loads(CliRunner().invoke(main.cli, ["explain", name, "--json"]).output)
+
+    found = explained(JOINED.target)
+    assert found == explained(JOINED.tags[0])
+    assert isinstance(found, dict) and found["exists"] and len(found["reasons"]) > 3
+
+
+def test_a_list_of_groups() -> None:
+    wanted = [JOINED.distribution, JOINED.framework]
+    listed = json.loads(CliRunner().invoke(main.cli, ["list", *wanted, "--json"]).output)
+    assert listed and all(set(wanted) <= set(image["groups"]) for image in listed)
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_shells_complete(shell: str) -> None:
+    def asked(instruction: str, **facts: str) -> str:
+        env = {**os.environ, "_ROSML_COMPLETE": f"{shell}_{instruction}", **facts}
+        return subprocess.run([sys.executable, "src"], cwd=ROOT, env=env, capture_output=True, text=True).stdout
+
+    assert "rosml" in asked("source")
+    begun = JOINED.target[:-2]
+    words = {"COMP_WORDS": f"rosml explain {begun}", "COMP_CWORD": begun if shell == "fish" else "2"}
+    assert JOINED.target in asked("complete", **words)
+    assert "publish" in asked("complete", COMP_WORDS="rosml pu", COMP_CWORD="pu" if shell == "fish" else "1")
+
+
+def test_where_the_matrix_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In the checkout that the package is in, or with what came with the package; the current folder decides nothing."""
+    package, project = tmp_path / "lib/site-packages/rosml", stranger(tmp_path / "project")
+    monkeypatch.chdir(project)
+    assert rosml.root_of(package) == package / "data"
+    assert rosml.root_of(project / "vendor/rosml") == project / "vendor/rosml/data", "somebody installed it in there"
+    assert rosml.root_of(project / "src/rosml") == project
+
+
+def stranger(folder: Path) -> Path:
+    """A folder that looks like a checkout. Its programs write down that they ran."""
+    for name in (*checkout.PARTS, "src/rosml/x", ".state/bin/x", ".venv/bin/x"):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).touch()
+    mark = f"open({str(folder / 'ran')!r}, 'a').write('x')"
+    (folder / "scripts/bootstrap.py").write_text(f"{mark}\n")
+    program = f"#!{sys.executable}\n{mark}\n"
+    programs = [
+        folder / name for name in ("rosml", "docker", "podman", "git", "buildx", ".state/bin/uv", ".venv/bin/python")
+    ]
+    for file in programs:
+        file.write_text(program)
+        file.chmod(0o755)
+    facts: dict[str, object] = {
+        "registry": "127.0.0.1:1",
+        "buildx": [str(folder / "buildx")],
+        "builder": "x",
+        "builder_kind": "user",
+    }
+    facts |= {"buildx_config": None, "regctl": str(folder / "buildx"), "uv": str(folder / "buildx"), "ca_bundle": ""}
+    (folder / ".state/services.json").write_text(json.dumps({**facts, "bases": [str(folder / "buildx")]}))
+    return folder
+
+
+# ---- Installed, without a checkout -----------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The wheel as its build backend makes it, unpacked."""
+    folder = tmp_path_factory.mktemp("wheel")
+    build = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder)]
+    subprocess.run(build, cwd=ROOT, check=True, capture_output=True)
+    (file,) = folder.glob("rosml-*.whl")
+    with zipfile.ZipFile(file) as archive:
+        for member in archive.infolist():  # as pip does: what is a program stays one
+            made = Path(archive.extract(member, folder / "site"))
+            if member.external_attr >> 16 & 0o111:
+                made.chmod(made.stat().st_mode | 0o111)
+    return folder / "site"
+
+
+def installed(wheel: Path, folder: Path, *words: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    """Runs the command in a folder, with nothing of the checkout in reach."""
+    env: Mapping[str, str] = {"PATH": "/usr/bin:/bin", "HOME": str(folder / "home"), "PYTHONPATH": str(wheel)}
+    program = folder / "rosml"
+    program.write_text("import sys\nfrom rosml.cli.main import run\nsys.exit(run())\n")
+    argv = [sys.executable, str(program), *words]
+    return subprocess.run(argv, cwd=folder, env={**env, **environment}, capture_output=True, text=True, check=False)
+
+
+def test_what_needs_no_checkout(wheel: Path, tmp_path: Path) -> None:
+    listed = installed(wheel, tmp_path, "list", "--json")
+    assert listed.returncode == 0, listed.stderr
+    assert json.loads(listed.stdout) == json.loads(CliRunner().invoke(main.cli, ["list", "--json"]).output), (
+        "the same images, and the same inputs"
+    )
+    assert installed(wheel, tmp_path, "explain", JOINED.target).stdout.startswith(f"{JOINED.target} exists")
+    assert not (wheel / "rosml/data/.state").exists()
+
+
+def test_states_of_a_registry(wheel: Path, tmp_path: Path) -> None:
+    """No Docker, no root, no checkout: the registry is enough."""
+    with standing_in() as place:
+        asked = ("--registry", f"{place.address}/rosml", "--only", IMAGES[0].target, "--json")
+        done = installed(wheel, tmp_path, "status", *asked)
+        assert done.returncode == 0, done.stderr
+        assert {image["target"] for image in json.loads(done.stdout)["images"]} >= {IMAGES[0].target}
+        page = installed(wheel, tmp_path, "catalogue", *asked[:4])
+        assert page.returncode == 0, page.stderr
+    assert (tmp_path / "home/.cache/rosml/catalogue/index.html").is_file()
+    assert not (wheel / "rosml/data/.state").exists()
+
+
+def test_an_image_is_joined(wheel: Path, tmp_path: Path) -> None:
+    with standing_in() as place, Registry(place.address) as client:
+        ros = parts.ros().put(client, "me/ros", "ros1-bookworm-core", ["linux/amd64"])
+        own = parts.stack(client, "me/part", ("cuda", "common", "torch"), "cu128")
+        tag = f"{place.address}/me/mine:latest"
+        done = installed(wheel, tmp_path, "join", ros, *own, "--tag", tag)
+        assert done.returncode == 0, done.stderr
+        assert done.stdout.startswith(f"{tag}@{client.head('me/mine', 'latest')}\n")
+    assert not (wheel / "rosml/data/.state").exists()
+
+
+def test_an_image_is_run(wheel: Path, tmp_path: Path) -> None:
+    """The table of the engines' options is in the wheel. The engine is a local replacement."""
+    engine = '#!/bin/sh\ncase $1 in\n  run) printf "%s|" "$@"; exit 3 ;;\n  image) echo \'{"Id": "x", "Config": {}}\' ;;\n  *) echo "{}" ;;\nesac\n'
+    (tmp_path / "docker").write_text(engine)
+    (tmp_path / "docker").chmod(0o755)
+    words = ("run", "--no-tz", "--no-user", "-eA=b c", "ubuntu", "echo", "a  b")
+    done = installed(wheel, tmp_path, *words, PATH=f"{tmp_path}:/usr/bin:/bin")
+    assert (done.returncode, done.stderr) == (3, "")
+    assert done.stdout.endswith("|-eA=b c|ubuntu|echo|a  b|")
+    assert not (wheel / "rosml/data/.state").exists()
+
+
+def test_images_are_run_without_what_publishing_needs(wheel: Path, tmp_path: Path) -> None:
+    """Installed without the extra: two packages, and no others."""
+    site = tmp_path / "site"
+    site.mkdir()
+    for name in environment.RUN:
+        (site / name).symlink_to(Path(import_module(name).__file__ or "").parent)
+
+    def call(*words: str) -> subprocess.CompletedProcess[str]:
+        program = tmp_path / "rosml"
+        program.write_text("import sys\nfrom rosml.cli.main import run\nsys.exit(run())\n")
+        env = {"PATH": str(tmp_path), "PYTHONPATH": f"{wheel}:{site}", "HOME": str(tmp_path)}
+        argv = [sys.executable, "-S", str(program), *words]
+        return subprocess.run(argv, cwd=tmp_path, env=env, capture_output=True, text=True, check=False)
+
+    engine = '#!/bin/sh\ncase $1 in image) echo \'{"Id": "x", "Config": {}}\' ;; run) echo ran ;; esac\n'
+    (tmp_path / "docker").write_text(engine)
+    (tmp_path / "docker").chmod(0o755)
+    assert (call("run", "ubuntu").stdout, call("--help").returncode) == ("ran\n", 0)
+    assert call("run", "--export", "compose", "ubuntu").stdout.startswith("services:\n")
+    for other in ("list", "containerize"):
+        done = call(other)
+        assert done.returncode == 2 and done.stderr.startswith(
+            f"error: no command {other} here: not installed: httpx, pydantic, rich\n"
+        )
+        assert "[images]" in done.stderr
+
+
+ABSOLUTE = "/usr/bin:/bin"
+OF_A_CHECKOUT = ("setup", "setup up", "setup clean", "image", "publish all")
+CALLS = [
+    *((words, ABSOLUTE) for words in (*OF_A_CHECKOUT, "containerize .", "list")),
+    *((words, f"{here}:{ABSOLUTE}") for words in ("containerize .", "run x") for here in ("", ".")),
+]
+
+
+@pytest.mark.parametrize(("words", "path"), CALLS)
+def test_the_installed_command_runs_nothing_of_the_folder(wheel: Path, tmp_path: Path, words: str, path: str) -> None:
+    """The folder looks like a checkout, and is a stranger's. No program of it runs, and its services are not believed."""
+    folder = stranger(tmp_path / "a repository")
+    (tmp_path / "call").mkdir()
+    program = tmp_path / "call/rosml"
+    program.write_text("import sys\nfrom rosml.cli.main import run\nsys.exit(run())\n")
+    env = {"PATH": path, "HOME": str(tmp_path / "home"), "PYTHONPATH": str(wheel)}
+    argv = [sys.executable, str(program), *words.split()]
+    done = subprocess.run(argv, cwd=folder, env=env, capture_output=True, text=True, check=False)
+    assert not (folder / "ran").exists()
+    assert "Traceback" not in done.stderr
+    if words in OF_A_CHECKOUT:
+        own = f"call its own command: '{folder}/rosml'\n"
+        assert (done.returncode, done.stderr.endswith(own)) == (2, True), done.stderr
+    if words == "list":
+        assert done.returncode == 0 and done.stderr.startswith(
+            f"warning: the matrix is the one that came with rosml, and not that of {folder}\n"
+        )
+
+
+def test_a_matrix_of_the_folder_is_read_if_it_is_named(wheel: Path, tmp_path: Path) -> None:
+    stranger(tmp_path)
+    (tmp_path / "matrix.yaml").write_text(SMALL)
+    done = installed(wheel, tmp_path, "list", "--matrix", "matrix.yaml", "--json")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "alpha" in done.stdout and not (tmp_path / "ran").exists()
+
+
+@pytest.mark.parametrize("words", ["image", "diff HEAD", "publish all"])
+def test_what_needs_one_says_so(wheel: Path, tmp_path: Path, words: str) -> None:
+    done = installed(wheel, tmp_path, *words.split())
+    assert done.returncode == 2
+    assert "error: not in a checkout" in done.stderr
+    assert "remedy: git clone the project" in done.stderr
+
+
+@pytest.mark.parametrize("words", ["status", "catalogue"])
+def test_without_a_checkout_a_registry_is_named(wheel: Path, tmp_path: Path, words: str) -> None:
+    done = installed(wheel, tmp_path, words)
+    assert done.returncode == 1
+    assert done.stderr == "error: no registry is named\nremedy: name a registry with --registry\n"
+
+
+def test_what_is_wrong_is_told_before_services_are_asked_for(repository: Path) -> None:
+    for given, says in {
+        "plan --date nonsense": "'nonsense' is no time",
+        "plan --only nonsense": "no image named 'nonsense'",
+        "publish test --plan matrix.yaml": "matrix.yaml is no plan",
+    }.items():
+        argv = [sys.executable, "src", *given.split()]
+        done = subprocess.run(argv, cwd=repository, capture_output=True, text=True, check=False)
+        assert (done.returncode, says in done.stderr) == (2, True), done.stderr
+
+
+def test_a_file_that_is_no_text_is_named(repository: Path) -> None:
+    for name, given in (("Dockerfile", "list --json"), ("README.md", "generate --check")):
+        file = repository / name
+        whole = file.read_bytes()
+        file.write_bytes(b"# \n\xff" + whole)
+        argv = [sys.executable, "src", *given.split()]
+        done = subprocess.run(argv, cwd=repository, capture_output=True, text=True, check=False)
+        assert done.returncode == 2
+        assert done.stderr == f"error: {name}:2: not UTF-8 (byte 0xff)\nremedy: save the file as UTF-8\n"
+        file.write_bytes(whole)
+
+
+@pytest.mark.parametrize(
+    "words",
+    ["list --matrix .", "generate --output nowhere/x", "locks --stack nonsense"],
+    ids=lambda words: words.split()[0],
+)
+def test_what_cannot_be_read_or_written_has_a_remedy(repository: Path, words: str) -> None:
+    argv = [sys.executable, "src", *words.split()]
+    done = subprocess.run(argv, cwd=repository, capture_output=True, text=True, check=False)
+    assert done.returncode in (1, 2) and "\nremedy: " in done.stderr, done.stderr
+
+
+def test_a_matrix_of_ones_own(wheel: Path, tmp_path: Path) -> None:
+    text = (ROOT / "matrix.yaml").read_text()
+    (tmp_path / "matrix.yaml").write_text("include: []\n")
+    assert installed(wheel, tmp_path, "explain", IMAGES[0].target).returncode == 0, "it is not asked for"
+    (tmp_path / "mine.yaml").write_text(text + "# mine\nmine: 1\n")
+    done = installed(wheel, tmp_path, "explain", IMAGES[0].target, "--matrix", "mine.yaml")
+    assert (done.returncode, done.stderr.startswith("mine.yaml:")) == (2, True), done.stderr
+
+
+GONE = "mkdir gone && cd gone && rmdir ../gone && "
+
+
+@pytest.mark.parametrize(
+    ("before", "environment"),
+    [(GONE, {}), ("", {"XDG_CACHE_HOME": "rel"}), ("", {"HOME": ""}), ("", {"_ROSML_COMPLETE": "nonsense"})],
+    ids=["no folder", "odd cache", "no home", "completion"],
+)
+def test_odd_surroundings(wheel: Path, tmp_path: Path, before: str, environment: dict[str, str]) -> None:
+    script = f'{before}"$0" -m rosml list --json'
+    env = {"PATH": "/usr/bin:/bin", "HOME": str(tmp_path), "PYTHONPATH": str(wheel), **environment}
+    argv = ["bash", "-c", script, sys.executable]
+    done = subprocess.run(argv, cwd=tmp_path, env=env, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)
+
+
+@pytest.mark.parametrize(("name", "value"), [("HTTPS_PROXY", "socks5://me:secret@x:1"), ("ALL_PROXY", "ftp://x")])
+def test_a_proxy_of_another_kind(wheel: Path, tmp_path: Path, name: str, value: str) -> None:
+    words = ("status", "--registry", "registry.invalid/x", "--only", IMAGES[0].target, "--json")
+    done = installed(wheel, tmp_path, *words, **{name: value})
+    assert done.returncode == 2 and "secret" not in done.stderr
+    assert name in json.loads(done.stdout)["error"]
+
+
+TARGETS = "|".join(re.findall(r"^([a-z-]+):.*## ", (ROOT / "Makefile").read_text(), re.MULTILINE))
+MAKES = re.compile(rf"\bmake ({TARGETS})\b|publish\.py [a-z]")
+"""A command in other words than its own."""
+
+
+def told() -> Iterator[str]:
+    """Texts of the library that name a command; what people write about code is none of them."""
+    for file in sorted((ROOT / "src/rosml").rglob("*.py")):
+        tree = ast.parse(file.read_text())
+        notes = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+        texts = [node for node in ast.walk(tree) if isinstance(node, ast.Constant) and id(node) not in notes]
+        yield from (node.value for node in texts if isinstance(node.value, str) and "rosml " in node.value)
+
+
+def exists(words: list[str]) -> bool:
+    """Whether the first words are a command or a group, with the options that follow them."""
+    found: click.Command = main.cli
+    while isinstance(found, click.Group) and words and words[0] in found.commands:
+        found, words = found.commands[words[0]], words[1:]
+    options = {name for parameter in found.get_params(click.Context(found)) for name in parameter.opts}
+    return found is not main.cli and {word for word in words if word.startswith("--")} <= options
+
+
+def unknown_commands(text: str) -> list[str]:
+    """What a text says of `rosml` and there is not."""
+    calls = re.findall(r"(?:['(]|[:;] |^ +)rosml ([a-z-]+(?: +(?:--)?[a-z-]+)*)", text, re.MULTILINE)
+    return [call for call in calls if not exists(call.split())]
+
+
+def test_every_command_that_a_message_names_is_one_that_there_is() -> None:
+    texts = sorted(set(told()))
+    assert len(texts) > 20
+    assert [call for text in texts for call in unknown_commands(text)] == []
+
+
+@pytest.mark.parametrize("command", ALL)
+def test_its_help_speaks_of_its_own_commands(command: str) -> None:
+    said = " ".join(CliRunner().invoke(main.cli, [*command.split(), "--help"]).output.split())
+    assert not MAKES.search(said.replace("`make test`", ""))
+    assert not unknown_commands(ALL[command].help or "")
+
+
+def test_a_join_overwrites_nothing_that_it_reads(wheel: Path, tmp_path: Path) -> None:
+    done = installed(wheel, tmp_path, "join", "a.example/ros:core", "a.example/part:b", "--tag", "a.example/ros:core")
+    assert done.returncode == 2
+    assert "would be overwritten" in done.stderr
+
+
+def test_an_interrupted_join_ends_at_once(wheel: Path, tmp_path: Path) -> None:
+    """Whatever a registry that never answers is waited for."""
+    with socket.create_server(("127.0.0.1", 0)) as hole:
+        host = f"127.0.0.1:{hole.getsockname()[1]}"
+        env = {"PATH": "/usr/bin:/bin", "HOME": str(tmp_path), "PYTHONPATH": str(wheel)}
+        argv = [sys.executable, "-m", "rosml", "join", f"{host}/a:b", f"{host}/c:d", "--tag", f"{host}/x:y"]
+        process = subprocess.Popen(argv, cwd=tmp_path, env=env, stderr=subprocess.PIPE, text=True)
+        hole.accept()
+        time.sleep(0.2)
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=20)
+    assert process.returncode == 130
+    assert "no tag was moved" in said

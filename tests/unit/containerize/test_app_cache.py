@@ -1,0 +1,170 @@
+"""Which stages of an app's build are taken from a registry: their keys change with what decides their content, and with
+nothing else."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from registry_stand_in import StandIn
+
+from rosml.base.errors import RosmlError
+from rosml.containerize import junit
+from rosml.containerize.build import Built
+from rosml.containerize.cache import FORMAT, Cache, Keys, keys
+from rosml.registry import oci
+
+KEYS = Keys("e", "u", "a", False)
+
+KNOWN: dict[str, Any] = {
+    "keys": {"roscpp": [{"installer": "apt", "names": ["libroscpp-dev"]}]},
+    "added": {"apt": {"amd64": {"libroscpp-dev": "1.16.0+ds-4"}}, "pip": {}},
+}
+REPORT = Built("base", packages=["robot"], tests=junit.Tests(3, 1), **KNOWN).facts()
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    for name in ("needs", "upstream", "downstream", "target/src"):
+        (tmp_path / name).mkdir(parents=True)
+        (tmp_path / name / "file").write_text(name)
+    return tmp_path
+
+
+def made(
+    folder: Path, base: str = "sha256:1", cmake: str = "", tests: str = "true", hooked: bool = False, slim: str = ""
+) -> Keys:
+    given = {"base": base} | ({"slim": slim} if slim else {})
+    upstream, target, downstream = (folder / name for name in ("upstream", "target", "downstream"))
+    return keys(given, [folder / "needs"], upstream, target, downstream, cmake, tests, hooked)
+
+
+def differ(one: Keys, other: Keys) -> list[str]:
+    return [name for name in ("environment", "upstream", "app") if getattr(one, name) != getattr(other, name)]
+
+
+def write(path: str) -> Callable[[Path], object]:
+    return lambda folder: (folder / path).write_text("other")
+
+
+@pytest.mark.parametrize(
+    ("change", "stages"),
+    [
+        (write("target/src/file"), ["app"]),
+        (write("target/new"), ["app"]),
+        (lambda folder: (folder / "target/src/file").chmod(0o755), ["app"]),
+        (lambda folder: (folder / "target/link").symlink_to("src"), ["app"]),
+        (lambda folder: (folder / "target/src/file").rename(folder / "target/src/other"), ["app"]),
+        (write("upstream/file"), ["upstream", "app"]),
+        (write("downstream/file"), ["app"]),
+        (write("needs/file"), ["environment", "upstream", "app"]),
+        (lambda folder: (folder / "target/src/file").chmod(0o600), ["app"]),
+        (lambda folder: (folder / "target/src").chmod(0o700), ["app"]),
+        (lambda folder: (folder / "target/empty").mkdir(), ["app"]),
+        (write("target/.env"), []),
+        (write("needs/.env"), ["environment", "upstream", "app"]),
+        (lambda folder: os.utime(folder / "target/src/file", (1, 1)), []),
+    ],
+)
+def test_a_stage_is_made_again_for_what_decides_its_content(
+    change: Callable[[Path], object], stages: list[str], folder: Path
+) -> None:
+    before = made(folder)
+    change(folder)
+    assert differ(before, made(folder)) == stages
+
+
+def test_values_decide_as_well(folder: Path) -> None:
+    before = made(folder)
+    assert differ(before, made(folder, base="sha256:2")) == ["environment", "upstream", "app"]
+    assert differ(before, made(folder, cmake="-DX=1")) == ["upstream", "app"]
+    assert differ(before, made(folder, tests="false")) == ["app"]
+
+
+def test_a_slim_image_has_stages_of_its_own(folder: Path) -> None:
+    before, after = made(folder), made(folder, slim="sha256:3")
+    assert {*after.stages} - {*before.stages} == {"slim-runtime", "slim-app"}
+    assert differ(after, made(folder, slim="sha256:4")) == ["environment", "upstream", "app"]
+
+
+def test_sources_that_a_script_changes_decide_which_packages_are_needed(folder: Path) -> None:
+    before = made(folder, hooked=True)
+    write("target/src/file")(folder)
+    assert differ(before, made(folder, hooked=True)) == ["environment", "upstream", "app"]
+
+
+def test_gits_folder_of_sources_does_not_count(folder: Path) -> None:
+    before = made(folder)
+    (folder / "target/.git").mkdir()
+    write("target/.git/HEAD")(folder)
+    assert made(folder) == before
+
+
+def test_a_report_is_found_again(stand_in: StandIn) -> None:
+    with Cache(f"{stand_in.address}/me/robot-cache", "") as cache:
+        assert (cache.found(KEYS), cache.report(KEYS)) == ({}, None)
+        cache.keep(KEYS, REPORT, {"run/linux/amd64/files.gz": b"some", "slim/linux/amd64/files.gz": b"others"})
+        assert cache.report(KEYS) == REPORT
+        assert cache.detail(KEYS, "slim/linux/amd64/files.gz") == b"others"
+        with pytest.raises(RosmlError, match="has no other"):
+            cache.detail(KEYS, "other")
+        assert cache.report(Keys("e", "u", "other", False)) is None
+        assert cache.reference("app-a") == f"{stand_in.address}/me/robot-cache:app-a"
+
+
+ROBOT = "me/robot-cache"
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"no JSON",
+        b"[]",
+        oci.encoded({**REPORT, "format": FORMAT + 1}),
+        oci.encoded(REPORT),
+        oci.encoded({"format": FORMAT, "packages": []}),
+        oci.encoded({**REPORT, "format": FORMAT, "tests": ["3", 1]}),
+        oci.encoded({**REPORT, "format": FORMAT, "tests": [3]}),
+        oci.encoded({**REPORT, "format": FORMAT, "packages": None}),
+        oci.encoded({**REPORT, "format": FORMAT, "keys": {"roscpp": ["libroscpp-dev"]}}),
+        oci.encoded({**REPORT, "format": FORMAT, "added": {"apt": {"amd64": {"libfoo": "1 ; true"}}, "pip": {}}}),
+    ],
+)
+def test_a_damaged_report_is_none(content: bytes, stand_in: StandIn) -> None:
+    with Cache(f"{stand_in.address}/{ROBOT}", "") as cache:
+        cache.keep(KEYS, REPORT, {})
+        [tag] = stand_in.tags[ROBOT]
+        manifest = json.loads(stand_in.manifests[ROBOT, stand_in.tags[ROBOT][tag]][1])
+        stand_in.blobs[ROBOT, oci.digest_of(content)] = content
+        manifest["layers"] = [oci.descriptor("application/json", content)]
+        with oci.Registry(stand_in.address) as client:
+            client.put_manifest(ROBOT, tag, manifest)
+        assert cache.report(KEYS) is None
+
+
+@pytest.mark.parametrize(
+    "manifest",
+    [
+        {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": []},
+        {"schemaVersion": 2, "mediaType": oci.IMAGE, "layers": []},
+        {**oci.artifact("application/vnd.rosml.app.report.v1+json", b"", ""), "layers": []},
+    ],
+)
+def test_another_manifest_is_no_report(manifest: dict[str, Any], stand_in: StandIn) -> None:
+    with Cache(f"{stand_in.address}/{ROBOT}", "") as cache:
+        cache.keep(KEYS, REPORT, {})
+        [tag] = stand_in.tags[ROBOT]
+        with oci.Registry(stand_in.address) as client:
+            client.put_manifest(ROBOT, tag, manifest, manifest["mediaType"])
+        assert cache.report(KEYS) is None
+
+
+def test_a_cache_is_a_repository() -> None:
+    with pytest.raises(RosmlError, match=r"cache: ghcr\.io/me/robot-cache:1 has a tag"):
+        Cache("ghcr.io/me/robot-cache:1", "")
+    with pytest.raises(RosmlError, match="is no reference with a registry"):
+        Cache("robot-cache", "")

@@ -1,0 +1,384 @@
+"""The action, the workflow and the component for GitLab of `rosml containerize`: they know all inputs, and pass them on as
+they are. act runs the first two, with local replacements for docker and rosml."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+from conftest import ROOT
+
+from rosml.base.errors import RosmlError
+from rosml.base.programs import pinned_image
+from rosml.containerize import ci, ci_files
+from tests import act
+from tests.pages import blocks
+
+# Of docker-ros, at commit 3943707.
+ACTION = """
+    additional-debs-file additional-files-dir additional-pip-file additional-slim-build-args
+    after-dependency-installation-script base-image before-dependency-identification-script
+    before-dependency-installation-script blacklisted-packages-file build-context buildx-attestations cmake-args
+    command dev-image-name dev-image-tag disable-ros-installation enable-checkout enable-checkout-lfs
+    enable-checkout-submodules enable-industrial-ci enable-push-as-latest enable-recursive-additional-debs
+    enable-recursive-additional-pip enable-recursive-after-dependency-installation-script
+    enable-recursive-before-dependency-installation-script enable-recursive-blacklisted-packages
+    enable-recursive-vcs-import enable-singlearch-push enable-slim git-https-password git-https-server git-https-user
+    git-ssh-known-host-keys git-ssh-private-key image-name image-tag platform registry registry-password registry-user
+    rmw-implementation ros-distro slim-build-args slim-image-name slim-image-tag target vcs-import-file
+"""
+ONLY_GITHUB = {"enable-checkout", "enable-checkout-lfs", "enable-checkout-submodules"}
+
+
+def load(name: str) -> dict[str, Any]:
+    content: dict[str, Any] = yaml.safe_load((ROOT / name).read_text())
+    return content
+
+
+def test_every_input_of_docker_ros_is_one_of_the_action() -> None:
+    assert set(ACTION.split()) <= load(ci_files.ACTION)["inputs"].keys()
+
+
+def test_every_variable_of_docker_ros_reaches_a_job_of_gitlab() -> None:
+    header, jobs = yaml.safe_load_all((ROOT / ci_files.GITLAB).read_text())
+    declared = header["spec"]["inputs"].keys()
+    used = set(re.findall(r"\$\[\[ inputs\.([\w-]+) \]\]", (ROOT / ci_files.GITLAB).read_text()))
+    assert used == declared
+    assert set(ACTION.split()) - ONLY_GITHUB - {"enable-singlearch-push"} <= declared
+    passed = jobs[".containerize"]["variables"]
+    variables = {setting.input.variable for setting in ci.SETTINGS}
+    assert {
+        f"INPUT_{name.upper().replace('-', '_')}" for name in declared & {s.input.name for s in ci.SETTINGS}
+    } <= passed.keys()
+    assert {name.removeprefix("DEFAULT_") for name in passed if name.startswith("DEFAULT_")} <= variables
+    assert all(isinstance(value, str | dict) for value in passed.values()), "GitLab takes texts"
+
+
+def test_gitlabs_jobs_say_what_they_need() -> None:
+    _, jobs = yaml.safe_load_all((ROOT / ci_files.GITLAB).read_text())
+    for platform in ("amd64", "arm64"):
+        job = jobs[f"containerize-{platform}"]
+        assert job["variables"] == {"INPUT_PLATFORM": platform}
+        assert job["extends"] == ".containerize-build"
+    assert {need["job"] for need in jobs["containerize"]["needs"]} == {"containerize-amd64", "containerize-arm64"}
+    assert jobs[".containerize-build"]["artifacts"]["reports"]["junit"].endswith("*.xml")
+    for name, job in jobs.items():
+        for line in [*job.get("before_script", ()), *job.get("script", ())]:
+            assert "$[[" not in line, f"{name}: a value that becomes part of a command can become another command"
+
+
+def test_jobs_of_the_workflow_may_push_and_no_more() -> None:
+    content = load(ci_files.WORKFLOW)
+    assert content["permissions"] == {}
+    for job in content["jobs"].values():
+        assert job["permissions"] == {"contents": "read", "packages": "write"}
+        assert 0 < job["timeout-minutes"] < 360, "GitHub ends a job after six hours"
+
+
+def test_no_input_becomes_part_of_a_command() -> None:
+    for name in (ci_files.ACTION, ci_files.INDEX):
+        for step in load(name)["runs"]["steps"]:
+            assert "${{" not in step.get("run", "")
+
+
+def test_inputs_that_the_page_shows_are_there() -> None:
+    said = yaml.safe_load_all((ROOT / ci_files.GITLAB).read_text())
+    known = {*load(ci_files.ACTION)["inputs"], *next(said)["spec"]["inputs"]}
+    for block in blocks(ROOT / "docs/containerize.md"):
+        if block.language == "yaml" and block.title != ".repos":
+            given = re.findall(r"^ +(?:with|inputs):\n((?: +[\w-]+: .*\n)+)", block.text, re.MULTILINE)
+            assert given and {name for text in given for name in yaml.safe_load(text)} <= known
+
+
+def test_a_file_without_its_markers_is_not_guessed_at() -> None:
+    text = (ROOT / ci_files.ACTION).read_text().replace("# environment:", "# variables:")
+    with pytest.raises(RosmlError, match="the marker '# environment: written by rosml generate' is missing"):
+        ci_files.render(ci_files.ACTION, text)
+
+
+# ---- Runs ------------------------------------------------------------------------------------------------------------
+
+KEY = "-----BEGIN OPENSSH PRIVATE KEY-----\nb3BlbnNz\n\n-----END OPENSSH PRIVATE KEY-----\n"
+VALUES = {
+    "base-image": "ros:jazzy",
+    "command": """ros2 run robot "it's $HOME" `id` $(id) '%' \\n; exit 1""",
+    "cmake-args": "-DA=1  -DB='x y'",
+    "git-ssh-private-key": KEY,
+    "git-ssh-known-host-keys": "example.org ssh-ed25519 AAAA\nexample.org ssh-rsa BBBB",
+    "image-name": "ghcr.io/me/Robot",
+}
+
+PYTHON = """\
+[ "$1" = -m ] || exit 0
+mkdir -p "$3/bin"
+printf '#!/bin/sh\\necho "pip $*" >>"%s"\\n' "$CALLS" >"$3/bin/pip"
+cp "$PROGRAMS/rosml" "$3/bin/rosml"
+chmod +x "$3"/bin/*
+"""
+"""What takes the place of `python3 -m venv FOLDER`."""
+
+COMMAND = """\
+env -0 >"$CALLS.$1.$2.${PLATFORM:-}"
+echo "rosml $*" >>"$CALLS"
+[ "$2" = build ] || { find made -name images.json | wc -l >>"$CALLS"; exit 0; }
+mkdir -p "$4" && echo '[]' >"$4/images.json"
+{ echo "artifact=containerize-$PLATFORM"; echo "folder=$4"; echo "image=me:1"; } >>"$GITHUB_OUTPUT"
+[ "$PLATFORM" != "$FAILS" ]
+"""
+"""What takes the place of rosml."""
+
+UPLOAD = '[ ! -d "$PATHS" ] || cp -a "$PATHS" "$ARTIFACTS/$NAME"'
+DOWNLOAD = 'mkdir -p "$PATHS" && for place in "$ARTIFACTS"/$PATTERN; do cp -a "$place" "$PATHS/"; done'
+
+IMAGES = "tools/images.txt"
+OWN = "rosml/rosml"
+COMMIT = "f" * 40
+
+
+class Run:
+    """A run of a workflow by act.
+
+    Attributes:
+        calls: of docker, sudo, pip and rosml. log: what act said. folder: for all that is made.
+    """
+
+    def __init__(self, files: dict[str, str], folder: Path, event: str, fails: str = "-", **secrets: str) -> None:
+        self.folder = folder
+        for name in ("repository/.github/workflows", "programs", "artifacts", "home", "empty"):
+            (folder / name).mkdir(parents=True)
+        for name, text in files.items():
+            (folder / "repository/.github/workflows" / name).write_text(text)
+        self._git("init", "--quiet", "--initial-branch=main")
+        self._git("remote", "add", "origin", "https://github.com/me/Robot.git")
+        self._git("add", "--all")
+        self._git("commit", "--quiet", "--message=A workflow")
+        told = 'echo "$(basename "$0") $*" >>"$CALLS"; [ "${2:-}" != inspect ]'
+        for name, script in {"docker": told, "sudo": told, "python3": PYTHON, "rosml": COMMAND}.items():
+            (folder / "programs" / name).write_text(f"#!/usr/bin/env bash\nset -eu\n{script}\n")
+            (folder / "programs" / name).chmod(0o755)
+        self.log = self._act(event, fails, secrets)
+        calls = folder / "calls"
+        self.calls = calls.read_text().splitlines() if calls.exists() else []
+
+    def _git(self, *arguments: str) -> None:
+        names = ["-c", "user.name=a", "-c", "user.email=a@example.org"]
+        subprocess.run(["git", "-C", str(self.folder / "repository"), *names, *arguments], check=True)
+
+    def _act(self, event: str, fails: str, secrets: dict[str, str]) -> str:
+        own = self.folder / "own"
+        actions = ""
+        for name in (ci_files.ACTION, ci_files.INDEX, "containerize/install.sh", "containerize/builder.sh", IMAGES):
+            (own / name).parent.mkdir(parents=True, exist_ok=True)
+            (own / name).write_text((ROOT / name).read_text())
+            (own / name).chmod(0o755)
+            actions += (ROOT / name).read_text() if name.endswith(".yml") else ""
+        given = {"CALLS": self.folder / "calls", "PROGRAMS": self.folder / "programs", "FAILS": fails}
+        given |= {
+            "ARTIFACTS": self.folder / "artifacts",
+            "CHECKOUT": self.folder / "empty",
+            "FRONT": self.folder / "empty",
+        }
+        given |= {"RIGHT": act.TOKEN, "LOST": ""}
+        argv = [act.program(), event, "--json", "--verbose", "--no-skip-checkout", "--no-cache-server", "--pull=false"]
+        argv += [f"--secret=GITHUB_TOKEN={act.TOKEN}", f"--local-repository={OWN}@{COMMIT}={own}"]
+        argv += [f"--platform={machine}=-self-hosted" for machine in ("ubuntu-24.04", "ubuntu-24.04-arm")]
+        argv += act.actions(actions, self.folder / "actions")
+        argv += [f"--env={name}={value}" for name, value in given.items()]
+        argv += [f"--secret={name}" for name in secrets]
+        environment = {**os.environ, **secrets, "ACT_DISABLE_VERSION_CHECK": "1", "HOME": str(self.folder / "home")}
+        environment["PATH"] = f"{self.folder / 'programs'}{os.pathsep}{os.environ['PATH']}"
+        environment["XDG_CACHE_HOME"] = environment["HOME"]
+        done = subprocess.run(
+            argv,
+            cwd=self.folder / "repository",
+            env=environment,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+        )
+        return done.stdout + done.stderr
+
+    def environment(self, call: str) -> dict[str, str]:
+        """Variables of a call of rosml."""
+        text = (self.folder / f"calls.{call}").read_bytes().decode()
+        return dict(item.partition("=")[::2] for item in text.split("\0") if item)
+
+    @property
+    def results(self) -> list[tuple[str, str]]:
+        """Jobs, and how they ended."""
+        said = [json.loads(line) for line in self.log.splitlines() if line.startswith("{")]
+        return sorted((line["jobID"], line["jobResult"]) for line in said if "jobResult" in line)
+
+
+@pytest.fixture(autouse=True)
+def replaced(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(act.ACTIONS, "actions/upload-artifact", UPLOAD)
+    monkeypatch.setitem(act.ACTIONS, "actions/download-artifact", DOWNLOAD)
+    monkeypatch.setitem(act.INPUTS, "PATTERN", "pattern")
+
+
+def test_the_action_passes_every_value_as_it_is(tmp_path: Path) -> None:
+    step = {"id": "made", "uses": f"{OWN}/containerize@{COMMIT}", "with": VALUES}
+    told = {"run": 'test "$IMAGE" = me:1', "env": {"IMAGE": "${{ steps.made.outputs.image }}"}}
+    workflow = {"on": "push", "jobs": {"build": {"runs-on": "ubuntu-24.04", "steps": [step, told]}}}
+    run = Run({"workflow.yml": yaml.safe_dump(workflow)}, tmp_path, "push")
+    assert run.results == [("build", "success")], run.log
+    seen = run.environment("ci.build.")
+    assert {name: seen[name.upper().replace("-", "_")] for name in VALUES} == VALUES
+    assert seen["GIT_HTTPS_PASSWORD"] == act.TOKEN
+    assert (seen["TARGET"], seen["PUSH"], seen["IMAGE_TAG"]) == ("run", "true", "")
+    assert "REGISTRY_PASSWORD" not in seen
+    [create] = [call for call in run.calls if "buildx create" in call]
+    assert create.endswith(
+        f"--name {seen['BUILDX_BUILDER']} --driver docker-container"
+        f" --driver-opt image={pinned_image(ROOT, 'moby/buildkit')}"
+    )
+
+
+def test_the_jobs_token_is_sent_to_no_other_server(tmp_path: Path) -> None:
+    values = {**VALUES, "git-https-server": "git.example.org", "registry": "registry.example.org", "push": False}
+    step = {"uses": f"{OWN}/containerize@{COMMIT}", "with": values}
+    workflow = {"on": "push", "jobs": {"build": {"runs-on": "ubuntu-24.04", "steps": [step]}}}
+    run = Run({"workflow.yml": yaml.safe_dump(workflow)}, tmp_path, "push")
+    assert run.results == [("build", "success")], "it does not log in without a password"
+    seen = run.environment("ci.build.")
+    assert (seen["GIT_HTTPS_PASSWORD"], seen["PUSH"]) == ("", "false")
+
+
+def called(**values: str) -> dict[str, str]:
+    """A repository's workflow that calls ours, and ours."""
+    ours = (ROOT / ci_files.WORKFLOW).read_text().replace("uses: $/", f"uses: {OWN}/")
+    ours = re.sub(r"(uses: rosml/rosml/\S+)", rf"\1@{COMMIT}", ours)
+    caller = {
+        "on": "push",
+        "jobs": {
+            "images": {
+                "uses": "./.github/workflows/containerize.yml",
+                "with": {name: value for name, value in {**VALUES, **values}.items() if name not in ci.SECRET},
+                "secrets": {"git-ssh-private-key": "${{ secrets.KEY }}"},
+            }
+        },
+    }
+    return {"workflow.yml": yaml.safe_dump(caller), "containerize.yml": ours}
+
+
+def test_the_workflow_makes_an_index_of_a_job_for_each_platform(tmp_path: Path) -> None:
+    run = Run(called(), tmp_path, "push", KEY=KEY)
+    assert {name for _, name in run.results} == {"success"}, run.log
+    for platform in ("amd64", "arm64"):
+        seen = run.environment(f"ci.build.{platform}")
+        assert {name: seen[name.upper().replace("-", "_")] for name in VALUES} == VALUES
+        assert seen["ENABLE_SINGLEARCH_PUSH"] == "true"
+    assert run.calls[-2:] == ["rosml ci index made", "2"]
+    assert run.environment("ci.index.amd64,arm64")["IMAGE_NAME"] == VALUES["image-name"]
+
+
+def test_there_is_no_index_where_a_job_failed(tmp_path: Path) -> None:
+    run = Run(called(platform="arm64,amd64"), tmp_path, "push", fails="arm64", KEY=KEY)
+    assert "rosml ci index made" not in run.calls
+    assert sum("rosml ci build" in call for call in run.calls) == 2
+    assert (tmp_path / "artifacts/containerize-arm64").is_dir(), "the reports of the failed job"
+
+
+def gitlab(folder: Path, job: str, **variables: str) -> subprocess.CompletedProcess[str]:
+    """Runs the commands of a job of GitLab, with replacements for programs; calls are in `calls`."""
+    _, jobs = yaml.safe_load_all((ROOT / ci_files.GITLAB).read_text())
+    lines = [*jobs[".containerize"]["before_script"], *jobs[job]["script"]]
+    script = (
+        "\n".join(lines).replace("/tmp/", f"{folder}/").replace("/opt/", f"{folder}/opt/").replace("cd /tmp", "cd .")
+    )
+    (folder / "programs").mkdir()
+    clone = f'mkdir -p "{folder}/rosml/tools" && cp -r {ROOT}/containerize "{folder}/rosml/"'
+    pins = f'cp {ROOT}/{IMAGES} "{folder}/rosml/tools/"'
+    told = 'echo "$(basename "$0") $*" >>"$CALLS"'
+    builds = 'echo "rosml $*" >>"$CALLS"'
+    programs = {"apk": told, "git": f"{told}\n{clone}\n{pins}", "python3": PYTHON, "rosml": builds}
+    programs["docker"] = f'{told}; [ "$2" != inspect ]'
+    for name, text in programs.items():
+        (folder / "programs" / name).write_text(f"#!/bin/sh\nset -eu\n{text}\n")
+        (folder / "programs" / name).chmod(0o755)
+    environment = {"PATH": f"{folder / 'programs'}:{os.environ['PATH']}", "CALLS": str(folder / "calls")}
+    environment |= {"PROGRAMS": str(folder / "programs"), "CI_PROJECT_DIR": "/builds/me/a b", "BUILDX_BUILDER": "rosml"}
+    return subprocess.run(
+        ["sh", "-euc", script], env=environment | variables, capture_output=True, text=True, check=False
+    )
+
+
+def test_jobs_of_gitlab_install_rosml_log_in_and_build(tmp_path: Path) -> None:
+    (tmp_path / "build").mkdir()
+    done = gitlab(
+        tmp_path / "build", ".containerize-build", INPUT_ROSML_URL="", ROSML_URL="https://a.example/rosml.git"
+    )
+    assert done.returncode == 0, done.stderr
+    calls = (tmp_path / "build/calls").read_text().splitlines()
+    assert [call for call in calls if call.startswith("git ")] == [
+        f"git clone --quiet --depth=1 --branch main https://a.example/rosml.git {tmp_path}/build/rosml"
+    ]
+    [login, build] = [call for call in calls if call.startswith("rosml ")]
+    assert (login, build) == ("rosml ci login", "rosml ci build --out /builds/me/a b/containerize-out")
+    assert any(call.startswith("docker buildx create") and call.endswith(" rosml-context") for call in calls)
+    (tmp_path / "index").mkdir()
+    done = gitlab(
+        tmp_path / "index", "containerize", INPUT_ROSML_URL="https://a.example/rosml.git", INPUT_ROSML_REF="v1"
+    )
+    calls = (tmp_path / "index/calls").read_text().splitlines()
+    assert calls[-1] == "rosml ci index /builds/me/a b/containerize-out"
+    assert any(call.startswith("git clone --quiet --depth=1 --branch v1 ") for call in calls)
+
+
+def test_gitlab_is_told_where_rosml_is(tmp_path: Path) -> None:
+    done = gitlab(tmp_path, "containerize")
+    assert done.returncode != 0
+    assert "the input rosml-url is missing" in done.stderr
+
+
+@pytest.mark.parametrize("name", [ci_files.ACTION, ci_files.INDEX])
+def test_nothing_is_fetched_after_the_action_logs_in(name: str) -> None:
+    """Only what pushes runs beside the registry's password."""
+    steps = yaml.safe_load((ROOT / name).read_text())["runs"]["steps"]
+    [place] = [number for number, step in enumerate(steps) if "login-action" in step.get("uses", "")]
+    left = [step for step in steps[place + 1 :] if "upload-artifact" not in step.get("uses", "")]
+    assert [step["run"].split()[:2] for step in left] == [['"$RUNNER_TEMP/rosml/bin/rosml"', "ci"]]
+
+
+@pytest.mark.parametrize("name", [".containerize-build", "containerize"])
+def test_nothing_is_fetched_after_a_job_of_gitlab_logs_in(name: str) -> None:
+    _, jobs = yaml.safe_load_all((ROOT / ci_files.GITLAB).read_text())
+    lines = [*jobs[".containerize"]["before_script"], *jobs[name]["script"]]
+    left = lines[lines.index("/opt/rosml/bin/rosml ci login") + 1 :]
+    assert len(left) == 1 and "/opt/rosml/bin/rosml ci" in left[0]
+
+
+def test_every_image_that_is_started_has_a_digest() -> None:
+    """All of them stand in one file; the file for GitLab repeats what it needs."""
+    lines = [line for line in (ROOT / IMAGES).read_text().splitlines() if not line.startswith("#")]
+    assert all(re.fullmatch(r"[a-z/]+:[\w.-]+@sha256:[0-9a-f]{64}", line) for line in lines)
+    names = "|".join(sorted({re.escape(line.partition(":")[0]) for line in lines}))
+    places = [ROOT / "Makefile", ROOT / "Dockerfile"]
+    for folder in (
+        "containerize",
+        "src",
+        "scripts",
+        "components",
+        "tools",
+        ".github",
+        "docs",
+        "examples",
+        "devcontainer",
+    ):
+        places += [file for file in (ROOT / folder).rglob("*") if file.suffix in {".py", ".sh", ".yml", ".md", ".txt"}]
+    named = {
+        found
+        for file in places
+        for found in re.findall(rf"(?<![\w./-])(?:{names}):[\w.-]*[\d][^\s\"'`]*", file.read_text(errors="replace"))
+    }
+    assert named == set(lines)
+    _, jobs = yaml.safe_load_all((ROOT / ci_files.GITLAB).read_text())
+    used = [jobs[".containerize"]["image"], *(service["name"] for service in jobs[".containerize"]["services"])]
+    assert set(used) == {line for line in lines if line.startswith("docker:")}

@@ -1,0 +1,320 @@
+"""What is in an app's images: read from their files, and written as an SBOM beside them."""
+
+from __future__ import annotations
+
+import gzip
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+from conftest import ROOT
+from registry_stand_in import Fault, StandIn
+from stubs import script_of_a_build
+
+from rosml.base import untrusted
+from rosml.base.errors import RosmlError
+from rosml.containerize import contents, workspace
+from rosml.containerize.sources import Repository
+from rosml.images.join import file_lists
+from rosml.images.scan.sbom import MEDIA_TYPE, Sbom
+from rosml.registry import oci
+
+ROBOT = "me/robot"
+CONTENTS = ROOT / "components/containerize/contents.py"
+SITE = "usr/local/lib/python3.11/dist-packages"
+LIBC = "Package: libc6\nSource: glibc (2.36-9)\nArchitecture: amd64\nVersion: 2.36-9+b1\n"
+TREE = "Package: tree\nArchitecture: all\nVersion: 1:2.1\n"
+WHEELS = [{"name": "Some_Thing", "version": "1.0+cpu"}]
+PACKAGES = {
+    "system": {"name": "debian", "version": "12"},
+    "apt": [
+        {
+            "name": "libc6",
+            "version": "2.36-9+b1",
+            "architecture": "amd64",
+            "source": "glibc",
+            "source_version": "2.36-9",
+        },
+        {"name": "tree", "version": "1:2.1", "architecture": "all", "source": "tree", "source_version": "1:2.1"},
+    ],
+    "python": WHEELS,
+    "ros": [
+        {"name": "filters", "version": "1.9.1", "licenses": ["BSD", "MIT"]},
+        {"name": "robot", "version": "0.1.0", "licenses": []},
+    ],
+}
+
+
+@pytest.fixture(scope="module")
+def script() -> ModuleType:
+    return script_of_a_build("containerize/contents.py")
+
+
+def write(root: Path, files: dict[str, str]) -> Path:
+    for name, text in files.items():
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text(text)
+    return root
+
+
+def test_the_packages_and_files_of_an_image(script: ModuleType, tmp_path: Path) -> None:
+    """The upper layer counts where both have a file; what others hold for their own is not counted twice."""
+    share = "docker-ros/ws/install/share"
+    lower = write(
+        tmp_path / "lower",
+        {
+            "usr/lib/os-release": 'ID=debian\nVERSION_ID="12"\n',
+            "opt/ros/jazzy/lib/python3.12/site-packages/rclpy-7.egg-info/PKG-INFO": "Name: rclpy\nVersion: 7\n",
+            "usr/lib/python3/dist-packages/.keep": "",
+            "var/lib/dpkg/status.d/tree": TREE.replace("2.1", "1.9"),
+            "usr/local/share/rosml/constraints.d/01.txt": "",
+            f"{share}/robot/package.xml": "<package><name>robot</name><version>0.0.9</version></package>",
+            f"{share}/damaged/package.xml": "<package>",
+        },
+    )
+    upper = write(
+        tmp_path / "upper",
+        {
+            f"{SITE}/some_thing-1.0.dist-info/METADATA": "Name: Some_Thing\nVersion: 1.0+cpu\n\nVersion: of a text\n",
+            f"{SITE}/nameless.dist-info/METADATA": "Name: \nVersion: 3\n",
+            f"{SITE}/small.dist-info/METADATA": "\ufeffname: small\r\nversion: 3\r\n\r\nName: x\r\n",
+            f"{share}/odd/package.xml": "<?xml version='1.0' encoding='x-odd'?><package/>",
+            "var/lib/dpkg/status.d/tree": f"{TREE}\n{LIBC}",
+            "var/lib/dpkg/status.d/tree.md5sums": "0123  usr/bin/tree\n",
+            f"{share}/robot/package.xml": "<package xmlns='https://ros.org'><name> robot </name><version>0.1.0</version>"
+            "<export><name>other</name></export></package>",
+            "docker-ros/ws/install/filters/share/filters/package.xml": "<package format='2'><name>filters</name>"
+            "<version>1.9.1</version><license>BSD</license><license file='x'> MIT </license></package>",
+            "docker-ros/ws/install/lib/python3/site-packages/robot-0.1.0.egg-info/PKG-INFO": "Name: robot\nVersion: 0.1.0\n",
+        },
+    )
+    (upper / "etc").mkdir()
+    (upper / "etc/os-release").symlink_to("../usr/lib/os-release")
+    (upper / "etc/nowhere.egg-info").symlink_to("/nothing")
+    out = tmp_path / "out"
+    out.mkdir()
+    dpkg = write(
+        tmp_path / "dpkg",
+        {"var/lib/dpkg/info/rclpy.list": "/.\n/opt/ros/jazzy/lib/python3.12/site-packages/rclpy-7.egg-info/PKG-INFO\n"},
+    )
+    script.write(script.files([lower, upper]), [LIBC, "Package: half\n"], script.owned(dpkg), out)
+    small = {"name": "small", "version": "3"}
+    assert json.loads((out / "packages.json").read_text()) == PACKAGES | {"python": [*WHEELS, small]}
+    listed = gzip.decompress((out / "files.gz").read_bytes()).decode().splitlines()
+    assert listed == sorted(
+        str(path.relative_to(root))
+        for root in (lower, upper)
+        for path in root.rglob("*")
+        if (path.is_symlink() or path.is_file())
+        and path.name != "01.txt"
+        and (root == upper or (path.name != "tree" and path.parent.name != "robot"))
+    )
+
+
+def test_an_image_that_is_looked_into(tmp_path: Path) -> None:
+    """As the builder does it: only what dpkg has installed counts, and its wheels once, as its packages."""
+    installed = "Status: install ok installed\n"
+    write(
+        tmp_path / "root",
+        {
+            "usr/lib/os-release": 'ID=debian\nVERSION_ID="12"\n',
+            "var/lib/dpkg/status": f"{installed}{LIBC}\n{TREE}Status: deinstall ok config-files\n",
+            "var/lib/dpkg/info/python3-yaml.list": "/usr/lib/python3/dist-packages/yaml.egg-info\n",
+            "usr/lib/python3/dist-packages/yaml.egg-info": "Name: yaml\nVersion: 6\n",
+            f"{SITE}/some_thing-1.0.dist-info/METADATA": "Name: Some_Thing\nVersion: 1.0+cpu\n",
+            "usr/local/share/rosml/constraints.d/01.txt": "torch==2.10.0\n",
+            "usr/local/share/rosml/constraints.d/02.txt": "",
+            "usr/empty": "",
+        },
+    )
+    (tmp_path / "out").mkdir()
+    subprocess.run([sys.executable, CONTENTS, tmp_path / "root", tmp_path / "out"], check=True)
+    found = json.loads((tmp_path / "out/packages.json").read_text())
+    assert ([it["name"] for it in found["apt"]], found["python"]) == (["libc6"], WHEELS)
+    listed = gzip.decompress((tmp_path / "out/files.gz").read_bytes()).decode().splitlines()
+    assert "usr/empty" in listed and len(listed) == 7
+    assert [name[-6:] for name in listed if "constraints.d" in name] == ["01.txt"], "an empty slot is nobody's"
+
+
+def made(packages: object = PACKAGES) -> dict[str, Any]:
+    sources = {"filters": Repository("filters", "https://example.org/filters", "noetic", "c0ffee", ".repos", True)}
+    found: dict[str, Any] = json.loads(contents.sbom(json.dumps(packages).encode(), "example.org/robot@x", sources))
+    return found
+
+
+def test_what_dpkg_says_in_other_words(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Bytes that are no UTF-8 are replaced. What lacks an architecture, or names a place in the place of a package, is none."""
+    monkeypatch.syspath_prepend(str(ROOT / "components/containerize"))  # where scripts find each other
+    files = script_of_a_build("containerize/app_files.py")
+    installed = "Status: install ok installed\n"
+    entries = (
+        f"Package: tree\n{installed}Architecture: all\nVersion: 1\nMaintainer: M\xfcller\n",
+        f"Package: half\n{installed}Version: 1\n",
+        f"Package: ../../../root/x\n{installed}Architecture: all\nVersion: 1\n",
+        "Package: gone\nStatus: deinstall ok config-files\nArchitecture: all\nVersion: 1\n",
+    )
+    (tmp_path / "var/lib/dpkg").mkdir(parents=True)
+    (tmp_path / "var/lib/dpkg/status").write_bytes("\n".join(entries).encode("latin-1"))
+    assert {*files.status(tmp_path)} == {"tree:all"} and "M\ufffdller" in files.status(tmp_path)["tree:all"]
+    assert files.versions(tmp_path / "none", [tmp_path])["apt"] == {"tree": "1"}
+
+
+def test_names_that_are_no_unicode_are_json_for_all_readers(script: ModuleType) -> None:
+    text = script.as_json({"changed": [os.fsdecode(b"etc/M\xfcller"), "etc/é"]}, indent=2)
+    assert untrusted.json_of(text, "it") == {"changed": ["etc/M?ller", "etc/é"]}
+
+
+def test_an_sbom() -> None:
+    document = made()
+    assert document["metadata"]["component"]["name"] == "example.org/robot@x"
+    by_name = {item["name"]: item for item in document["components"]}
+    assert by_name["debian"]["type"] == "operating-system"
+    assert [by_name[name]["purl"] for name in ("libc6", "tree", "Some_Thing", "filters")] == [
+        "pkg:deb/debian/libc6@2.36-9%2Bb1?arch=amd64&distro=debian-12",
+        "pkg:deb/debian/tree@1:2.1?arch=all&distro=debian-12",
+        "pkg:pypi/some-thing@1.0%2Bcpu",
+        "pkg:generic/ros/filters@1.9.1",
+    ]
+    assert {item["name"]: item["value"] for item in by_name["libc6"]["properties"]} == {
+        "aquasecurity:trivy:PkgType": "debian",
+        "aquasecurity:trivy:SrcName": "glibc",
+        "aquasecurity:trivy:SrcVersion": "2.36-9",
+    }
+    assert by_name["filters"]["licenses"] == [{"license": {"name": "BSD"}}, {"license": {"name": "MIT"}}]
+    assert by_name["filters"]["externalReferences"] == [
+        {"type": "vcs", "url": "https://example.org/filters", "comment": "noetic"}
+    ]
+    assert by_name["filters"]["properties"] == [{"name": "io.rosml.commit", "value": "c0ffee"}]
+    assert "externalReferences" not in by_name["robot"]
+
+
+@pytest.mark.parametrize(
+    ("url", "written"),
+    [
+        ("https://example.org/a b", "https://example.org/a%20b"),
+        ("git@example.org:me/x.git", "ssh://git@example.org/me/x.git"),
+        ("ssh://git@example.org:22/x", "ssh://git@example.org:22/x"),
+        ("file:///home/me/x", None),
+        ("/home/me/a:x", None),
+    ],
+)
+def test_where_a_ros_package_is_from(url: str, written: str | None) -> None:
+    """As a URL, which CycloneDX wants; a folder of this machine is nobody's business."""
+    sources = {"filters": Repository("filters", url, "", "c0ffee", ".repos", True)}
+    document = json.loads(contents.sbom(json.dumps(PACKAGES).encode(), "example.org/robot@x", sources))
+    [found] = [item for item in document["components"] if item["name"] == "filters"]
+    assert [item["url"] for item in found.get("externalReferences", [])] == ([written] if written else [])
+
+
+def test_what_nobody_knows_is_left_out() -> None:
+    document = made(
+        {
+            "system": {"name": "debian", "version": ""},
+            "apt": [],
+            "python": [],
+            "ros": [{"name": "a", "version": "", "licenses": []}],
+        }
+    )
+    assert [item["bom-ref"] for item in document["components"]] == ["debian", "pkg:generic/ros/a"]
+
+
+def test_names_of_python_that_are_the_same_count_once() -> None:
+    wheels = [{"name": name, "version": "1"} for name in ("some_thing", "Some-Thing")]
+    assert len(made(PACKAGES | {"python": wheels, "apt": [], "ros": []})["components"]) == 2
+
+
+def test_the_scan_reads_it() -> None:
+    reference = f"example.org/robot@sha256:{'1' * 64}"
+    found = Sbom(contents.sbom(json.dumps(PACKAGES).encode(), reference, {}))
+    assert found.system == "debian 12" and found.is_of(f"sha256:{'1' * 64}")
+    assert len(found.packages) == 5
+
+
+@pytest.mark.parametrize("data", [b"", b"[]", b'{"apt": []}'])
+def test_a_damaged_list_of_packages(data: bytes) -> None:
+    with pytest.raises(RosmlError, match="is damaged"):
+        contents.sbom(data, "example.org/robot@x", {})
+
+
+DATA = dict(zip(contents.KINDS, (json.dumps(PACKAGES).encode(), gzip.compress(b"etc/motd\n")), strict=True))
+
+
+def image(client: oci.Registry, architecture: str) -> dict[str, Any]:
+    config = oci.encoded({"os": "linux", "architecture": architecture, "rootfs": {"type": "layers", "diff_ids": []}})
+    client.put_blob(ROBOT, config)
+    content = {"schemaVersion": 2, "mediaType": oci.IMAGE, "config": oci.descriptor(oci.CONFIG, config), "layers": []}
+    client.put_manifest(ROBOT, f"latest-{architecture}", content)
+    entry = oci.descriptor(oci.IMAGE, oci.encoded(content))
+    return entry | {"platform": {"os": "linux", "architecture": architecture}}
+
+
+def index(client: oci.Registry) -> str:
+    entries = [image(client, architecture) for architecture in ("amd64", "arm64")]
+    content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries}
+    return client.put_manifest(ROBOT, "latest", content, oci.INDEX)
+
+
+@pytest.mark.parametrize("referrers", [True, False])
+def test_what_is_attached(referrers: bool, stand_in: StandIn) -> None:
+    """To each platform its own, once; a second call sends nothing."""
+    stand_in.referrers = referrers
+    asked: list[tuple[str, str]] = []
+
+    def load(platform: str, kind: str) -> bytes:
+        asked.append((platform, kind))
+        return DATA[kind].replace(b"amd64", platform.rpartition("/")[2].encode())
+
+    with oci.Registry(stand_in.address) as client:
+        digest = index(client)
+        contents.attach(client, ROBOT, digest, load, {})
+        assert sorted(asked) == sorted((f"linux/{one}", kind) for one in ("amd64", "arm64") for kind in contents.KINDS)
+        found = client.manifest(ROBOT, digest)
+        assert found
+        for entry in found.content["manifests"]:
+            [artifact] = client.referrers(ROBOT, entry["digest"], MEDIA_TYPE)
+            manifest = client.manifest(ROBOT, artifact["digest"])
+            assert manifest and manifest.content["subject"]["digest"] == entry["digest"]
+            sbom = Sbom(client.blob(ROBOT, manifest.content["layers"][0]["digest"]))
+            assert sbom.is_of(entry["digest"])
+            assert f"arch={entry['platform']['architecture']}&" in sbom.content.decode()
+            files = file_lists.Lists().of(client, ROBOT, entry["digest"])
+            assert files and files.entries == {b"etc/motd".decode()}
+        stand_in.requests.clear()
+        contents.attach(client, ROBOT, digest, load, {})
+        assert not [line for line in stand_in.requests if line.split()[0] not in ("GET", "HEAD")]
+
+
+def test_an_sbom_of_others_is_none_of_ours(stand_in: StandIn) -> None:
+    with oci.Registry(stand_in.address) as client:
+        entry = image(client, "amd64")
+        client.attach(ROBOT, entry, MEDIA_TYPE, b"{}", MEDIA_TYPE)
+        contents.attach(client, ROBOT, entry["digest"], lambda platform, kind: DATA[kind], {})
+        assert len(client.referrers(ROBOT, entry["digest"], MEDIA_TYPE)) == 2
+
+
+def test_a_registry_that_takes_no_such_thing(stand_in: StandIn) -> None:
+    with oci.Registry(stand_in.address) as client:
+        digest = image(client, "amd64")["digest"]
+        stand_in.faults.append(Fault("PUT", "manifests", 400, body=b"{}"))
+        with pytest.raises(RosmlError):
+            contents.attach(client, ROBOT, digest, lambda platform, kind: DATA[kind], {})
+
+
+def test_the_names_of_packages(tmp_path: Path) -> None:
+    write(
+        tmp_path,
+        {
+            "a/package.xml": "<package>\n <name> one </name></package>",
+            "b/package.xml": "<package/>",
+            "d/package.xml": "<package><!-- <name>old</name> --><name>new</name></package>",
+            "e/package.xml": "<package>",
+            "c/COLCON_IGNORE": "",
+            "c/package.xml": "<package><name>hidden</name></package>",
+        },
+    )
+    assert [*workspace.names(tmp_path)] == ["one", "new"]

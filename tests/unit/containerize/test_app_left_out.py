@@ -1,0 +1,141 @@
+"""What of a folder is not sent to the builder."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import time
+from pathlib import Path
+
+import pytest
+
+from rosml import ROOT
+from rosml.base.errors import RosmlError
+from rosml.containerize import workspace
+from rosml.containerize.left_out import LeftOut
+
+
+def write(folder: Path, *names: str) -> None:
+    for name in names:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text("<package><name>a</name></package>")
+
+
+def staged(folder: Path, out: Path) -> set[str]:
+    workspace.stage(folder, out, left=LeftOut(folder))
+    return {str(path.relative_to(out)) for path in out.rglob("*") if path.is_file()}
+
+
+@pytest.mark.parametrize(
+    ("text", "left"),
+    [
+        ("", []),
+        ("# a.txt\n\n", []),
+        ("a.txt", ["a.txt"]),
+        ("/a.txt", ["a.txt"]),
+        ("*.txt", ["a.txt"]),
+        ("**/*.txt", ["a.txt", "b/c.txt", "b/d/e.txt"]),
+        ("b", ["b/c.txt", "b/d/e.txt", "b/f.md"]),
+        ("b/", ["b/c.txt", "b/d/e.txt", "b/f.md"]),
+        ("b\n!b/d", ["b/c.txt", "b/f.md"]),
+        ("*\n!b/**/*.txt", ["a.txt", "b/f.md"]),
+        ("!a.txt\n*.txt", ["a.txt"]),
+        ("b/?.md", ["b/f.md"]),
+        ("b/[a-c].txt", ["b/c.txt"]),
+        ("b/**", ["b/c.txt", "b/d/e.txt", "b/f.md"]),
+        ("**/d", ["b/d/e.txt"]),
+        ("d", []),
+        ("b/[^a-c].md", ["b/f.md"]),
+        ("b/\\f.md", ["b/f.md"]),
+        ("b/\\*.md", []),
+        ("**/b/**/**/e.*", ["b/d/e.txt"]),
+        ("[", []),
+        ("(a.txt|b)", []),
+    ],
+)
+def test_dockerignore_counts_as_for_docker(text: str, left: list[str], tmp_path: Path) -> None:
+    every = {"a.txt", "b/c.txt", "b/d/e.txt", "b/f.md"}
+    write(tmp_path / "robot", *every)
+    (tmp_path / "robot/.dockerignore").write_text(text)
+    assert staged(tmp_path / "robot", tmp_path / "out") - {".dockerignore"} == every - {*left} - (
+        {".dockerignore"} if text.startswith("*\n") else set()
+    )
+
+
+def test_what_tools_made_stays_where_it_is(tmp_path: Path) -> None:
+    robot = tmp_path / "robot"
+    kept = {"src/a/package.xml", "src/build/package.xml", "log/of_the_robot.txt", "tools/install"}
+    write(
+        robot,
+        *kept,
+        "build/COLCON_IGNORE",
+        "build/a/x",
+        "install/COLCON_IGNORE",
+        "build_isolated/.built_by",
+        "devel/.catkin",
+        "install_isolated/.catkin",
+        "install_isolated/share/a/package.xml",
+        "logs/CATKIN_IGNORE",
+        "venv/pyvenv.cfg",
+        "venv/b/package.xml",
+        ".catkin_tools/CATKIN_IGNORE",
+        "devel/.catkin",
+        "devel/.private/a/setup.sh",
+        "logs/a/build.log",
+        "ws/install/.catkin",
+        "ws/install/share/a/package.xml",
+        "build_isolated/CATKIN_IGNORE",
+    )
+    assert staged(robot, tmp_path / "out") == kept
+    assert {path.parent.name for path in workspace.manifests(robot, left=LeftOut(robot))} == {"a", "build"}
+
+
+def test_packages_that_dockerignore_leaves_out_are_not_built(tmp_path: Path) -> None:
+    robot = tmp_path / "robot"
+    write(robot, "src/a/package.xml", "src/b/package.xml")
+    (robot / ".dockerignore").write_text("src/b\n")
+    assert workspace.write_manifests({"target": robot}, tmp_path / "out") == {"target": 1}
+    (robot / ".dockerignore").write_text("*\n!docker\n")
+    with pytest.raises(RosmlError, match=r"no package\.xml in .*but for what \.dockerignore leaves out") as caught:
+        workspace.write_manifests({"target": robot}, tmp_path / "out")
+    assert "!src" in caught.value.remedy
+
+
+def test_a_dockerignore_is_a_file_of_the_folder(tmp_path: Path) -> None:
+    (tmp_path / "robot").mkdir()
+    (tmp_path / "robot/.dockerignore").symlink_to("/etc/hostname")
+    with pytest.raises(RosmlError, match="leads out of"):
+        LeftOut(tmp_path / "robot")
+    (tmp_path / "robot/.dockerignore").unlink()
+    os.mkfifo(tmp_path / "robot/.dockerignore")
+    with pytest.raises(RosmlError, match="neither a file nor a folder"):
+        LeftOut(tmp_path / "robot")
+
+
+def test_what_is_about_a_repository_is_not_built_from(tmp_path: Path) -> None:
+    """A package's own files are its own, and what a build names stays, wherever it is."""
+    kept = {
+        "target/src/a/package.xml", "target/src/a/README.md", "target/src/a/.hidden", "target/src/plain/CMakeLists.txt",
+        "target/src/plain/README", "target/LICENSE", "target/shared/a.h", "target/CONTRIBUTING.md", "upstream/whole/package.xml",
+        "upstream/whole/README.md",
+    }  # fmt: skip
+    gone = {
+        "target/README.md",
+        "target/src/CHANGELOG.rst",
+        "target/.github/workflows/ci.yml",
+        "upstream/two/readme.txt",
+    }
+    write(tmp_path, *kept, *gone)
+    (tmp_path / "target/src/plain/CMakeLists.txt").write_text("file(READ ../../CONTRIBUTING.md text)\n")
+    subprocess.run([ROOT / "components/containerize/packages.sh", tmp_path], check=True)
+    assert {str(path.relative_to(tmp_path)) for path in tmp_path.rglob("*") if path.is_file()} == kept
+
+
+def test_no_pattern_takes_long(tmp_path: Path) -> None:
+    """Whoever wrote the repository wrote it."""
+    deep = tmp_path / "robot" / "/".join(["a" * 20] * 60)
+    write(deep, "a" * 200)
+    (tmp_path / "robot/.dockerignore").write_text(f"{'**/a*a*a*a*a*a*b/' * 40}x\n{'a*' * 100}b\n" * 20)
+    started = time.monotonic()
+    assert len(staged(tmp_path / "robot", tmp_path / "out")) == 2
+    assert time.monotonic() - started < 10

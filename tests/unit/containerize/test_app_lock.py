@@ -1,0 +1,251 @@
+"""Lock files of apps: they are written, read and followed, and a build takes nothing that they do not have."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+import sys
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+from stubs import script_of_a_build
+
+from rosml.base.errors import RosmlError
+from rosml.containerize import lock
+from rosml.containerize.lock import Pin
+
+DIGEST = f"sha256:{'1' * 64}"
+TOOLZ = f"toolz==1.0 --hash=sha256:{'0' * 64}"
+LOCK = lock.Lock(
+    base_image=lock.Image(name="ros:jazzy-base", digest=DIGEST),
+    repositories={"up": Pin(url="https://example.org/up.git", version="main", commit="c" * 40)},
+    apt={"amd64": {"tree": "2.1", "libc6:i386": "1:2.36+b1~x"}},
+    pip={"amd64": [TOOLZ, f"a @ git+https://example.org/a@{'c' * 40}"]},
+)
+
+
+def test_a_lock_file_is_read_as_it_was_written(tmp_path: Path) -> None:
+    file = tmp_path / "containerize.lock"
+    assert lock.read(file, tmp_path) is None
+    file.write_text(LOCK.text())
+    assert lock.read(file, tmp_path) == LOCK
+    assert json.loads(LOCK.line()) | {"downstream": {}} == json.loads(LOCK.text()) and "\n" not in LOCK.line()
+
+
+def other(**changes: Any) -> str:
+    """A lock file with other values."""
+    return json.dumps(json.loads(LOCK.text()) | changes)
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("", "Expecting value"),
+        ("[]", "valid dictionary"),
+        ("{}", "base_image: Field required"),
+        ("<<<<<<< HEAD", "Expecting value"),
+        (LOCK.text().replace('"amd64"', '"tree"').replace('"tree": "2.1"', '"tree": "1", "tree": "2"'), "a key is there twice"),
+        (other(format=2), "format: "),
+        (other(base_image={"name": "ros:jazzy-base", "digest": "jazzy"}), "base_image.digest: "),
+        (other(repositories={"up": {"url": "x", "version": "main", "commit": "refs/heads/main"}}), "repositories.up.commit"),
+        (other(apt={"../../../escaped": {"tree": "1"}}), "apt."),
+        (other(apt={"amd64": {"tree": "1\nPin: origin *"}}), "apt.amd64.tree"),
+        (other(apt={"amd64": {"*": "1"}}), "apt.amd64."),
+        (other(pip={"amd64": ["--index-url https://example.org"]}), "pip.amd64.0"),
+        (other(pip={"amd64": ["a @ https://example.org/a.whl?private_token=x"]}), "pip.amd64.0: its address has a user or a query, which may be a secret"),
+        (other(pip={"amd64": ["a @ git+https://me:x@example.org/a@c0"]}), "pip.amd64.0: its address has a user or a query, which may be a secret"),
+        (other(format=True), "format: "),
+    ],
+)  # fmt: skip
+def test_what_is_no_lock_file_is_refused_with_a_remedy(text: str, why: str, tmp_path: Path) -> None:
+    file = tmp_path / "containerize.lock"
+    file.write_text(text)
+    with pytest.raises(RosmlError, match="is no lock file") as caught:
+        lock.read(file, tmp_path)
+    assert why in caught.value.message and "\n" not in caught.value.message
+    assert caught.value.exit_code == 2 and "--lock" in caught.value.remedy
+
+
+@pytest.mark.parametrize(
+    ("name", "renew", "why"),
+    [
+        ("typo.lock", False, "there is no file"),
+        ("missing/x.lock", True, "there is no folder"),
+        ("../x.lock", True, "leads out of"),
+        ("/tmp/x.lock", True, "leads out of"),
+        ("package.xml", True, "does not end in"),
+        ("out/x.lock", True, "leads out of"),
+    ],
+)
+def test_a_place_where_no_lock_file_can_be(name: str, renew: bool, why: str, tmp_path: Path) -> None:
+    (tmp_path / "out").symlink_to("/tmp")
+    with pytest.raises(RosmlError, match=why) as caught:
+        lock.place(tmp_path, name, renew)
+    assert caught.value.exit_code == 2
+
+
+def test_a_place_has_one_name(tmp_path: Path) -> None:
+    assert lock.place(tmp_path, "docker/../containerize.lock", True) == tmp_path / "containerize.lock"
+    assert lock.place(tmp_path, "containerize.lock", False) == tmp_path / "containerize.lock"
+
+
+def test_a_lock_file_of_another_base_image_is_refused() -> None:
+    assert LOCK.base_image.of("ros:jazzy-base") == DIGEST
+    with pytest.raises(RosmlError, match="the lock file is of ros:jazzy-base, and not of ros:jazzy-core"):
+        LOCK.base_image.of("ros:jazzy-core")
+
+
+def test_other_architectures_stay_while_all_else_is_the_same() -> None:
+    new = LOCK.model_copy(update={"apt": {"arm64": {"tree": "2.2"}}, "pip": {}})
+    assert set(new.with_other_architectures(LOCK).apt) == {"amd64", "arm64"}
+    newer = new.model_copy(update={"base_image": lock.Image(name="ros:jazzy-base", digest=DIGEST.replace("1", "2"))})
+    assert set(newer.with_other_architectures(LOCK).apt) == {"arm64"}, "the old versions were of the old image"
+
+
+def test_each_architecture_gets_its_lists(tmp_path: Path) -> None:
+    LOCK.write_requests(tmp_path)
+    assert (tmp_path / "lock/amd64/apt").read_text() == "libc6:i386 1:2.36+b1~x\ntree 2.1\n"
+    assert (tmp_path / "lock/amd64/pip").read_text().splitlines() == LOCK.pip["amd64"]
+
+
+def test_it_says_for_which_platforms_it_has_no_packages() -> None:
+    assert LOCK.lacks(["linux/amd64", "linux/arm64", "linux/arm/v7"]) == ["linux/arm64", "linux/arm/v7"]
+
+
+def test_the_first_of_two_versions_counts() -> None:
+    one = {"architecture": "amd64", "apt": {"a": "1", "b": "1"}, "pip": [f"x==1 --hash={DIGEST}"]}
+    other = {"architecture": "amd64", "apt": {"a": "2", "c": "1"}, "pip": [f"x==2 --hash={DIGEST}", "y==1"]}
+    found = lock.added([one, other])
+    assert found.apt == {"amd64": {"a": "1", "b": "1", "c": "1"}}
+    assert found.pip == {"amd64": [f"x==1 --hash={DIGEST}", "y==1"]}
+
+
+# ---- pip, in the build -----------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def script() -> ModuleType:
+    return script_of_a_build("containerize/pip_install.py")
+
+
+SUM = "0a" * 32
+HASH = {"hash": f"sha256={SUM}", "hashes": {"sha256": SUM}}
+GIT = {"vcs": "git", "commit_id": "c0"}
+
+
+@pytest.mark.parametrize(
+    ("name", "info", "direct", "line"),
+    [
+        ("Ruamel.YAML", {"url": "x.whl", "archive_info": HASH}, False, f"ruamel-yaml==1.0 --hash=sha256:{SUM}"),
+        ("a", {"url": "x.whl", "archive_info": {"hash": f"sha256={SUM}"}}, False, f"a==1.0 --hash=sha256:{SUM}"),
+        ("a", {"url": "x.whl", "archive_info": {"hash": "md5=aa"}}, False, "a==1.0"),
+        ("a", {}, False, "a==1.0"),
+        ("a", {"url": "https://e.org/a", "vcs_info": GIT}, True, "a @ git+https://e.org/a@c0"),
+        ("a", {"url": "https://e.org/a.whl", "archive_info": HASH}, True, f"a @ https://e.org/a.whl#sha256={SUM}"),
+        ("a", {"url": "file:///a", "dir_info": {}}, True, ""),
+        # Without a SHA-256 there is none to compare with.
+        ("a", {"url": "https://e.org/a.whl", "archive_info": {}}, True, "a @ https://e.org/a.whl"),
+        ("a", {"url": "https://e.org/a.whl", "archive_info": {"hash": "md5=aa"}}, True, "a @ https://e.org/a.whl"),
+        ("a", {"url": "https://e.org/a.whl", "archive_info": {"hashes": {"md5": "aa"}}}, True, "a @ https://e.org/a.whl"),
+        # A repository has several packages.
+        (
+            "a",
+            {"url": "https://e.org/a", "vcs_info": GIT, "subdirectory": "python/a"},
+            True,
+            "a @ git+https://e.org/a@c0#subdirectory=python/a",
+        ),
+        (
+            "a",
+            {"url": "https://e.org/a.zip", "archive_info": HASH, "subdirectory": "a"},
+            True,
+            f"a @ https://e.org/a.zip#sha256={SUM}&subdirectory=a",
+        ),
+        # Lines are in images and lock files: no password is.
+        ("a", {"url": "https://me:secret@e.org/a?private_token=secret", "vcs_info": GIT}, True, "a @ git+https://e.org/a@c0"),
+        ("a", {"url": "ssh://git:secret@e.org/a", "vcs_info": GIT}, True, "a @ git+ssh://git@e.org/a@c0"),
+        ("a", {"url": "https://e.org/a.whl?private_token=secret", "archive_info": {}}, True, "a @ https://e.org/a.whl"),
+    ],
+)  # fmt: skip
+def test_what_pip_installed_becomes_a_line(
+    name: str, info: dict[str, Any], direct: bool, line: str, script: ModuleType
+) -> None:
+    assert script.line(name, "1.0", info, direct) == line
+
+
+def test_a_damaged_package_of_the_base_image_counts_for_none(
+    script: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A folder without METADATA, as a removed package may leave, and one that says no JSON of its place."""
+    for name, files in {
+        "a-1.dist-info": {"METADATA": "Name: a\nVersion: 1\n"},
+        "b-1.dist-info": {},
+        "c-1.dist-info": {"METADATA": "Name: c\nVersion: 1\n", "direct_url.json": "[" * 100_000},
+    }.items():
+        (tmp_path / name).mkdir()
+        for file, text in files.items():
+            (tmp_path / name / file).write_text(text)
+    monkeypatch.setattr(sys, "path", [str(tmp_path)])
+    assert script.installed() == {"a==1"}
+
+
+def test_no_package_says_a_password(script: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """pip leaves the query of an address in the image. Only packages that were installed now are changed."""
+    for name in ("new", "old"):
+        folder = tmp_path / f"{name}-1.dist-info"
+        folder.mkdir()
+        place = {"url": f"https://e.org/{name}?private_token=secret", "vcs_info": {**GIT, "requested_revision": "main"}}
+        (folder / "METADATA").write_text(f"Name: {name}\nVersion: 1\n")
+        (folder / "direct_url.json").write_text(json.dumps(place))
+        files = "".join(f"{folder.name}/{file},sha256=x,1\n" for file in ("METADATA", "direct_url.json"))
+        (folder / "RECORD").write_text(f"{files}{folder.name}/RECORD,,\n")
+    monkeypatch.setattr(sys, "path", [str(tmp_path)])
+    old = (tmp_path / "old-1.dist-info/direct_url.json").read_text()
+    install(script, tmp_path, ["new @ git+https://e.org/new@c0"], None)
+    content = (tmp_path / "new-1.dist-info/direct_url.json").read_bytes()
+    assert (
+        json.loads(content)["url"] == "https://e.org/new"
+        and (tmp_path / "old-1.dist-info/direct_url.json").read_text() == old
+    )
+    said = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).decode().rstrip("=")
+    assert (tmp_path / "new-1.dist-info/RECORD").read_text() == (
+        "new-1.dist-info/METADATA,sha256=x,1\n"
+        f"new-1.dist-info/direct_url.json,sha256={said},{len(content)}\n"
+        "new-1.dist-info/RECORD,,\n"
+    )
+
+
+def install(script: ModuleType, folder: Path, new: list[str], locked: str | None) -> str:
+    """Installs what pip would take. Gives what it was constrained to."""
+    said: list[str] = []
+
+    def take(arguments: list[str]) -> list[str]:
+        if "--constraint" in arguments:
+            said.append(Path(arguments[arguments.index("--constraint") + 1]).read_text())
+        return new
+
+    script.knows_report = lambda: True  # type: ignore[attr-defined]
+    script.reported = take  # type: ignore[attr-defined]
+    if locked is not None:
+        (folder / "locked").write_text(locked)
+    script.main(folder / "written", folder / "locked", "--requirement", "file")
+    return "".join(said)
+
+
+def test_what_pip_installed_is_written_down(script: ModuleType, tmp_path: Path) -> None:
+    assert install(script, tmp_path, ["b==1 --hash=sha256:bb", ""], None) == ""
+    assert install(script, tmp_path, ["a==1"], None) == ""
+    assert (tmp_path / "written").read_text() == "a==1\nb==1 --hash=sha256:bb\n"
+
+
+def test_pip_installs_what_the_lock_file_has_or_nothing(script: ModuleType, tmp_path: Path) -> None:
+    git = "g @ git+https://example.org/g@c0"
+    locked = f"a==1.0 --hash=sha256:aa\n{git}\nunused==1\n"
+    assert install(script, tmp_path, ["a==1.0 --hash=sha256:aa", git, ""], locked) == "a==1.0\nunused==1\n"
+    for new in ("a==1.0 --hash=sha256:bb", "a==1.0", "b==1.0", "g @ git+https://example.org/g@c1"):
+        with pytest.raises(SystemExit, match=r"the lock file does not have what pip installed: .*--lock"):
+            install(script, tmp_path, [new], locked)
+    with pytest.raises(SystemExit, match="the lock file does not have what pip installed: a==1"):
+        install(script, tmp_path, ["a==1"], "")

@@ -1,0 +1,254 @@
+"""rosdep's lists in a registry: published from a checkout of ros/rosdistro, and found beside base images."""
+
+from __future__ import annotations
+
+import dataclasses
+import gzip
+import shutil
+import sys
+import types
+from pathlib import Path
+from typing import Any, ClassVar
+
+import pytest
+from registry_stand_in import StandIn
+from stubs import script_of_a_build
+
+from rosml.base.errors import RosmlError
+from rosml.containerize import rosdep_index
+from rosml.containerize.base import Base
+from rosml.containerize.rosdep_index import Finder
+from rosml.machine.services import Services
+from rosml.registry import oci
+
+OURS = {"io.rosml.distribution": "jazzy"}
+
+
+@pytest.fixture
+def services(stand_in: StandIn, tmp_path: Path) -> Services:
+    return Services(tmp_path / "state", stand_in.address, ("buildx",), "rosml", "buildkitd", None, "", "", "", bases=())
+
+
+@pytest.fixture
+def checkout(tmp_path: Path) -> Path:
+    folder = tmp_path / "rosdistro"
+    for name, text in (
+        ("rosdep/base.yaml", "boost: {ubuntu: [libboost-dev]}\n"),
+        ("index-v4.yaml", "distributions: {jazzy: {distribution: [jazzy/distribution.yaml]}}\n"),
+        ("jazzy/distribution.yaml", "repositories: {}\n"),
+        ("jazzy/other.yaml", "of no use\n"),
+    ):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    return folder
+
+
+def published(services: Services, checkout: Path, name: str = "rosml/rosdep") -> str:
+    with oci.Registry(services.registry) as client:
+        return rosdep_index.publish(checkout, client, name, ("20261125", "latest"))
+
+
+def base(services: Services, **labels: str) -> Base:
+    return Base(f"{services.registry}/rosml/ros:jazzy-base", "sha256:1", {}, labels or OURS)
+
+
+def test_the_newest_lists_beside_a_base_image_are_taken(services: Services, checkout: Path, tmp_path: Path) -> None:
+    said: list[str] = []
+    finder = Finder(services, tmp_path, said.append)
+    assert finder.find("", base(services), "", False) is None, "nobody has published any"
+    digest = published(services, checkout)
+    found = finder.find("", base(services), "", False)
+    assert found and found[1] == digest and said == [f"rosdep's lists {services.registry}/rosml/rosdep:latest"]
+    names = sorted(str(path.relative_to(found[0])) for path in found[0].rglob("*.yaml"))
+    assert names == ["index-v4.yaml", "jazzy/distribution.yaml", "rosdep/base.yaml"]
+    assert finder.find("", base(services, other="x"), "", False) is None, "it is not ours"
+
+
+def test_the_same_lists_have_the_same_digest(services: Services, checkout: Path, tmp_path: Path) -> None:
+    first = published(services, checkout)
+    again = shutil.copytree(checkout, tmp_path / "again")
+    assert published(services, again) == first
+    (again / "rosdep/base.yaml").write_text("")
+    assert published(services, again) != first
+
+
+def test_a_lock_file_names_the_lists(services: Services, checkout: Path, tmp_path: Path) -> None:
+    first = published(services, checkout)
+    (checkout / "rosdep/base.yaml").write_text("")
+    published(services, checkout)
+    finder = Finder(services, tmp_path, lambda text: None)
+    for named in ("", "rosdep:latest", f"{services.registry}/rosml/rosdep:20261125"):
+        found = finder.find(named, base(services), first, True)
+        assert found and "boost" in (found[0] / "rosdep/base.yaml").read_text()
+    assert finder.find("", base(services), "", True) is None, "there were none"
+    with pytest.raises(RosmlError, match="the lock file has no lists of rosdep"):
+        finder.find("rosdep:latest", base(services), "", True)
+    with pytest.raises(RosmlError, match="there are no lists of rosdep sha256:0"):
+        finder.find("", base(services), f"sha256:{'0' * 64}", True)
+
+
+def test_what_is_named_must_be_there(services: Services, checkout: Path, tmp_path: Path) -> None:
+    finder = Finder(services, tmp_path, lambda text: None)
+    assert finder.find("rosdistro", base(services), "", False) == (checkout, "")
+    with pytest.raises(RosmlError, match=r"there is no folder .*/typo"):
+        finder.find("typo", base(services), "", False)
+    with pytest.raises(RosmlError, match=r"there are no lists of rosdep .*looked for"):
+        finder.find(f"{services.registry}/rosml/rosdep:typo", base(services), "", False)
+    with oci.Registry(services.registry) as client:
+        client.put_blob("rosml/rosdep", oci.EMPTY_BLOB)
+        client.put_manifest("rosml/rosdep", "image", oci.artifact("text/plain", oci.EMPTY_BLOB, "text/plain"))
+    with pytest.raises(RosmlError, match=":image has no lists of rosdep"):
+        finder.find("rosdep:image", base(services), "", False)
+
+
+def test_what_is_damaged_leaves_no_folder(services: Services, tmp_path: Path) -> None:
+    blob = gzip.compress(b"no tar file" * 100)
+    with oci.Registry(services.registry) as client:
+        for part in (blob, oci.EMPTY_BLOB):
+            client.put_blob("rosml/rosdep", part)
+        client.put_manifest("rosml/rosdep", "latest", oci.artifact(rosdep_index.TYPE, blob, rosdep_index.LAYER))
+    finder, said = Finder(services, tmp_path, lambda text: said.append(text)), list[str]()
+    with pytest.raises(RosmlError, match="cannot be unpacked"):
+        finder.find(f"{services.registry}/rosml/rosdep:latest", base(services), "", False)
+    assert finder.find("", base(services), "", False) is None, "who did not ask for them builds without"
+    assert "cannot be unpacked" in said[0]
+    assert not list((services.state / "cache/rosdep").iterdir())
+
+
+def test_what_github_has_is_cloned(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    program = tmp_path / "git"
+    program.write_text('#!/bin/sh\nfor folder; do :; done\nmkdir -p "$folder"\necho "$@" >"$folder/said"\n')
+    program.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
+    with rosdep_index.checkout(None) as folder:
+        assert "--depth 1 https://github.com/ros/rosdistro" in (folder / "said").read_text()
+    assert not folder.exists()
+    program.write_text("#!/bin/sh\necho 'fatal: no network' >&2\nexit 128\n")
+    with pytest.raises(RosmlError, match="cannot be cloned: no network"), rosdep_index.checkout(None):
+        pass
+
+
+def test_a_pinned_state_needs_no_registry_once_it_is_there(services: Services, checkout: Path, tmp_path: Path) -> None:
+    digest = published(services, checkout)
+    finder = Finder(services, tmp_path, lambda text: None)
+    there = finder.find("", base(services), digest, True)
+    away = Finder(dataclasses.replace(services, registry="127.0.0.1:9"), tmp_path, lambda text: None)
+    assert away.find("", Base("127.0.0.1:9/rosml/ros:x", "sha256:1", {}, OURS), digest, True) == there
+
+
+def test_few_states_are_kept(services: Services, checkout: Path, tmp_path: Path) -> None:
+    for number in range(8):
+        (checkout / "rosdep/base.yaml").write_text(f"a{number}: {{}}\n")
+        published(services, checkout)
+        found = Finder(services, tmp_path, lambda text: None).find("", base(services), "", False)
+        assert found and f"a{number}" in (found[0] / "rosdep/base.yaml").read_text()
+    assert len(list((services.state / "cache/rosdep").iterdir())) == rosdep_index.KEPT
+
+
+def test_what_all_builds_would_stumble_over_is_not_published(checkout: Path) -> None:
+    (checkout / "rosdep/base.yaml").write_text("x: [")
+    with pytest.raises(RosmlError, match=r"rosdep/base\.yaml is no YAML"):
+        rosdep_index.packed(checkout)
+    (checkout / "rosdep/base.yaml").write_text("x: {}")
+    (checkout / "rosdep/link.yaml").symlink_to("/etc/hostname")
+    with pytest.raises(RosmlError, match="leads out of"):
+        rosdep_index.packed(checkout)
+
+
+def test_a_clone_has_the_same_lists_as_another(checkout: Path, tmp_path: Path) -> None:
+    (checkout / ".git").mkdir()
+    (checkout / ".git/index").write_text("another one in each clone")
+    out = rosdep_index.copied(checkout, tmp_path / "out")
+    assert sorted(path.name for path in out.iterdir()) == ["index-v4.yaml", "jazzy", "rosdep"]
+    with pytest.raises(RosmlError, match=r"has no rosdep/\*\.yaml"):
+        rosdep_index.copied(checkout / "jazzy", tmp_path / "out")
+
+
+@pytest.mark.parametrize("path", ["index-v4.yaml", "rosdep/base.yaml", "jazzy/distribution.yaml"])
+def test_what_is_no_whole_checkout_is_not_published(path: str, checkout: Path) -> None:
+    (checkout / path).unlink()
+    with pytest.raises(RosmlError) as caught:
+        rosdep_index.packed(checkout)
+    assert caught.value.exit_code == 2
+
+
+class Rules:
+    """A view of rosdep's lists with one rule for each key, and an installer that asks the network."""
+
+    rules: ClassVar[dict[str, tuple[str, Any]]] = {
+        "by_source": ("source", {"uri": "https://example.org/x.rdmanifest", "md5sum": "abc"}),
+        "by_snap": ("snap", ["x"]),
+        "above": ("apt", ["above"]),
+    }
+
+    def __init__(self, key: str = "") -> None:
+        self._key = key
+
+    def lookup(self, key: str) -> Rules:
+        return Rules(key)
+
+    def get_rule_for_platform(self, *_: object) -> tuple[str, Any]:
+        return self.rules[self._key]
+
+    def get_installer(self, name: str) -> Rules:
+        assert name == "apt", f"{name} would ask the network"
+        return self
+
+    def resolve(self, rule: list[str]) -> list[str]:
+        return rule
+
+    def get_depends(self, rule: object) -> list[str]:
+        return ["by_source"]
+
+
+def identify(monkeypatch: pytest.MonkeyPatch) -> types.ModuleType:
+    """The script, without what only a base image has."""
+    for name in ("rosdep2", "rosdep2.lookup", "rosdep2.rospkg_loader", "rosdep2.sources_list", "manifests"):
+        monkeypatch.setitem(sys.modules, name, types.ModuleType(name))
+    for name, module in (
+        ("RosdepLookup", "rosdep2"),
+        ("create_default_installer_context", "rosdep2"),
+        ("get_default_installer", "rosdep2"),
+        ("DEFAULT_VIEW_KEY", "rosdep2.rospkg_loader"),
+        ("SourcesListLoader", "rosdep2.sources_list"),
+    ):
+        monkeypatch.setattr(sys.modules[module], name, None, raising=False)
+    monkeypatch.setattr(sys.modules["rosdep2.lookup"], "ResolutionError", LookupError, raising=False)
+    monkeypatch.setattr(
+        sys.modules["manifests"], "fail", lambda text, remedy: sys.exit(f"{text}; {remedy}"), raising=False
+    )
+    return script_of_a_build("containerize/identify.py")
+
+
+def test_conditions_compare_with_what_the_base_image_stands_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    script, asked = identify(monkeypatch), list[dict[str, str]]()
+    package = types.SimpleNamespace(name="robot", evaluate_conditions=asked.append)
+    for attributes in script.KINDS.values():
+        for attribute in attributes:
+            setattr(package, attribute, [])
+    monkeypatch.setattr(script.manifests, "packages", lambda *_: [(Path("target/robot"), package)], raising=False)
+    monkeypatch.setenv("ROS_DISTRO", "Debian")
+    for conditions in ("noetic", ""):
+        monkeypatch.setenv("CONDITIONS", conditions)
+        script.read(tmp_path, tmp_path)
+    assert [context["ROS_DISTRO"] for context in asked] == ["noetic", "Debian"]
+
+
+@pytest.mark.parametrize(
+    ("key", "says"),
+    [
+        ("by_source", r"rule for by_source, which arm, robot asks for, .* source: .*x\.rdmanifest"),
+        ("by_snap", r"rule for by_snap, which arm, robot asks for, .* snap: \[\"x\"\]; .*--skip-keys by_snap"),
+        ("above", r"rule for above, which arm, robot asks for, .* source: "),
+    ],
+)
+def test_a_rule_that_no_image_can_follow_is_named(key: str, says: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One of sources asks the network as soon as rosdep looks at it."""
+    script = identify(monkeypatch)
+    rosdep = object.__new__(script.Rosdep)
+    rosdep._view, rosdep._context, rosdep._platform, rosdep._may_ask, rosdep.failure = Rules(), Rules(), (), False, ""
+    packages = {name: {"exec": {key}} for name in ("robot", "arm")}
+    with pytest.raises(SystemExit, match=says):
+        script.answers(packages, set(), rosdep)

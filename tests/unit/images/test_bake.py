@@ -1,0 +1,496 @@
+"""docker-bake.hcl: what it says, that it is up to date, and that the real tool reads it as it is meant."""
+
+from __future__ import annotations
+
+import errno
+import json
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from bakes import printed
+from conftest import ROOT, SMALL, changed, parse
+from counting import calls
+from projects import copy_for_generator
+
+from bench import synthetic
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.cli import command, main
+from rosml.cli.images import generate as generating
+from rosml.images.bake import bake_file, hcl, targets
+from rosml.images.image_set import apt_source, expand, labels, load
+from rosml.images.image_set.model import ImageSet
+from rosml.images.matrix import model, schema, source
+
+SCRIPT = ROOT / "scripts/generate_bake.py"
+
+
+def generate(*arguments: str | Path, cwd: Path = ROOT, **env: str) -> subprocess.CompletedProcess[str]:
+    """Runs the script as a user does."""
+    return called([str(SCRIPT), *map(str, arguments)], cwd, env)
+
+
+def rosml(*arguments: str | Path, cwd: Path = ROOT, **env: str) -> subprocess.CompletedProcess[str]:
+    """Runs the command as a user does."""
+    return called([str(ROOT / "src"), *map(str, arguments)], cwd, env)
+
+
+def called(words: list[str], cwd: Path, env: dict[str, str]) -> subprocess.CompletedProcess[str]:
+    """What Python does, called so."""
+    return subprocess.run(
+        [sys.executable, *words],
+        cwd=cwd,
+        env={**os.environ, **env},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+
+
+@pytest.fixture
+def small_file(tmp_path: Path) -> Path:
+    file = tmp_path / "matrix.yaml"
+    file.write_text(SMALL)
+    return file
+
+
+# ---- HCL -------------------------------------------------------------------------------------------------------------
+
+
+def test_text_is_never_filled_in() -> None:
+    assert hcl.literal('a"${b}%{c}\n') == '"a\\"$${b}%%{c}\\n"'
+
+
+def test_plain_data() -> None:
+    data = {"a": None, "b.c": [True, "d"], "_e": {}, "f": (), "g": hcl.Code("H"), "i": {"j": "k"}}
+    assert hcl.literal(data) == '{ a = null, "b.c" = [true, "d"], "_e" = {}, f = [], g = H, i = { j = "k" } }'
+
+
+def test_block() -> None:
+    block = hcl.block("target", "a", {"inherits": ["b"], "args": {"A": "1", "B": hcl.Code("B")}})
+    assert block == 'target "a" {\n  inherits = ["b"]\n  args     = { A = "1", B = B }\n}\n'
+
+
+# ---- The committed file ----------------------------------------------------------------------------------------------
+
+
+def test_committed_files_are_up_to_date(real: ImageSet) -> None:
+    assert files.difference(ROOT / "docker-bake.hcl", bake_file.render(real)) == ""
+    assert files.difference(ROOT / "matrix.schema.json", schema.render()) == ""
+
+
+def test_people_can_read_it() -> None:
+    """The committed file, and what a new distribution adds to it."""
+    text = (ROOT / "docker-bake.hcl").read_text()
+    assert len(text.splitlines()) < 1_000 and len(text.encode()) < 80_000
+    eight, nine = (bake_file.render(parse(synthetic.matrix(count * synthetic.IMAGES))).splitlines() for count in (8, 9))
+    assert len(nine) - len(eight) <= 13, "its systems are there already"
+
+
+def test_same_input_same_bytes() -> None:
+    """In processes of their own, with different hash seeds, time zones and locales."""
+    outputs = {
+        rosml("list", "--json", PYTHONHASHSEED=seed, TZ=zone, LC_ALL=locale).stdout
+        + generate("--output", "/dev/stdout", PYTHONHASHSEED=seed, TZ=zone, LC_ALL=locale).stdout
+        for seed, zone, locale in (("1", "UTC", "C"), ("2", "Asia/Tokyo", "C.UTF-8"))
+    }
+    assert len(outputs) == 1
+
+
+def test_no_day_but_those_of_the_matrix(real: ImageSet) -> None:
+    assert re.findall(r"\b20\d\d-\d\d-\d\d\b", bake_file.render(real)) == []
+
+
+# ---- Agreement with the Dockerfile -----------------------------------------------------------------------------------
+
+BUILTIN = {"TARGETARCH", "BUILDARCH", "BUILDPLATFORM", "SOURCE_DATE_EPOCH", "HTTP_PROXY", "HTTPS_PROXY", "NO_PROXY"}
+
+
+def dockerfile() -> str:
+    return (ROOT / "Dockerfile").read_text()
+
+
+def test_every_argument_is_declared(real: ImageSet) -> None:
+    texts = [dockerfile(), *{target.join.dockerfile() for target in targets.of(real).values() if target.join}]
+    lines = [line for text in texts for line in re.findall(r"^ARG (.+)$", text, re.M)]
+    declared = {name.split("=")[0] for line in lines for name in line.split()}
+    passed = {name for target in targets.of(real).values() for name in target.arguments}
+    assert passed - declared - BUILTIN == set()
+
+
+def test_every_stage_and_context_is_there(real: ImageSet) -> None:
+    stages = set(re.findall(r"^FROM .* AS ([a-z-]+)$", dockerfile(), re.M))
+    used = {target.stage for target in targets.of(real).values() if not target.join}
+    assert used - stages == set()
+    assert {"base", "ros", "part-files", "part", "test"} <= used
+
+
+# ---- The command -----------------------------------------------------------------------------------------------------
+
+
+def test_writes_once(small_file: Path) -> None:
+    output = small_file.with_name("out.hcl")
+    first, second = (generate("--matrix", small_file, "--output", output) for _ in range(2))
+    assert (first.returncode, second.returncode) == (0, 0)
+    assert "out.hcl: written" in first.stderr
+    assert "out.hcl: is up to date" in second.stderr
+    assert not list(small_file.parent.glob(".out.hcl*"))
+
+
+def test_pipes_are_written_to_and_links_followed(small_file: Path) -> None:
+    link, target = small_file.with_name("link.hcl"), small_file.with_name("target.hcl")
+    link.symlink_to(target)
+    piped = generate("--matrix", small_file, "--output", "/dev/stdout")
+    generate("--matrix", small_file, "--output", link)
+    assert link.is_symlink()
+    assert piped.stdout == target.read_text()
+    assert Path("/dev/stdout").is_symlink()
+
+
+def test_generated_files_stay_in_the_checkout(
+    small: ImageSet, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A clone of somebody else's may have a link in the place of one."""
+    checkout, other = tmp_path / "checkout", tmp_path / "other"
+    copy_for_generator(checkout)
+    (checkout / "docker-bake.hcl").unlink()
+    other.write_text("mine")
+    (checkout / "docker-bake.hcl").symlink_to(other)
+    monkeypatch.setattr(generating, "ROOT", checkout)
+    monkeypatch.setattr(load, "load", lambda *_: small)
+    assert command.run(generating.main, arguments=[]) == 1
+    assert f"a link leads out of {checkout}, to {other}" in capsys.readouterr().err
+    assert other.read_text() == "mine"
+
+
+def test_a_full_disk_is_told_with_what_to_do(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(**_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("tempfile.mkstemp", full)
+    with pytest.raises(RosmlError, match="x: cannot be written: No space left on device") as caught:
+        files.write(tmp_path / "x", "y")
+    assert caught.value.remedy == "free some disk space, then run it again"
+
+
+def test_works_from_any_folder(tmp_path: Path) -> None:
+    done = generate("--check", cwd=tmp_path)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+def test_check_fails_when_stale(small_file: Path) -> None:
+    output = small_file.with_name("out.hcl")
+    generate("--matrix", small_file, "--output", output)
+    output.write_text(output.read_text().replace('"ros-alpha-desktop"', '"ros-alpha-desktop-full"'))
+    done = generate("--check", "--matrix", small_file, "--output", output)
+    assert done.returncode == 1
+    assert re.search(r'^-    packages = .* desktop = "ros-alpha-desktop-full" }$', done.stdout, re.M)
+    assert re.search(r'^\+    packages = .* desktop = "ros-alpha-desktop" }$', done.stdout, re.M)
+    assert "out.hcl: stale" in done.stderr
+    assert "rosml generate" in done.stderr
+    assert "desktop-full" in output.read_text(), "--check must not write"
+
+
+def test_check_fails_when_the_file_is_missing(small_file: Path) -> None:
+    done = generate("--check", "--matrix", small_file, "--output", small_file.with_name("none.hcl"))
+    assert done.returncode == 1
+    assert "none.hcl: stale" in done.stderr
+
+
+def test_output_that_cannot_be_written(small_file: Path) -> None:
+    done = generate("--matrix", small_file, "--output", small_file / "x.hcl")
+    assert done.returncode == 1
+    assert "Traceback" not in done.stderr
+    assert "x.hcl: cannot be" in done.stderr
+
+
+def test_list_json(real: ImageSet) -> None:
+    done = rosml("list", "--json")
+    listed = json.loads(done.stdout)
+    assert [image["target"] for image in listed] == [image.target for image in real.images]
+    keys = {"target", "distribution", "component", "framework", "stack", "platforms", "versions", "tags", "groups"}
+    assert all(keys <= image.keys() for image in listed)
+    assert all(re.fullmatch("[0-9a-f]{64}", image["inputs"]["amd64"]) for image in listed)
+    assert len({image["inputs"]["amd64"] for image in listed}) == len(listed)
+
+
+def test_explain_json(small: ImageSet, small_file: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What a tag, a test, a part or a group is, and whether there is one; the reasons are what people read."""
+    image = small.image("alpha-core-torch-cu1")
+    for name, target, exists in (
+        (image.target, image.target, True),
+        (image.tags[0], image.target, True),
+        (f"{image.target}-test", image.target, True),
+        ("part-torch-cu1-py312", "torch-cu1-py312", True),
+        ("alpha", "alpha", True),
+        ("alpha-robot", "alpha-robot", False),
+        ("alpha-core-torch", "alpha-core-torch", False),
+    ):
+        said = []
+        for form in ((), ("--json",)):
+            arguments = ["explain", name, "--matrix", str(small_file), *form]
+            assert command.run(main.cli, arguments=arguments) == 0
+            said.append(capsys.readouterr().out)
+        found = json.loads(said[1])
+        assert (found["target"], found["exists"]) == (target, exists)
+        reasons = [line.removeprefix("  - ") for line in said[0].splitlines()]
+        assert found["reasons"] == (reasons[1:] or reasons)
+
+
+def test_list_is_one_line_for_each_image(small: ImageSet, small_file: Path) -> None:
+    """The project has locks for few images of the small matrix, if for any."""
+    lines = rosml("list", "--matrix", small_file).stdout.splitlines()
+    unlocked = [image.target for image in load.load(small_file).images if not image.locked]
+    assert [line.split()[0] for line in lines[1:-2]] == [image.target for image in small.images]
+    assert [line.split()[0] for line in lines[:-2] if " missing " in line] == unlocked
+    assert lines[-2] == f"{len(small.images)} images, {len(small.parts)} parts"
+    assert lines[-1].startswith(f"{len(unlocked)} images without a lock, which cannot be built yet: run 'rosml locks'")
+
+
+EXITS: dict[str, tuple[list[str], int, str]] = {
+    "exists": (["explain", "alpha-core"], 0, "alpha-core exists:"),
+    "ruled out": (["explain", "alpha-robot"], 0, "alpha (ROS 2) has no robot metapackage"),
+    "no lock": (["explain", "alpha-core-torch-cu1"], 0, "run 'rosml locks'"),
+    "not understood": (["explain", "alfa-core"], 2, "did you mean 'alpha-core'"),
+    "nothing": (["explain", ""], 2, "no image is named"),
+    "same matrix": (["diff", "{matrix}"], 0, "0 added, 0 removed, 0 changed, "),
+    "output on the matrix": (["generate", "--output", "{matrix}"], 2, "would overwrite the matrix"),
+    "unknown option": (["generate", "--chek"], 2, "--check"),
+    "no such matrix": (["list", "--matrix", "/nowhere/matrix.yaml"], 2, "no such file"),
+    "help": (["generate", "--help"], 0, "--output PATH"),
+    "help in short": (["generate", "-h"], 0, "--output PATH"),
+    "exists, for machines": (["explain", "alpha-core", "--json"], 0, '"exists": true'),
+    "ruled out, for machines": (["explain", "alpha-robot", "--json"], 0, '"exists": false'),
+    "not understood, for machines": (["explain", "alfa-core", "--json"], 2, "did you mean 'alpha-core'"),
+}
+
+
+@pytest.mark.parametrize("name", EXITS)
+def test_exit_codes(name: str, small_file: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words, code, text = EXITS[name]
+    word, *others = (word.replace("{matrix}", str(small_file)) for word in words)
+    assert command.run(main.cli, arguments=[word, "--matrix", str(small_file), *others]) == code
+    done = capsys.readouterr()
+    assert text in (done.err if code else done.out)
+    if "--json" in words and code:
+        assert text in json.loads(done.out)["error"]
+    else:
+        assert (done.out if code else done.err) == ""
+
+
+def test_wrong_matrix(small_file: Path) -> None:
+    small_file.write_text(SMALL.replace("os: ubuntu-24.04", "os: ubuntu-24.4"))
+    done = rosml("list", "--matrix", "matrix.yaml", cwd=small_file.parent)
+    assert done.returncode == 2
+    assert done.stderr == (
+        "matrix.yaml:50:5: distributions.alpha.os: no operating system named 'ubuntu-24.4'; "
+        "did you mean 'ubuntu-24.04' or 'ubuntu-26.04'?\n"
+    )
+
+
+def test_work_for_an_image_is_bounded() -> None:
+    small = load.image_set(source.parse(SMALL.encode())).matrix
+    rows = {f"d{n}": small.distributions["alpha"] for n in range(112)}
+    big = model.Matrix.model_construct(**{**dict(small), "distributions": rows})
+    assert len(expand.expand(big).images) == 2_016
+    assert calls(lambda: bake_file.render(expand.expand(big))) < 1_000 * 2_016
+
+
+# ---- buildx ----------------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def small_bake(small: ImageSet, tmp_path: Path) -> Path:
+    """The bake file of the small matrix, with every lock."""
+    file = tmp_path / "small.hcl"
+    file.write_text(bake_file.render(small))
+    return file
+
+
+def test_a_part_says_what_it_is_and_what_takes_it(small_bake: Path) -> None:
+    """Who has the registry alone can put it together with others."""
+    names = ("part-cuda-cu1", "part-common-cpu-py312", "part-torch-cu1-py312", "part-tensorflow-cc-cu1")
+    found = {name: target["labels"] for name, target in printed(*names, file=small_bake).items()}
+    both = "torch=cuda*,common,torch ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
+    assert found["part-torch-cu1-py312"] == {
+        "org.opencontainers.image.title": "torch-cu1-py312",
+        "org.opencontainers.image.description": "part torch of stack cu1, for Python 3.12",
+        "io.rosml.part": "torch",
+        "io.rosml.stack": "cu1",
+        "io.rosml.python": "3.12",
+        "io.rosml.torch": "2.10.0",
+        "io.rosml.brings": "torch:torch:PyTorch",
+        "io.rosml.release": "torch",
+        "io.rosml.frameworks": both,
+    }
+    cuda = found["part-cuda-cu1"]
+    assert (cuda["io.rosml.python"], cuda["io.rosml.cuda"], cuda["io.rosml.frameworks"]) == (
+        "any",
+        "12.8.90",
+        f"cuda=cuda* {both}",
+    )
+    assert found["part-common-cpu-py312"].keys().isdisjoint({"io.rosml.torch", "io.rosml.tensorflow"})
+    assert found["part-tensorflow-cc-cu1"]["io.rosml.tensorflow"] == "2.20.0"
+    assert cuda["io.rosml.brings"] == "cuda:cuda:CUDA cudnn::" and "io.rosml.release" not in cuda
+    parts = ("cuda", "common", "torch", "tensorflow-cc", "tensorflow")
+    assert labels.frameworks(both) == {"torch": ("cuda", "common", "torch"), "ml": parts}
+    assert [part for part in parts if labels.any_python(both, part)] == ["cuda", "tensorflow-cc"]
+
+
+def test_frameworks_that_do_not_go_together_are_not_named(real: ImageSet) -> None:
+    found = targets.of(real)
+    assert "ml=" in str(found["part-common-cpu-py311"].labels["io.rosml.frameworks"])
+    apart = found["part-common-cpu38-py38"].labels["io.rosml.frameworks"]
+    assert apart == "torch=common,torch tensorflow=common,tensorflow-cc*,tensorflow"
+
+
+def test_default_group(small_bake: Path) -> None:
+    assert set(printed("default", file=small_bake)) == {"alpha-core", "_os-ubuntu-24-04"}
+
+
+def test_dependencies_are_built_here(small_bake: Path) -> None:
+    target = printed("alpha-core-torch-cu1", file=small_bake)["alpha-core-torch-cu1"]
+    assert target["contexts"] == {
+        "ros": "target:alpha-core",
+        "part-cuda": "target:_files-cuda-cu1",
+        "part-common": "target:_files-common-cu1-py312",
+        "part-torch": "target:_files-torch-cu1-py312",
+    }
+    assert target["args"]["CUDA_ROOT"] == target["args"]["TORCH_ROOT"] == "/out/"
+
+
+def test_dependencies_are_taken_from_the_registry(small_bake: Path) -> None:
+    digests = json.dumps({"cuda-cu1": "sha256:aa", "alpha-core": "sha256:bb"})
+    found = printed("alpha-core-torch-cu1", file=small_bake, REGISTRY="registry:1/x", DIGESTS=digests)
+    target = found["alpha-core-torch-cu1"]
+    assert target["contexts"]["part-cuda"] == "docker-image://registry:1/x/part@sha256:aa"
+    assert target["contexts"]["ros"] == "docker-image://registry:1/x/ros@sha256:bb"
+    assert target["contexts"]["part-torch"] == "target:_files-torch-cu1-py312"
+    assert target["args"]["CUDA_ROOT"] == "/"
+    assert target["args"]["TORCH_ROOT"] == "/out/"
+    assert set(found) == {"alpha-core-torch-cu1", "_files-common-cu1-py312", "_files-torch-cu1-py312"}
+
+
+def test_broken_digests_fail(small_bake: Path) -> None:
+    with pytest.raises(RosmlError, match="jsondecode"):
+        printed("alpha-base", file=small_bake, DIGESTS='{"alpha-core": ')
+
+
+@pytest.mark.parametrize("target", ["ros1-bookworm-core-torch-cu130", "ros1-bookworm-base-run-torch-cu130"])
+def test_an_excerpt_prints_as_the_whole(real: ImageSet, tmp_path: Path, target: str) -> None:
+    """With all that an image and its test stand on."""
+    image = real.image(target)
+    part = real.part_by_name[image.parts[0]].target
+    file = tmp_path / "excerpt.hcl"
+    file.write_text(bake_file.excerpt(real, (image.target, image.test_target, part)))
+    roots = (image.target, image.test_target, part, targets.CONTENTS)
+    assert printed(*roots, file=file) == printed(*roots)
+
+
+def test_an_excerpt_holds_little_else() -> None:
+    """Other images of the same components and stack at most."""
+    large = parse(synthetic.matrix(400))
+    text = bake_file.excerpt(large, ("d1-base-torch-cu128",))
+    assert re.findall(r"^  (d\d+) = {$", text, re.M) == ["d1"]
+    assert '    stacks = { torch = ["cu128"] }\n' in text and "desktop = " not in text
+    assert text.count('  { kind = "') == 3
+    assert not re.search(r"^group \"d", text, re.M)
+
+
+def test_one_platform(small_bake: Path) -> None:
+    """PLATFORM restricts a target and all that it stands on."""
+    found = printed("alpha-base", file=small_bake, PLATFORM="linux/arm64")
+    assert len(found) > 1
+    assert all(target["platforms"] == ["linux/arm64"] for target in found.values())
+
+
+def test_variables(small_bake: Path) -> None:
+    base = "docker-image://registry:1/ubuntu@sha256:cc"
+    bundle = str(ROOT / "matrix.yaml")  # any file
+    settings = {"OS_UBUNTU_24_04": base, "REVISION": "abc", "CA_BUNDLE": bundle, "HTTPS_PROXY": "http://proxy:1"}
+    found = printed("alpha-core", file=small_bake, **settings)
+    core = found["alpha-core"]
+    assert found["_os-ubuntu-24-04"]["contexts"] == {"os": base}
+    assert core["labels"]["org.opencontainers.image.base.name"] == "registry:1/ubuntu"
+    assert core["labels"]["org.opencontainers.image.base.digest"] == "sha256:cc"
+    assert core["labels"]["org.opencontainers.image.revision"] == "abc"
+    assert core["secret"] == [{"id": "ca-bundle", "src": bundle}]
+    assert core["args"]["HTTPS_PROXY"] == "http://proxy:1"
+    plain = printed("alpha-core", file=small_bake)["alpha-core"]
+    assert "secret" not in plain
+    assert "HTTPS_PROXY" not in plain["args"]
+    assert "org.opencontainers.image.revision" not in plain["labels"]
+
+
+def test_when_the_image_was_made_is_the_time_of_its_files(small_bake: Path) -> None:
+    core = printed("alpha-core", file=small_bake, SOURCE_DATE_EPOCH="86400")["alpha-core"]
+    assert core["labels"]["org.opencontainers.image.created"] == "1970-01-02T00:00:00Z"
+
+
+def test_the_state_of_ros_repository_is_an_argument_and_a_label(small_bake: Path) -> None:
+    """Of those who have one, and where the caller knows it."""
+    dates = '{"alpha": "2026-11-20T21:14:09Z"}'
+    for name, expected in (("alpha-core", "2026-11-20T21:14:09Z"), ("omega-core", "")):
+        target = printed(name, file=small_bake, ROS_SYNC_DATES=dates)[name]
+        assert target["args"]["ROS_SYNC_DATE"] == expected
+        assert target["labels"].get("io.rosml.ros.sync", "") == expected
+    assert printed("alpha-core", file=small_bake)["alpha-core"]["args"]["ROS_SYNC_DATE"] == ""
+
+
+def test_another_channel_for_once(small_bake: Path) -> None:
+    plain = printed("omega-core", file=small_bake)["omega-core"]["args"]
+    assert (plain["ROS_CHANNEL"], plain["ROS_SNAPSHOT"]) == ("snapshot", "2026-11-01")
+    other = printed("omega-core", file=small_bake, ROS_CHANNEL="final")["omega-core"]["args"]
+    assert other["ROS_CHANNEL"] == "final"
+
+
+def test_another_rmw_implementation_by_default() -> None:
+    text = changed("    apt: {channel: live}", "    apt: {channel: live}\n    usual_rmw: rmw_cyclonedds_cpp")
+    assert targets.of(parse(text))["alpha-core"].labels["io.rosml.rmw"] == "rmw_cyclonedds_cpp"
+
+
+def test_more_rmw_implementations() -> None:
+    """They come with the lowest component, and the tests are told."""
+    image_set = parse(changed("    apt: {channel: live}", "    apt: {channel: live}\n    rmw: [rmw_cyclonedds_cpp]"))
+    found = targets.of(image_set)
+    assert str(found["alpha-core"].arguments["ROS_TOOLS"]).endswith(" ros-alpha-rmw-cyclonedds-cpp")
+    assert "ROS_TOOLS" not in found["alpha-base"].arguments
+    assert " rmw=rmw_cyclonedds_cpp " in str(found["alpha-base-test"].arguments["EXPECT"])
+
+
+def test_a_mirror_is_a_secret(small_bake: Path) -> None:
+    mirrored = printed("alpha-core", file=small_bake, ROS_APT_MIRROR="http://mirror:1")["alpha-core"]
+    assert mirrored["secret"] == [{"id": "ros-apt-mirror", "env": "ROS_APT_MIRROR"}]
+    assert "http://mirror:1" not in str(mirrored)
+    both = printed("alpha-core", file=small_bake, ROS_APT_MIRROR="http://m:1", OS_APT_MIRROR="http://m:2")["alpha-core"]
+    assert both["secret"][1:] == [{"id": "os-apt-mirror", "env": "OS_APT_MIRROR"}] and "http://m:2" not in str(both)
+
+
+def test_a_matrix_with_every_axis_prints(small: ImageSet, small_bake: Path) -> None:
+    found = printed("all", "parts", "tests", file=small_bake)
+    assert {image.target for image in small.images} <= found.keys()
+    assert found["omega-core"]["args"]["ROS_SNAPSHOT"] == "2026-11-01"
+    assert "--from=part-cuda" in found["alpha-core-cuda-cu1"]["dockerfile-inline"]
+
+
+def test_where_packages_come_from(real: ImageSet) -> None:
+    """Every row with an apt source names its suite; the live ones the pinned package."""
+    found = targets.of(real)
+    for name, distribution in real.matrix.distributions.items():
+        args = found[f"{name}-core"].arguments
+        if distribution.apt is None:
+            assert "ROS_CHANNEL" not in args
+            continue
+        assert args["ROS_CHANNEL"] == targets.Overridable("ROS_CHANNEL", distribution.apt.channel)
+        assert args["ROS_CODENAME"] == real.matrix.operating_systems[distribution.os].codename
+        live = apt_source.source(real.matrix, name, {"ROS_CHANNEL": "live"})
+        day = apt_source.source(real.matrix, name, {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2026-08-07"})
+        assert live and args["ROS_LIVE_ADDRESS"] == live.address
+        assert day and str(args["ROS_SNAPSHOT_ADDRESS"]).replace("{day}", "2026-08-07") == day.address
+        pinned = re.fullmatch(r"https://[^@{}]+\.deb@sha256:[0-9a-f]{64}", str(args.get("ROS_APT_SOURCE", "")))
+        assert pinned or distribution.apt.channel != "live"

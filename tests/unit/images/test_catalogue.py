@@ -1,0 +1,477 @@
+"""The catalogue says what the registry has: no more, no less, and in a form that does not change under its readers."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import resource
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+from conftest import ROOT, SMALL, parse, write_locks
+from memory_registry import DAY, NEXT, PREFIX, MemoryRegistry, Place, place
+from projects import copy
+from shelf import FIRST, SECOND, THIRD, Shelf, shown
+from stubs import services
+
+from rosml.base.errors import RosmlError
+from rosml.cli.images import catalogue as command
+from rosml.images.catalogue import site
+from rosml.images.catalogue.model import Image, Published, status
+from rosml.images.catalogue.model import Tests as Ran
+from rosml.images.catalogue.read import Gatherer
+from rosml.images.image_set import locked
+from rosml.images.image_set.model import ImageSet
+from rosml.images.matrix import schema
+from rosml.images.records import store, tag_moves
+from rosml.registry import oci
+
+NOW = "2026-11-22T06:00:00Z"
+TORCH = "ros1-bookworm-base-torch-cu128"
+
+
+def gather(registry: MemoryRegistry, image_set: ImageSet, *only: str, history: int = 10) -> Published:
+    return Gatherer(image_set, registry, f"ghcr.io/me/{PREFIX}", PREFIX, history).gather(NOW, only)
+
+
+def image(found: Published, target: str) -> Image:
+    return next(item for item in found.images if item.target == target)
+
+
+@pytest.fixture(scope="module")
+def shelf(real: ImageSet) -> Shelf:
+    return shown(real)
+
+
+@pytest.fixture(scope="module")
+def found(shelf: Shelf) -> Published:
+    return gather(shelf.registry, shelf.image_set)
+
+
+# ---- What a publishing run left --------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def published(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[Place, ImageSet]:
+    """A small matrix that was published by the real steps, but for builds."""
+    project = copy(tmp_path / "project")
+    image_set = parse(SMALL.replace("components: [core, base, desktop]", "components: [core, base]"))
+    write_locks(project, image_set)
+    image_set = locked.with_locks(image_set, locked.current_locks(image_set, project))
+    where = place(project, services(project), monkeypatch)
+    where.publish(image_set)
+    return where, image_set
+
+
+def test_what_a_run_published(published: tuple[Place, ImageSet]) -> None:
+    where, image_set = published
+    item = image(gather(where.registry, image_set), "alpha-base-torch-cu1")
+    assert (item.status, item.reason) == ("built", "")
+    tags = {tag.name: (tag.kind, tag.digest) for tag in item.tags}
+    there = where.tagged("ros-torch")
+    assert tags == {
+        "alpha-base-cu1": ("main", there["alpha-base-cu1"]),
+        "alpha-base-cu1-torch2.10.0": ("versions", there["alpha-base-cu1"]),
+        "alpha": ("floating", there["alpha"]),
+        "latest": ("floating", there["latest"]),
+        "alpha-base-cu1-20261122": ("dated", there["alpha-base-cu1"]),
+    }
+    (build,) = item.builds
+    assert (build.digest, build.created) == (there["alpha-base-cu1"], DAY)
+    entries = {a: store.Records(where.registry, PREFIX).read(item.target, a) for a in ("amd64", "arm64")}
+    for platform in build.platforms:
+        entry = entries[platform.platform.removeprefix("linux/")]
+        assert entry is not None
+        assert (platform.digest, platform.inputs) == (entry.digest, entry.inputs)
+        assert platform.size.compressed == entry.size == sum(part.compressed for part in platform.parts.values())
+        assert platform.tests and platform.tests.passed == 5
+        assert (platform.versions, platform.found_inside) == ({"torch": "2.10.0"}, True)
+    assert [(move.run, move.old) for move in item.moves] == [(DAY, "")]
+
+
+def test_a_tag_that_was_moved_back_is_told_as_it_is(published: tuple[Place, ImageSet]) -> None:
+    """The records know the newer image; the catalogue describes what the tag points at, with what was known of it."""
+    where, image_set = published
+    before = where.tagged("ros")["alpha-base"]
+    where.publish(image_set, date=NEXT, packages="2", force=True)
+    newer = where.tagged("ros")["alpha-base"]
+    assert newer != before
+    where.undo(date="2026-11-25T03:00:00Z")
+    item = image(gather(where.registry, image_set), "alpha-base")
+    assert [build.digest for build in item.builds] == [before, newer]
+    assert item.builds[0].created == DAY
+    tests = item.builds[0].platforms[0].tests
+    assert tests and tests.passed == 5, "from what is attached to the image"
+
+
+# ---- History, parts and layers ---------------------------------------------------------------------------------------
+
+
+def test_every_image_of_the_matrix_is_there(found: Published, real: ImageSet) -> None:
+    assert [item.target for item in found.images] == [item.target for item in real.images]
+    published = {item.target for item in found.images if item.status == "built"}
+    assert published == {
+        i.target for i in real.images if i.distribution in ("ros1-bookworm", "ros1-trixie") and i.locked
+    }
+    assert all(bool(item.builds) == (item.status == "built") for item in found.images)
+
+
+def test_history(found: Published) -> None:
+    item = image(found, TORCH)
+    assert [build.created for build in item.builds] == [THIRD, SECOND, FIRST]
+    assert [build.tags[-1] for build in item.builds] == [
+        f"ros1-bookworm-base-cu128-{day}" for day in (20261122, 20261121, 20261120)
+    ]
+    assert [move.run for move in item.moves] == [THIRD, SECOND, FIRST]
+    assert [(move.old, move.new) for move in item.moves][:2] == [
+        (item.builds[1].digest, item.builds[0].digest),
+        (item.builds[2].digest, item.builds[1].digest),
+    ]
+    numpy = [build.platforms[0].versions["numpy"] for build in item.builds]
+    assert numpy == ["1.26.5", "1.26.4", "1.26.4"], "each as it was found then"
+    assert [build.platforms[0].ros_sync for build in item.builds] == ["lists-2", "lists-2", "lists-1"]
+
+
+def test_history_of_what_has_no_tag_ends_somewhere(real: ImageSet) -> None:
+    shelf = shown(real)
+    names = shelf.registry.names[f"{PREFIX}/ros-torch"]
+    for day in (20261121, 20261120):
+        del names[f"ros1-bookworm-base-cu128-{day}"]
+    item = image(gather(shelf.registry, shelf.image_set, TORCH, history=1), TORCH)
+    assert [build.created for build in item.builds] == [THIRD, SECOND]
+    assert [bool(build.tags) for build in item.builds] == [True, False]
+
+
+def test_whatever_a_tag_points_at_is_described(real: ImageSet) -> None:
+    """Twelve nights leave twelve dated tags, more than the limit for what has none; of parts as well."""
+    shelf = Shelf(real)
+    for night in range(12):
+        shelf.torch = str(night)
+        shelf.night(f"2026-11-{11 + night}T03:00:00Z", ["ros1-bookworm"])
+    found = gather(shelf.registry, shelf.image_set, TORCH)
+    torch = next(part for part in found.parts if part.name == "torch-cu128-py311")
+    for item in (image(found, TORCH), torch):
+        assert len([tag for tag in item.tags if tag.kind == "dated"]) == 12
+        assert {tag.digest for tag in item.tags} == {build.digest for build in item.builds}
+        assert [build.created[8:10] for build in item.builds] == [str(day) for day in range(22, 10, -1)]
+
+
+def test_layers_are_those_of_the_part_that_brought_them(found: Published) -> None:
+    item = image(found, TORCH)
+    (platform,) = item.builds[0].platforms
+    parts = [found.layers[position].part for position in platform.layers]
+    assert list(dict.fromkeys(parts)) == [
+        "ros1-bookworm-core",
+        "ros1-bookworm-base",
+        "cuda-cu128",
+        "common-cu128-py311",
+        "torch-cu128-py311",
+    ]
+    assert list(platform.parts) == list(dict.fromkeys(parts))
+    old = item.builds[2].platforms[0]
+    assert [found.layers[position].part for position in old.layers] == parts, "of builds before as well"
+
+
+def test_unpacked_sizes_are_measured_or_not_told(found: Published, real: ImageSet) -> None:
+    parts = image(found, TORCH).builds[0].platforms[0].parts
+    disk = {part.name: part.disk.unpacked * 1_000_000 for part in real.parts}
+    assert parts["cuda-cu128"].unpacked == disk["cuda-cu128"], "what the image with CUDA alone has more than ROS"
+    assert parts["ros1-bookworm-base"].unpacked == real.matrix.disk.components["base"].unpacked * 1_000_000
+    assert parts["torch-cu128-py311"].unpacked is None, "never without the common part, which nobody measured alone"
+
+
+def test_sharing_is_counted(found: Published) -> None:
+    digests: dict[str, int] = {}
+    apart = 0
+    for item in found.images:
+        for platform in item.builds[0].platforms if item.builds else ():
+            for position in platform.layers:
+                layer = found.layers[position]
+                digests[layer.digest] = layer.compressed
+                apart += layer.compressed
+    assert (found.sharing.apart, found.sharing.stored) == (apart, sum(digests.values()))
+    assert found.sharing.stored < apart / 10
+
+
+def test_only_some(shelf: Shelf) -> None:
+    some = gather(shelf.registry, shelf.image_set, TORCH)
+    assert [item.target for item in some.images] == [TORCH]
+    assert {part.name for part in some.parts} == {"cuda-cu128", "common-cu128-py311", "torch-cu128-py311"}
+    assert "ros1-bookworm-core" in some.images[0].builds[0].platforms[0].parts, "though it was not asked for"
+    with pytest.raises(RosmlError, match="no image"):
+        gather(shelf.registry, shelf.image_set, "ros1-bookworm-cor")
+
+
+# ---- What is not as it should be -------------------------------------------------------------------------------------
+
+
+def test_an_empty_registry(real: ImageSet) -> None:
+    found = gather(MemoryRegistry(), real)
+    assert {item.status for item in found.images} == {"not built"}
+    assert all(item.reason and not item.builds and not item.tags for item in found.images)
+    assert (found.sharing.images, found.sharing.apart, found.layers) == (0, 0, ())
+
+
+def test_one_damaged_image_hides_no_other(real: ImageSet) -> None:
+    shelf = Shelf(real)
+    shelf.night(FIRST, ["ros1-bookworm"])
+    path = f"{PREFIX}/ros"
+    index = shelf.registry.manifest(path, "ros1-bookworm-core")
+    assert index
+    del shelf.registry.manifests[path][index.content["manifests"][0]["digest"]]
+    gatherer = Gatherer(real, shelf.registry, "ghcr.io/me", PREFIX)
+    found = gatherer.gather(NOW)
+    assert [remark.partition(" is left out")[0] for remark in gatherer.remarks] == [f"ros@{index.digest}"]
+    core = image(found, "ros1-bookworm-core")
+    assert (core.status, core.builds) == ("not built", ())
+    assert index.digest in core.reason
+    assert image(found, "ros1-bookworm-base").status == "built"
+
+
+def test_a_registry_that_goes_away_is_no_damaged_image(real: ImageSet, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A page that lacks half of the images, and nobody is told, would be worse than none."""
+    shelf = Shelf(real)
+    shelf.night(FIRST, ["ros1-bookworm"])
+    kept, blob = shelf.registry.head, shelf.registry.blob
+    gone: list[str] = []
+
+    def read(repository: str, name: str, limit: int) -> bytes:
+        if repository.endswith("records") or not repository.endswith("ros"):
+            return blob(repository, name)
+        gone.append(name)
+        raise RosmlError("registry.example does not answer", "check the network")
+
+    def head(repository: str, reference: str) -> str:
+        if gone:
+            raise RosmlError("registry.example does not answer", "check the network")
+        return kept(repository, reference)
+
+    monkeypatch.setattr(shelf.registry, "blob", read)
+    monkeypatch.setattr(shelf.registry, "head", head)
+    with pytest.raises(RosmlError, match="does not answer"):
+        gather(shelf.registry, real)
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", '{"moves": [{"fly": 1}]}'])
+def test_a_damaged_record_is_told(real: ImageSet, text: str) -> None:
+    shelf = Shelf(real)
+    shelf.night(FIRST, ["ros1-bookworm"])
+    book = store.Records(shelf.registry, PREFIX)
+    book.artifact(tag_moves.record_name(SECOND), text.encode(), {})
+    gatherer = Gatherer(real, shelf.registry, "ghcr.io/me", PREFIX)
+    assert [move.run for move in image(gatherer.gather(NOW), TORCH).moves] == [FIRST]
+    assert gatherer.remarks == [f"the record {tag_moves.record_name(SECOND)} cannot be read"]
+
+
+def without_what_is_attached(registry: MemoryRegistry) -> MemoryRegistry:
+    """The images of a registry, with no tags and nothing attached to them."""
+    images = {
+        path: {digest: found for digest, found in manifests.items() if not found.content.get("subject")}
+        for path, manifests in registry.manifests.items()
+    }
+    return MemoryRegistry(manifests=images, blobs=registry.blobs)
+
+
+def test_an_image_without_a_run(real: ImageSet) -> None:
+    """Of which the records know nothing, as of one that `rosml join` tagged; a tag at a manifest without an index is told."""
+    shelf = Shelf(real)
+    shelf.night(FIRST, ["ros1-bookworm"])
+    ros = f"{PREFIX}/ros"
+    index = shelf.registry.manifest(ros, "ros1-bookworm-core")
+    assert index
+    member = index.content["manifests"][0]["digest"]
+    bare = without_what_is_attached(shelf.registry)
+    bare.names[ros] = {"ros1-bookworm-core": member}
+    item = image(gather(bare, real), "ros1-bookworm-core")
+    assert (item.status, item.builds) == ("not built", ())
+    assert item.reason == f"its tag points at {member}, which cannot be read"
+    content = {name: value for name, value in index.content.items() if name != "annotations"}
+    bare.names[ros] = {"ros1-bookworm-core": bare.put_manifest(ros, "", content, index.media_type)}
+    item = image(gather(bare, real), "ros1-bookworm-core")
+    platform = item.builds[0].platforms[0]
+    assert (item.status, item.builds[0].created, platform.platform) == ("built", "", "linux/amd64")
+    assert (platform.tests, platform.scan, platform.size.unpacked, platform.inputs) == (None, None, None, "")
+    assert (platform.versions, platform.found_inside) == ({"python": "3.11"}, False)
+
+
+def test_an_image_that_was_published_by_itself(real: ImageSet) -> None:
+    """What a run of another registry found out is attached to the image."""
+    shelf = Shelf(real)
+    shelf.night(FIRST, ["ros1-bookworm"])
+    ros = f"{PREFIX}/ros"
+    index = shelf.registry.manifest(ros, "ros1-bookworm-core")
+    assert index
+    member = index.content["manifests"][0]["digest"]
+    bare = without_what_is_attached(shelf.registry)
+    bare.names[ros] = {"ros1-bookworm-core": index.digest}
+    entry = store.Entry(
+        "ros1-bookworm-core",
+        "amd64",
+        repository="ros",
+        digest=member,
+        passed=21,
+        versions={"ros-distro": "x"},
+        date=FIRST,
+    )
+    book = store.Records(bare, PREFIX)
+    book.attach(entry, {})
+    build = image(gather(bare, real), "ros1-bookworm-core").builds[0]
+    assert (build.platforms[0].tests, build.platforms[0].versions) == (Ran(passed=21, failures=()), entry.versions)
+    with pytest.raises(RosmlError, match="not in the registry"):
+        book.attach(dataclasses.replace(entry, digest=f"sha256:{'0' * 64}"), {})
+
+
+def test_status(real: ImageSet) -> None:
+    assert status(real.image("jazzy-base"), True) == ("built", "")
+    assert status(real.image("jazzy-base"), False) == ("not built", "nobody has built it yet")
+    lacking = ("not built", "locks/cpu/amd64/3.11/torch.txt is missing")
+    assert status(real.image("ros1-bookworm-base-torch-cpu"), False) == lacking
+
+
+# ---- The format ------------------------------------------------------------------------------------------------------
+
+
+def fields(content: Any, schema: dict[str, Any], path: str = "") -> Iterator[str]:
+    """Every field of a schema, with its type: `images[].tags[].name string`."""
+    content = content if "$ref" not in content else schema["$defs"][content["$ref"].rsplit("/", 1)[1]]
+    if "anyOf" in content:
+        for item in content["anyOf"]:
+            yield from fields(item, schema, path)
+        return
+    kind = content.get("type") or type(content.get("const", (content.get("enum") or [""])[0])).__name__
+    yield f"{path} {kind}".strip()
+    for name, item in content.get("properties", {}).items():
+        yield from fields(item, schema, f"{path}.{name}".lstrip("."))
+    if isinstance(content.get("additionalProperties"), dict):
+        yield from fields(content["additionalProperties"], schema, f"{path}.*")
+    if "items" in content:
+        yield from fields(content["items"], schema, f"{path}[]")
+
+
+def test_what_format_1_promised_is_still_there() -> None:
+    """A reader of format 1 finds every field, of the type that it had. A new field may be added here; to take one away, or to
+    change its type, raise FORMAT and begin another file."""
+    committed = json.loads((ROOT / "catalogue.schema.json").read_text())
+    promised = (ROOT / "tests/unit/images/catalogue-format-1.txt").read_text().splitlines()
+    assert len(promised) > 80
+    assert sorted(set(promised) - set(fields(committed, committed))) == []
+    optional = [name for name, item in committed["$defs"].items() if set(item["required"]) != set(item["properties"])]
+    assert optional == [], "every field is always there"
+
+
+def test_the_schema_is_that_of_the_model_and_open_to_later_fields() -> None:
+    text = (ROOT / "catalogue.schema.json").read_text()
+    assert text == schema.render(Published, "src/rosml/images/catalogue/model.py", read=True)
+    assert '"additionalProperties": false' not in text
+    assert '"additionalProperties": false' in schema.render(), "the matrix is held to its keys"
+
+
+def test_the_same_facts_give_the_same_text(shelf: Shelf, found: Published) -> None:
+    text = site.text(found)
+    assert text == site.text(gather(shelf.registry, shelf.image_set))
+    assert Published.model_validate_json(text) == found
+
+
+# ---- The folder and the command --------------------------------------------------------------------------------------
+
+
+def test_the_page_is_written_beside_its_data(tmp_path: Path, found: Published) -> None:
+    names = {file.name for file in site.write(tmp_path / "a/b", found)}
+    assert {path.name for path in (tmp_path / "a/b").iterdir()} == names
+    assert names >= {"index.html", "style.css", "app.js", "data.js", "catalogue.json"}
+    script = (tmp_path / "a/b/data.js").read_text()
+    inner = script.removeprefix("window.catalogue = JSON.parse(").removesuffix(");\n")
+    assert json.loads(json.loads(inner)) == json.loads((tmp_path / "a/b/catalogue.json").read_text())
+
+
+@contextmanager
+def longest_file(size: int) -> Iterator[None]:
+    """No file may get longer, as on a disk that gets full. `size` is in bytes."""
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+
+
+def test_a_page_that_finds_no_room_changes_nothing(tmp_path: Path, found: Published) -> None:
+    (tmp_path / "catalogue.json").write_text("before")
+    (tmp_path / "CNAME").write_text("mine")
+    size = max(file.stat().st_size for file in site.SOURCES.iterdir()) - 1
+    found = found.model_copy(update={"images": (), "parts": (), "layers": ()})  # there is room for the first files
+    assert len(site.text(found)) < size / 2
+    with longest_file(size), pytest.raises(RosmlError, match="cannot be written"):
+        site.write(tmp_path, found)
+    assert {file.name: file.read_text() for file in tmp_path.iterdir()} == {"catalogue.json": "before", "CNAME": "mine"}
+
+
+def test_a_page_stays_in_its_folder(tmp_path: Path, found: Published) -> None:
+    other, folder = tmp_path / "other.html", tmp_path / "site"
+    other.write_text("mine")
+    folder.mkdir()
+    (folder / "index.html").symlink_to(other)
+    with pytest.raises(RosmlError, match=f"a link leads out of {folder}, to {other}") as caught:
+        site.write(folder, found)
+    assert "remove the link" in caught.value.remedy
+    assert other.read_text() == "mine"
+    assert [file.name for file in folder.iterdir()] == ["index.html"]
+    (folder / "index.html").unlink()
+    (folder / "index.html").symlink_to("start.html")
+    site.write(folder, found)
+    assert (folder / "start.html").read_text() == (site.SOURCES / "index.html").read_text()
+
+
+@pytest.fixture
+def here(shelf: Shelf, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The command's registry is the shelf."""
+
+    class Client:
+        def __init__(self, host: str, ca_bundle: str = "") -> None:
+            assert host == "ghcr.io"
+            self.host = host
+
+        def __enter__(self) -> MemoryRegistry:
+            return shelf.registry
+
+        def __exit__(self, *_: object) -> None:
+            pass
+
+    monkeypatch.setattr(oci, "Registry", Client)
+
+
+def call(*arguments: str) -> Any:
+    return CliRunner().invoke(command.main, ["--registry", f"ghcr.io/{PREFIX}", *arguments])
+
+
+@pytest.mark.usefixtures("here")
+def test_the_command_writes_a_page(tmp_path: Path) -> None:
+    done = call("--output", str(tmp_path / "page"), "--only", f"{TORCH} ros1-bookworm-core")
+    assert done.exit_code == 0, done.output
+    assert "2 images described, 2 of them published in ghcr.io/rosml" in done.stderr
+    assert done.stdout.strip() == (tmp_path / "page/index.html").as_uri()
+
+
+@pytest.mark.usefixtures("here")
+def test_the_command_prints_json(tmp_path: Path) -> None:
+    done = call("--json", "--only", TORCH, "--output", str(tmp_path / "page"))
+    assert json.loads(done.stdout)["images"][0]["target"] == TORCH
+    assert not (tmp_path / "page").exists()
+
+
+@pytest.mark.usefixtures("here")
+def test_a_folder_that_cannot_be_written(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    done = call("--only", TORCH, "--output", str(tmp_path / "file/page"))
+    assert isinstance(done.exception, RosmlError) and "a folder that you may write to" in done.exception.remedy
+
+
+def test_the_sources_of_the_page_are_all_loaded() -> None:
+    """A script that nobody loads is dead, one that is not there breaks the page."""
+    page = (site.SOURCES / "index.html").read_text()
+    for file in site.SOURCES.iterdir():
+        assert file.name == "index.html" or f'"{file.name}"' in page, file.name

@@ -1,0 +1,539 @@
+"""Images and parts that follow from the facts, and the reasons for those that do not."""
+
+from __future__ import annotations
+
+from itertools import product
+from pathlib import Path
+
+import pytest
+from conftest import ROOT, SMALL, changed, parse, write_locks
+
+from rosml.base.errors import RosmlError
+from rosml.images.image_set.explain import explained, why_not
+from rosml.images.image_set.explain import image as image_of
+from rosml.images.image_set.facts import facts
+from rosml.images.image_set.load import load
+from rosml.images.image_set.locked import with_locks
+from rosml.images.image_set.model import ImageSet
+from rosml.images.matrix import names, rules
+
+
+def test_image_facts(small: ImageSet) -> None:
+    assert facts(small.image("alpha-base-ml-cu1")) == {
+        "target": "alpha-base-ml-cu1",
+        "distribution": "alpha",
+        "component": "base",
+        "framework": "ml",
+        "stack": "cu1",
+        "os": "ubuntu-24.04",
+        "python": "3.12",
+        "ros": 2,
+        "ros_distro": "alpha",
+        "platforms": ["linux/amd64"],
+        "versions": {"torch": "2.10.0", "tensorflow": "2.20.0", "cuda": "12.8.90", "cudnn": "9.10.2.21"},
+        "repository": "ros-ml",
+        "tags": [
+            "ros-ml:alpha-base-cu1",
+            "ros-ml:alpha-base-cu1-torch2.10.0-tf2.20.0",
+            "ros-ml:alpha",
+            "ros-ml:latest",
+        ],
+        "groups": ["alpha", "base", "ml", "cu1", "all"],
+        "parent": "alpha-base",
+        "packages": [],
+        "wheels": [],
+        "parts": ["cuda-cu1", "common-cu1-py312", "torch-cu1-py312", "tensorflow-cc-cu1", "tensorflow-cu1-py312"],
+        "locks": [
+            "locks/cu1/amd64/any/cuda.txt",
+            "locks/cu1/amd64/3.12/common.txt",
+            "locks/cu1/amd64/3.12/torch.txt",
+            "locks/cu1/amd64/any/tensorflow-cc.txt",
+            "locks/cu1/amd64/3.12/tensorflow.txt",
+        ],
+        "tests": [
+            "contract",
+            "tools",
+            "ros2",
+            "ros2-beside",
+            "cuda",
+            "torch",
+            "tensorflow",
+        ],
+        "locked": True,
+        "disk": {"unpacked": 100 + 2 * 20 + 1000 + 300 + 2000 + 1500, "compressed": 10 + 2 * 2 + 100 + 30 + 200 + 150},
+    }
+
+
+CHANNELS = {
+    "live": "packages come from ROS's live apt repository, http://ros.test/ros2/ubuntu",
+    "final": "packages come from ROS's apt snapshot: final, which gets no updates",
+    "snapshot, date: 2026-10-01": "packages come from ROS's apt snapshot: of 2026-10-01",
+}
+
+
+@pytest.mark.parametrize("channel", CHANNELS)
+def test_where_packages_come_from(channel: str) -> None:
+    ended = changed("eol: 2029-05-31", "eol: 2025-05-31")
+    image_set = parse(changed("apt: {channel: live}", f"apt: {{channel: {channel}}}", ended))
+    assert CHANNELS[channel] in explained(image_set, "alpha-core").text
+
+
+DAY = {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2026-08-07"}
+
+
+@pytest.mark.parametrize("target", ["jazzy-core", "jazzy-base-torch-cu128"])
+def test_where_packages_come_from_this_time(real: ImageSet, target: str) -> None:
+    assert (
+        "\n  - this time, packages come from ROS's apt snapshot: of 2026-08-07, http"
+        in explained(real, target, DAY).text
+    )
+
+
+def test_a_live_repository_that_is_not_pinned(real: ImageSet) -> None:
+    text = explained(real, "foxy-core", {"ROS_CHANNEL": "live"}).text
+    assert "this time, packages come from ROS's live apt repository, http" in text
+
+
+def test_what_no_channel_can_change(real: ImageSet) -> None:
+    with pytest.raises(RosmlError, match="the ROS packages of ros1-bookworm are bookworm's own"):
+        explained(real, "ros1-bookworm-core", DAY)
+
+
+def test_chain_skips_components_that_a_distribution_lacks(small: ImageSet) -> None:
+    image = small.image("alpha-desktop")  # desktop builds on robot, which ROS 2 does not have
+    assert image.parent == "alpha-base"
+    assert image.tests == (
+        "contract",
+        "tools",
+        "ros2",
+        "ros2-beside",
+        "ros2-desktop",
+        "ros2-components",
+    )
+    assert image.shared == ("ros2-core", "ros2-base", "ros2-workspace", "pip")
+    assert image.proven_by == ("alpha-base", "alpha-core")
+    assert image.packages == "ros-alpha-desktop"
+    assert small.image("alpha-core").parent == "_os-ubuntu-24-04"
+
+
+def test_an_index_lists_only_architectures_with_the_same_content(small: ImageSet) -> None:
+    assert small.image("alpha-core").platforms == ("linux/amd64", "linux/arm64")
+    assert small.image("alpha-core-torch-cu1").platforms == ("linux/amd64",)
+    assert small.image("alpha-core-torch-cpu").platforms == ("linux/arm64",)
+    assert small.image("alpha-core-ml-cpu").platforms == ("linux/arm64",)
+
+
+def test_parts_are_made_for_every_architecture_that_needs_them(small: ImageSet) -> None:
+    part = small.part_by_name["tensorflow-cpu-py312"]
+    assert part.architectures == ("arm64",)  # ml is the only framework with TensorFlow, and torch is for arm64 only
+    part = parse(changed("wheels: {cu1: [amd64], cpu: [arm64]}", "wheels: {cu1: [amd64, arm64], cpu: [arm64]}"))\
+        .part_by_name["cuda-cu1"]  # fmt: skip
+    assert part.architectures == ("amd64", "arm64")
+    assert part.locks == ("locks/cu1/amd64/any/cuda.txt", "locks/cu1/arm64/any/cuda.txt")
+    assert part.os == "ubuntu-24.04"
+    assert small.part_by_name["torch-cu1-py314"].os == "ubuntu-26.04"
+    assert [name for name in small.part_by_name if name.startswith("cuda")] == ["cuda-cu1"]
+
+
+def test_floating_tags(small: ImageSet) -> None:
+    assert small.image("alpha-base").tags == ("ros:alpha-base", "ros:alpha", "ros:latest")
+    assert small.image("alpha-core").tags == ("ros:alpha-core",)
+    assert small.image("alpha-base-torch-cpu").tags[-1] == "ros-torch:alpha-base-cpu-torch2.10.0"
+    assert small.image("omega-base-torch-cpu").tags[-1] == "ros-torch:omega"
+    assert small.image("alpha-base-cuda-cu1").tags[1] == "ros-cuda:alpha-base-cu1-cuda12.8.90"
+
+
+def test_a_name_that_a_distribution_had(small: ImageSet) -> None:
+    renamed = parse(changed("  alpha:\n    os:", "  alpha:\n    aliases: [old]\n    os:"))
+    assert renamed.image("alpha-core").tags == ("ros:alpha-core", "ros:old-core")
+    assert renamed.image("alpha-base-torch-cu1").tags == tuple(
+        f"ros-torch:{tag}"
+        for tag in (
+            "alpha-base-cu1",
+            "alpha-base-cu1-torch2.10.0",
+            "old-base-cu1",
+            "old-base-cu1-torch2.10.0",
+            "alpha",
+            "old",
+            "latest",
+        )
+    )
+    assert [image.target for image in renamed.images] == [image.target for image in small.images]
+    assert why_not(renamed, "old-base-torch-cu1") == "old-base-torch-cu1 is called alpha-base-torch-cu1."
+    assert why_not(renamed, "old") == "old is called alpha."
+    assert why_not(small, "old-base-torch-cu1") is None and why_not(small, "old") is None
+
+
+def test_no_long_term_release_no_latest() -> None:
+    without = parse(changed("    lts: true\n", ""))
+    assert not [tag for image in without.images for tag in image.tags if tag.endswith(":latest")]
+
+
+def test_latest_is_of_a_distribution_that_has_the_component_of_the_short_tags() -> None:
+    newer = parse(changed("components: [core, base]\n    default_stack: cpu\n",
+                          "components: [core]\n    default_stack: cpu\n    eol: 2040-01-01\n    lts: true\n"))  # fmt: skip
+    assert [image.target for image in newer.images if "ros:latest" in image.tags] == ["alpha-base"]
+
+
+def test_latest_is_of_a_distribution_that_has_every_framework() -> None:
+    """The newer one has no TensorFlow, until a release of it has that Python."""
+    newer = changed("    apt: {channel: snapshot", "    eol: 2031-05-31\n    lts: true\n    apt: {channel: snapshot")
+    wheels = "python: [%s], wheels: {cu1: [amd64], cpu: [amd64, arm64]}"
+    for text, row in ((newer, "alpha"), (changed(wheels % '"3.12"', wheels % '"3.12", "3.14"', newer), "omega")):
+        assert [image.target for image in parse(text).images if "ros:latest" in image.tags] == [f"{row}-base"]
+
+
+def test_a_group_without_a_lock_is_explained(small: ImageSet) -> None:
+    locks = {lock for part in small.parts if part.stack != "cpu" for lock in part.locks}
+    said = explained(with_locks(small, locks), "cpu").text
+    assert said.startswith("cpu: a group of no targets: none of its images has a lock; run 'rosml locks'")
+
+
+@pytest.mark.parametrize(
+    ("package", "current"),
+    [
+        ("nvidia-cuda-runtime-cu12==12.8.90", True),
+        ("nvidia-cuda-runtime-cu12==12.8.93", False),
+        ("nvidia-cudnn-cu12==9.10.2.21", True),
+        ("nvidia-cudnn-cu12==9.10.2.22", False),
+        ("nvidia-cudnn==9.10.2.22", False),
+        ("nvidia-cublas-cu12==1", True),
+    ],
+)
+def test_a_lock_with_another_cuda_than_the_stack_promises_is_none(
+    package: str, current: bool, small: ImageSet, tmp_path: Path
+) -> None:
+    (tmp_path / "matrix.yaml").write_text(SMALL)
+    write_locks(tmp_path, small)
+    cuda = tmp_path / "locks/cu1/amd64/any/cuda.txt"
+    head = cuda.read_text().splitlines()[0]
+    cuda.write_text(f"{head}\n{package} \\\n    --hash=sha256:{'0' * 64}\n")
+    assert load(tmp_path / "matrix.yaml", tmp_path).image("alpha-core-cuda-cu1").locked == current
+
+
+def test_a_framework_that_takes_nothing_of_a_stack_is_not_there() -> None:
+    image_set = parse(changed("parts: [cuda], accelerators: [cuda]}", "parts: [cuda]}"))
+    assert "alpha-core-cuda-cu1" in image_set.by_target
+    assert why_not(image_set, "alpha-core-cuda-cpu") == (
+        "alpha-core-cuda-cpu does not exist: stack cpu has nothing that framework cuda takes."
+    )
+
+
+def test_an_image_named_like_a_part() -> None:
+    """Both are keys of DIGESTS."""
+    text = (
+        SMALL.replace("  cu1:", "  a-b:")
+        .replace("cu1", "a-b")
+        .replace("  alpha:", "  common-a:")
+        .replace("alpha-", "common-a-")
+    )
+    text = changed("  robot: {builds_on: base}", "  robot: {builds_on: base}\n  b-py312: {builds_on: base}", text)
+    text = changed("    robot: {unp", "    b-py312: {unpacked: 1, compressed: 1}\n    robot: {unp", text)
+    with pytest.raises(
+        RosmlError,
+        match=r"stacks\.a-b: the part common of a-b and Python 3.12 and .* would both be called common-a-b-py312",
+    ):
+        parse(changed("components: [core, base, desktop]", "components: [core, base, b-py312, desktop]", text))
+
+
+def test_a_group_named_like_a_target() -> None:
+    with pytest.raises(RosmlError, match=r"the group alpha-core and .* would both be called alpha-core; rename one"):
+        parse(SMALL.replace("  omega:", "  alpha-core:"))
+
+
+def test_systems_with_one_python_agree_on_what_parts_depend_on() -> None:
+    with pytest.raises(RosmlError, match=r"ubuntu-26.04 and ubuntu-24.04 have Python 3.12 and so the same parts"):
+        parse(SMALL.replace('python: "3.14"\n', 'python: "3.12"\n'))
+
+
+def test_names_and_tags_are_unique(real: ImageSet) -> None:
+    tags = [tag for image in real.images for tag in image.tags]
+    assert len(tags) == len(set(tags))
+    assert all(len(tag.split(":")[1]) <= 128 for tag in tags)
+
+
+def test_every_test_has_a_file(real: ImageSet) -> None:
+    wanted = {test for image in real.images for test in (*image.tests, *image.shared)}
+    assert {test for test in wanted if not (ROOT / "tests/structure" / f"{test}.yaml").is_file()} == set()
+
+
+def test_images_without_a_lock_are_in_no_group(small: ImageSet) -> None:
+    locks = {lock for part in small.parts for lock in part.locks}
+    torch = "locks/cu1/amd64/3.12/torch.txt"
+    image_set = with_locks(small, locks - {torch})
+    unlocked = [image for image in image_set.images if not image.locked]
+    assert {image.target for image in unlocked} == {
+        f"alpha-{component}-{framework}-cu1"
+        for component in ("core", "base", "desktop")
+        for framework in ("torch", "ml")
+    }
+    assert all(image.unlocked == (torch,) for image in unlocked)
+    grouped = {target for targets in image_set.groups.values() for target in targets}
+    assert not grouped & {name for image in unlocked for name in (image.target, image.test_target)}
+    assert "part-torch-cu1-py312" not in grouped
+    assert "part-torch-cu1-py314" in grouped
+    said = explained(image_set, "alpha-core-torch-cu1").text
+    assert said.startswith("alpha-core-torch-cu1 exists, but cannot be built yet:\n")
+    assert said.endswith(f"\n  - {torch} is missing; run 'rosml locks'")
+    assert with_locks(small, locks) == small
+
+
+def test_what_takes_long_is_tested_where_it_can_be_built(small: ImageSet) -> None:
+    """In an image with both frameworks, unless that one has no lock, or is not for all architectures."""
+    locks = {lock for part in small.parts for lock in part.locks}
+    long = {"ros2-workspace", "pip"}
+
+    def tested(image_set: ImageSet, target: str) -> bool:
+        found = long.intersection(image_set.image(target).tests)
+        assert found in (set(), long)
+        return bool(found)
+
+    without = with_locks(small, locks - {"locks/cu1/amd64/any/tensorflow-cc.txt"})
+    for image_set, alone in ((small, False), (with_locks(small, locks), False), (without, True)):
+        assert tested(image_set, "alpha-core-ml-cu1")
+        assert tested(image_set, "alpha-core-torch-cu1") == alone
+    torch_alone = changed("cpu: [arm64]}", "cpu: [amd64, arm64]}")
+    tensorflow = '["3.12"], wheels: {cu1: [amd64], cpu: [amd64, arm64]}'
+    assert tensorflow in torch_alone
+    wider = parse(torch_alone.replace(tensorflow, '["3.12"], wheels: {cu1: [amd64], cpu: [arm64]}'))
+    for image_set, alone in ((small, False), (wider, True)):
+        assert image_set.image("alpha-core-ml-cpu").architectures == ("arm64",)
+        assert tested(image_set, "alpha-core-torch-cpu") == alone
+
+
+def test_a_lock_of_another_release_is_none(small: ImageSet, tmp_path: Path) -> None:
+    (tmp_path / "matrix.yaml").write_text(SMALL)
+    write_locks(tmp_path, small)
+    assert all(image.locked for image in load(tmp_path / "matrix.yaml", tmp_path).images)
+    torch = tmp_path / "locks/cu1/amd64/3.12/torch.txt"
+    whole = torch.read_text()
+
+    def locked() -> bool:
+        return load(tmp_path / "matrix.yaml", tmp_path).image("alpha-core-torch-cu1").locked
+
+    assert locked()
+    for text, counts in {
+        whole.replace("torch==2.10.0", "torch==2.10.0+cpu"): True,
+        whole.replace("torch==2.10.0", "torch==2.9.1"): False,
+        whole.replace("3.12", "3.14"): False,
+        whole.replace("torch==2.10.0", "torch==2.9.1").replace("tensorflow==2.20.0", "tensorflow==2.10.0"): False,
+        whole[:-20]: False,
+        f"{whole}-r /etc/passwd\n": False,
+        f"{whole}x @ https://example.org/x.whl\n": False,
+        whole.replace("--hash=sha256:", "#"): False,
+        "\x00\ufffd": False,
+        "": False,
+    }.items():
+        torch.write_text(text)
+        assert locked() == counts, text
+    torch.unlink()
+    torch.mkdir()
+    assert not locked()
+    torch.rmdir()
+    torch.symlink_to("nowhere")
+    assert not locked()
+
+
+def test_a_default_stack_that_nothing_has() -> None:
+    """The wheels of that stack are for another architecture."""
+    with pytest.raises(
+        RosmlError, match=r"omega\.default_stack: no framework exists for omega on stack cpu; there is cu1"
+    ):
+        parse(SMALL.replace("architectures: [amd64, arm64]", "architectures: [amd64]"))
+
+
+SIZES = ", ".join(f"{part}: {{unpacked: 1, compressed: 1}}" for part in ("cuda", "common", "torch"))
+CU2 = SMALL
+for place, more in {
+    "  cpu:\n    accelerator": "  cu2: {accelerator: cuda, cuda: 13.0.96, cudnn: 9.24.0.43, releases: {torch: 2.14.1}}\n",
+    "  tensorflow:\n    2.20.0": '    2.14.1: {python: ["3.12"], wheels: {cu2: [amd64, arm64]}}\n',
+    "    cpu:\n      common": f"    cu2: {{{SIZES}}}\n",
+}.items():
+    CU2 = changed(place, more + place, CU2)
+"""The small matrix and a second stack with CUDA, which has no TensorFlow."""
+
+
+def test_of_several_default_stacks_each_framework_takes_the_first_that_it_exists_on() -> None:
+    image_set = parse(changed("default_stack: cu1", "default_stack: [cu2, cu1]", CU2))
+    short = {
+        tag: image.target for image in image_set.images for tag in image.tags if tag.endswith((":alpha", ":latest"))
+    }
+    assert short == {
+        f"{repository}:{tag}": target
+        for tag in ("alpha", "latest")
+        for repository, target in {
+            "ros": "alpha-base",
+            "ros-cuda": "alpha-base-cuda-cu2",
+            "ros-torch": "alpha-base-torch-cu2",
+            "ros-ml": "alpha-base-ml-cu1",
+        }.items()
+    }
+    assert why_not(image_set, "ros-ml:alpha-cu1") == (
+        "there is no tag ros-ml:alpha-cu1: short ones are for stack cu1 alone; take ros-ml:alpha-base-cu1."
+    )
+
+
+def test_a_framework_that_no_default_stack_has_gets_no_short_tag() -> None:
+    image_set = parse(changed("default_stack: cu1", "default_stack: cu2", CU2))
+    assert image_set.image("alpha-base-ml-cu1").tags == (
+        "ros-ml:alpha-base-cu1",
+        "ros-ml:alpha-base-cu1-torch2.10.0-tf2.20.0",
+    )
+    assert "the row's default stack has no such framework" in str(why_not(image_set, "ros-ml:alpha-cu1"))
+
+
+def test_one_of_several_default_stacks_that_nothing_has() -> None:
+    lacking = changed("{cu2: [amd64, arm64]}", "{cu2: [arm64]}", CU2).replace("[amd64, arm64]\n", "[amd64]\n")
+    with pytest.raises(
+        RosmlError, match=r"alpha\.default_stack: no framework exists for alpha on stack cu2; there is cu1"
+    ):
+        parse(changed("default_stack: cu1", "default_stack: [cu1, cu2]", lacking))
+    with pytest.raises(RosmlError, match=r"default_stack\[1\]: no stack named 'cu3'"):
+        parse(changed("default_stack: cu1", "default_stack: [cu1, cu3]", CU2))
+
+
+def test_the_default_group_can_be_built(real: ImageSet) -> None:
+    assert all(real.image(target).locked for target in (*real.matrix.default.targets, *real.matrix.default.group))
+
+
+def test_every_combination_exists_or_has_a_reason(small: ImageSet, real: ImageSet) -> None:
+    for image_set in (small, real):
+        matrix = image_set.matrix
+        kinds = [
+            (framework, stack)
+            for framework, facts in matrix.frameworks.items()
+            for stack in (matrix.stacks if facts.parts else [None])
+        ]
+        for distribution, component, kind in product(matrix.distributions, matrix.components, kinds):
+            target = names.image_target(distribution, component, *kind)
+            reason = why_not(image_set, target)
+            assert (target in image_set.by_target) == (reason is None)
+            assert reason is None or (reason.startswith(f"{target} does not exist: ") and reason.count("\n") == 0)
+
+
+def test_colliding_targets() -> None:
+    row = "{os: ubuntu-24.04, ros: 2, packages: x, components: [core], default_stack: cpu, apt: {channel: live}}"
+    text = changed("distributions:\n", f"distributions:\n  alpha-core: {row}\n")
+    text = changed("\ncomponents:\n", "\ncomponents:\n  core-core: {}\n", text)
+    text = changed("    core: {un", "    core-core: {unpacked: 1, compressed: 1}\n    core: {un", text)
+    text = changed("components: [core, base, desktop]", "components: [core, base, desktop, core-core]", text)
+    with pytest.raises(
+        RosmlError, match=r"and the image of .* would both be called alpha-core-core; rename one"
+    ) as caught:
+        parse(text)
+    assert caught.value.exit_code == 2
+
+
+REASONS = {
+    "alpha-robot": "alpha-robot does not exist: alpha (ROS 2) has no robot metapackage; it has core, base and desktop.",
+    "alpha-robot-torch": "alpha-robot-torch does not exist: alpha (ROS 2) has no robot metapackage; "
+    "it has core, base and desktop.",
+    "omega-base-ml-cpu": "omega-base-ml-cpu does not exist: no release of tensorflow has a wheel for Python 3.14, "
+    "the Python of ubuntu-26.04.",
+    "omega-base-ml": "omega-base-ml does not exist on any stack: no release of tensorflow has a wheel for Python 3.14, "
+    "the Python of ubuntu-26.04.",
+    "alpha-base-cuda-cpu": "alpha-base-cuda-cpu does not exist: framework cuda needs accelerator cuda, "
+    "and stack cpu has cpu.",
+    "alpha-base-none-cpu": "alpha-base-none-cpu does not exist: framework none adds nothing to a ROS image, "
+    "so it has no stack.",
+    "alpha-base-torch": "alpha-base-torch names no stack; there is alpha-base-torch-cu1 and alpha-base-torch-cpu.",
+    "alpha-base-none": "alpha-base-none is called alpha-base.",
+    "cu1": "cu1: a group of 13 targets; see them with: rosml list cu1",
+    "default": "default: a group of 1 target; see them with: rosml list default",
+    "parts": "parts: a group of 13 targets; see them with: rosml list",
+    "ros-ml:omega-base-cpu": "ros-ml:omega-base-cpu does not exist: no release of tensorflow has a wheel for "
+    "Python 3.14, the Python of ubuntu-26.04.",
+    "x.org:5000/y/ros-ml:omega": "x.org:5000/y/ros-ml:omega does not exist on any stack: no release of tensorflow has a "
+    "wheel for Python 3.14, the Python of ubuntu-26.04.",
+    "ros-torch:alpha-base": "ros-torch:alpha-base names no stack; "
+    "there is alpha-base-torch-cu1 and alpha-base-torch-cpu.",
+    "omega-ml": "omega-ml does not exist on any stack: no release of tensorflow has a wheel for Python 3.14, "
+    "the Python of ubuntu-26.04.",
+    "alpha-torch": "alpha-torch names no stack; there is alpha-base-torch-cu1 and alpha-base-torch-cpu.",
+    "alpha-torch-cpu": "alpha-torch-cpu is called alpha-base-torch-cpu.",
+    "ros-torch:alpha-cpu": "there is no tag ros-torch:alpha-cpu: short ones are for stack cu1 alone; "
+    "take ros-torch:alpha-base-cpu.",
+    "part-cuda-cu1": "cuda-cu1: cuda of stack cu1, assembled from locks/cu1/amd64/any/cuda.txt, in 13 images",
+}
+
+
+@pytest.mark.parametrize("name", REASONS)
+def test_reasons(small: ImageSet, name: str) -> None:
+    assert explained(small, name).text == REASONS[name]
+
+
+def test_a_wheel_elsewhere_counts() -> None:
+    small = parse(changed("cpu: [arm64]}}", "cpu: [arm64]}, elsewhere: {cpu: {amd64: {}}}, requires: [jinja2]}"))
+    assert small.image("alpha-core-torch-cpu").platforms == ("linux/amd64", "linux/arm64")
+    assert small.image("alpha-core-ml-cpu").platforms == ("linux/amd64", "linux/arm64")
+
+
+def test_no_wheel_for_any_architecture() -> None:
+    end = "\n    tools: colcon\n    codename: noble"
+    small = parse(changed(f"[amd64, arm64]{end}", f"[amd64]{end}"))
+    assert why_not(small, "alpha-core-torch-cpu") == (
+        "alpha-core-torch-cpu does not exist: torch 2.10.0 has cpu wheels for arm64 only, "
+        "and ubuntu-24.04 is built for amd64."
+    )
+
+
+def test_an_older_release_that_would_do() -> None:
+    line = '    2.9.0: {python: ["3.14"], wheels: {}}\n'
+    small = parse(changed("  tensorflow:\n    2.20.0", f"  tensorflow:\n{line}    2.20.0"))
+    assert why_not(small, "omega-core-ml-cu1") == (
+        "omega-core-ml-cu1 does not exist: tensorflow 2.20.0 has no wheel for Python 3.14, "
+        "the Python of ubuntu-26.04 (2.9.0 has)."
+    )
+
+
+def test_older_releases_that_would_do() -> None:
+    lines = "".join(f'    {version}: {{python: ["3.14"], wheels: {{}}}}\n' for version in ("2.8.0", "2.9.0"))
+    small = parse(changed("  tensorflow:\n    2.20.0", f"  tensorflow:\n{lines}    2.20.0"))
+    assert (why_not(small, "omega-core-ml-cu1") or "").endswith("ubuntu-26.04 (2.8.0 and 2.9.0 have).")
+
+
+def test_why_an_image_exists(small: ImageSet) -> None:
+    text = explained(small, "alpha-core-torch-cu1").text
+    assert "not for arm64: torch 2.10.0 has cu1 wheels for amd64 only" in text
+    assert "it is alpha-core joined with cuda-cu1, common-cu1-py312 and torch-cu1-py312" in text
+    assert explained(small, "alpha-core-torch-cu1-test").text == text
+
+
+def test_unknown_names(small: ImageSet) -> None:
+    for ask in (lambda: explained(small, "alfa-core").text, lambda: small.image("alfa-core")):
+        with pytest.raises(RosmlError, match="no image named 'alfa-core'; did you mean 'alpha-core'") as caught:
+            ask()
+        assert caught.value.exit_code == 2
+        assert "rosml list" in caught.value.remedy
+
+
+@pytest.mark.parametrize("name", ["ros:alpha-base", "localhost:5000/ros:alpha", "https://x.org/y/ros:latest"])
+def test_a_tag_is_a_name_as_well(small: ImageSet, name: str) -> None:
+    assert small.image(name).target == "alpha-base"
+
+
+def test_a_tag_of_an_unknown_stack_names_near_tags(small: ImageSet) -> None:
+    with pytest.raises(RosmlError) as caught:
+        explained(small, "ros-torch:alpha-core-cu9")
+    assert caught.value.message == (
+        "no image named 'ros-torch:alpha-core-cu9'; did you mean 'ros-torch:alpha-core-cu1', "
+        "'ros-torch:alpha-core-cpu' or 'ros-torch:alpha-base-cu1'?"
+    )
+
+
+def test_a_tag_that_nothing_has(small: ImageSet) -> None:
+    with pytest.raises(RosmlError, match="no image named 'ros:beta'"):
+        small.image("ros:beta")
+
+
+def test_asking_for_what_cannot_be_gives_the_reason(small: ImageSet) -> None:
+    with pytest.raises(RosmlError, match="has no robot metapackage"):
+        image_of(small, "alpha-robot")
+
+
+def test_architecture_reasons(small: ImageSet) -> None:
+    matrix = small.matrix
+    assert rules.architecture_reason(matrix, "alpha", "torch", "cu1", "amd64") is None
+    assert rules.architecture_reason(matrix, "alpha", "torch", "cu1", "s390x") == (
+        "images of ubuntu-24.04 are built for amd64 and arm64 only"
+    )

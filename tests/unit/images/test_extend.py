@@ -1,0 +1,168 @@
+"""A newcomer adds a distribution, a release and a stack by the page that says how, on a copy of the project."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+from projects import copy_for_generator
+
+from rosml.base.errors import RosmlError
+from rosml.images.bake import targets
+from rosml.images.bake.inputs import Inputs
+from rosml.images.image_set import load
+from rosml.images.image_set.model import ImageSet
+from tests import walk
+from tests.walk import follow, insert, section
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    return copy_for_generator(tmp_path)
+
+
+def test_a_distribution(project: Path, real: ImageSet) -> None:
+    [entry] = [block for block in section("A distribution") if block.title]
+    assert entry.text.count("\n") <= 10
+    said = follow(project, "A distribution")
+    assert "docker-bake.hcl: written" in said and "README.md: written" in said
+    assert "warning" not in said
+    assert "example-desktop-ml-cu128" in said
+    assert "example-base-torch-cu128 exists:" in said
+    assert "locks/" not in said, "no lock is new"
+    assert (
+        "| `example` | 2 | ubuntu-24.04, 3.12 | core, base, desktop | 2032-05-31 (LTS) |"
+        in (project / "README.md").read_text()
+    )
+    made = load.load(project / "matrix.yaml", project)
+    new = {image.target for image in made.images} - {image.target for image in real.images}
+    assert new and all(target.startswith("example-") for target in new)
+    assert all(image.locked for image in made.images if image.target in new and not image.target.endswith("-cpu"))
+
+
+KEY = "-----BEGIN PGP PUBLIC KEY BLOCK-----\n"
+
+
+def missing_of_colcon(tools: str) -> set[str]:
+    """Packages that `rosml containerize` needs of colcon, and that are not among developers' tools."""
+    script = (ROOT / "components/containerize/install.sh").read_text()
+    [names] = re.findall(r"for extension in (.*); do", script)
+    if "python3-colcon-common-extensions" in tools.split():
+        return set()
+    return {f"python3-colcon-{name}".replace("_", "-") for name in names.split()} - {*tools.split()}
+
+
+def test_ros_from_an_archive_of_ones_own(project: Path) -> None:
+    """tests/e2e/test_own_archive.py builds it."""
+    insert(project, next(block for block in section("ROS from your own archive") if block.title))
+    with pytest.raises(RosmlError, match=r"archive\.key: components/archive-keys/ours\.asc is no armored public key"):
+        load.load(project / "matrix.yaml", project)
+    (project / "matrix.yaml").write_text((ROOT / "matrix.yaml").read_text())
+    before = Inputs(project, load.load(project / "matrix.yaml", project))
+    (project / "components/archive-keys/ours.asc").write_text(KEY)
+    said = follow(project, "ROS from your own archive")
+    assert "docker-bake.hcl: written" in said and "warning" not in said
+    assert "packages come from the suite bookworm of an apt archive, http://packages.example.com/ros2" in said
+    made = load.load(project / "matrix.yaml", project)
+    arguments = targets.of(made)["jazzy-ours-core"].arguments
+    assert {name: value for name, value in arguments.items() if name.startswith("ROS_")}.items() >= {
+        "ROS_ARCHIVE": "http://packages.example.com/ros2",
+        "ROS_CODENAME": "bookworm",
+        "ROS_COMPONENTS": "main",
+        "ROS_SIGNED_BY": "ours.asc",
+        "ROS_PACKAGES": "ros-jazzy-ros-core",
+    }.items()
+    assert missing_of_colcon(str(arguments["ROS_TOOLS"])) == set()
+    assert "ROS_CHANNEL" not in arguments and "ROS_ARCHIVE" not in targets.of(made)["ros1-bookworm-core"].arguments
+    after = Inputs(project, made)
+    for target in ("ros1-bookworm-core", "jazzy-base"):
+        assert after.of(target, "amd64") == before.of(target, "amd64"), "a key is an input of its own rows alone"
+    assert "components/archive-keys/ours.asc" in after.of("jazzy-ours-core", "amd64")
+
+
+def test_all_rows_have_what_containerize_needs_of_colcon(real: ImageSet) -> None:
+    tools = {str(made.arguments["ROS_TOOLS"]) for made in targets.of(real).values() if made.arguments.get("ROS_TOOLS")}
+    assert tools and not any(map(missing_of_colcon, tools))
+    assert missing_of_colcon("colcon python3-colcon-ros") >= {"python3-colcon-package-information"}
+
+
+def test_ros_one(project: Path) -> None:
+    (project / "components/archive-keys/ros-one.asc").write_text(KEY)
+    [row] = section("ROS One")
+    matrix = project / "matrix.yaml"
+    matrix.write_text(matrix.read_text().replace("\n# Forecast in", f"\n{row.text.rstrip()}\n\n# Forecast in", 1))
+    assert load.load(matrix, project).image("one-base").packages == "ros-one-ros-base"
+
+
+def test_a_release_and_a_stack(project: Path, real: ImageSet) -> None:
+    insert(project, next(section("A release of PyTorch or TensorFlow")))
+    said = follow(project, "A stack")
+    assert "jazzy-base-torch-cu126 exists, but cannot be built yet:" in said
+    assert "run 'rosml locks'" in said
+    assert "stack cu126 carries torch 2.7.1, cuda 12.6.77, cudnn 9.5.1.17 and nccl 2.26.2" in said
+    made = load.load(project / "matrix.yaml", project)
+    new = {image.target for image in made.images} - {image.target for image in real.images}
+    assert new and all(target.endswith("-cu126") for target in new)
+
+
+def test_a_step_that_is_left_out_is_told(project: Path) -> None:
+    """A stack without its forecast."""
+    blocks_of_stack = [block for block in section("A stack") if block.title]
+    insert(project, next(section("A release of PyTorch or TensorFlow")))
+    insert(project, blocks_of_stack[0])
+    argv = [sys.executable, "src", "generate"]
+    done = subprocess.run(argv, cwd=project, capture_output=True, text=True, check=False)
+    assert done.returncode != 0
+    assert "cu126" in done.stderr and "disk" in done.stderr
+
+
+def test_a_set_of_ones_own(project: Path) -> None:
+    """Two rows of ours, as a fork would keep them: what nothing uses any more is in nobody's way."""
+    said = walk.own_set(project)
+    assert "docker-bake.hcl: written" in said and "warning" not in said
+    assert "noetic" not in (project / "README.md").read_text().partition("<!-- images:")[2]
+    made = load.load(project / "matrix.yaml", project)
+    assert {image.target.split("-")[0] for image in made.images} == {"humble", "jazzy"}
+    assert made.matrix.source == "https://github.com/robots/rosml"
+    check = [sys.executable, "scripts/generate_bake.py", "--check"]
+    assert subprocess.run(check, cwd=project, check=False).returncode == 0
+
+
+def test_a_part(project: Path, real: ImageSet) -> None:
+    """A part is data: its entries, a folder, a file of tests. No code is touched."""
+    for block in section("A part, a framework"):
+        if block.title.startswith("matrix.yaml"):
+            insert(project, block)
+    matrix = project / "matrix.yaml"
+    text = matrix.read_text()
+    text = text.replace(
+        "releases: {torch: 2.10.0, tensorflow: 2.20.0}",
+        "releases: {torch: 2.10.0, tensorflow: 2.20.0, einops: 0.8.1}",
+        1,
+    )
+    text = text.replace(
+        "    cu128:\n      cuda: {", "    cu128:\n      einops: {unpacked: 1, compressed: 1}\n      cuda: {", 1
+    )
+    matrix.write_text(text)
+    for file, content in {
+        "components/einops/prune.txt": "# Nothing.\n",
+        "tests/structure/einops.yaml": "schemaVersion: 2.0.0\n",
+    }.items():
+        (project / file).parent.mkdir(exist_ok=True, parents=True)
+        (project / file).write_text(content)
+    made = load.load(matrix, project)
+    new = [image for image in made.images if image.target not in real.by_target]
+    assert new and {image.framework for image in new} == {"einops"} and {image.stack for image in new} == {"cu128"}
+    jazzy = made.image("jazzy-base-einops-cu128")
+    assert jazzy.parts == ("cuda-cu128", "common-cu128-py312", "torch-cu128-py312", "einops-cu128-py312")
+    assert jazzy.tests[-2:] == ("torch", "einops") and jazzy.versions["einops"] == "0.8.1"
+    assert made.image("jazzy-core-einops-cu128").tests[-4:] == ("cuda-build", "torch-build", "ros2-workspace", "pip")
+    assert "ros-einops:jazzy-base-cu128-torch2.10.0-einops0.8.1" in jazzy.tags
+    argv = [sys.executable, "scripts/generate_bake.py"]
+    subprocess.run(argv, cwd=project, check=True)
+    inline = targets.of(made)["jazzy-base-einops-cu128"].join
+    assert inline and inline.dockerfile().count("COPY --link") == 4

@@ -1,0 +1,176 @@
+"""Two nights against a registry that does, over HTTP, what ghcr.io does or may do: it denies what does not exist yet, has no
+referrers, deletes nothing, forgets tokens, has no time, and learns of blobs a moment late. Never run against ghcr.io itself."""
+
+from __future__ import annotations
+
+import itertools
+import json
+import re
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any, cast
+
+import pytest
+from conftest import SMALLER
+from memory_registry import DAY, NEXT, PREFIX, Place, Run, place
+from registry_stand_in import DENIED, StandIn, standing_in
+from stubs import services
+
+from rosml.base.errors import RosmlError
+from rosml.cli.images import publish, report
+from rosml.images.image_set.model import ImageSet
+from rosml.images.publish.steps import STEPS
+from rosml.registry import failures, oci
+from rosml.registry.credentials import Credentials
+
+NAME, SECRET = "somebody", "s3cret-Pass"
+UNKNOWN = b'{"errors": [{"code": "MANIFEST_BLOB_UNKNOWN", "message": "blob unknown to registry"}]}'
+
+
+@pytest.fixture(params=["registry", "token"])
+def ghcr(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[StandIn]:
+    """The registry, and who denies what does not exist yet."""
+    monkeypatch.setattr(failures, "WAIT", 0.001)
+    monkeypatch.setattr(failures, "LONGEST_WAIT", 0.02)
+    with standing_in() as people, standing_in() as found:
+        found.hides, found.users, found.bearer, found.scoped = request.param, {NAME: SECRET}, True, True
+        found.expires, found.deletes, found.people = 3.0, False, f"http://{people.address}/me"
+        yield found
+        assert people.requests == [], "nobody asks a page for people"
+
+
+class Night:
+    """The jobs of a night, each a machine of its own, which shares nothing with the others but the registry."""
+
+    def __init__(self, server: StandIn, image_set: ImageSet, here: Place, date: str, *only: str) -> None:
+        self.server, self.image_set, self.here, self.date, self.only = server, image_set, here, date, only
+
+    def job(self, *steps: str, architectures: tuple[str, ...] = ("amd64", "arm64")) -> list[Run]:
+        """Steps of a job: a process, with a client, for each."""
+        runs = []
+        for step in steps:
+            with oci.Registry(self.server.address, credentials=lambda _: Credentials(NAME, SECRET)) as client:
+                where = Place(self.here.services, cast(Any, client), self.here.upstream)
+                run = where.run(self.image_set, self.date, only=self.only, architectures=architectures)
+                if step != "plan":
+                    STEPS[step](run)
+                runs.append(run)
+        return runs
+
+    def whole(self) -> list[Run]:
+        """All jobs, as the workflow has them; those of the architectures at the same time."""
+        runs = self.job("plan")
+        runs += self.on_each("build")
+        runs += self.job("join")
+        runs += self.on_each("test")
+        return runs + self.job("index", "promote")
+
+    def on_each(self, step: str) -> list[Run]:
+        """A step on a machine of each architecture."""
+        with ThreadPoolExecutor(2) as pool:
+            shards = [pool.submit(self.job, step, architectures=(name,)) for name in ("amd64", "arm64")]
+        return [run for shard in shards for run in shard.result()]
+
+
+def tags(server: StandIn) -> dict[str, dict[str, str]]:
+    """Where tags point, without the lists of what is attached."""
+    return {
+        repository: {name: digest for name, digest in named.items() if not name.startswith("sha256-")}
+        for repository, named in server.tags.items()
+    }
+
+
+def test_two_nights(ghcr: StandIn, image_set: ImageSet, project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    here = place(project, services(project), monkeypatch)
+    later = {"Retry-After": "1"}
+    elsewhere = {"Location": "http://127.0.0.1:1/elsewhere"}
+    ghcr.fault("POST", "/uploads/", 403, 1000, each=3, body=DENIED)  # somebody makes the repository just now
+    ghcr.fault("PUT", r"/uploads/\d*5\?", 404, 1000)
+    ghcr.fault("PUT", "/manifests/", 404, 1000, each=2, body=UNKNOWN)  # a part of the registry knows no blobs yet
+    ghcr.fault("GET", "/manifests/", 429, 1000, each=1, headers=later)
+    ghcr.fault("HEAD", "/manifests/", 307, 1000, each=1, headers=elsewhere)
+    ghcr.fault("GET", "/token", 503, 1000, each=1)
+    first = Night(ghcr, image_set, here, DAY).whole()
+    assert [outcome for run in first for outcome in run.outcomes if outcome.state == "failed"] == []
+    assert all(fault.times < 1000 for fault in ghcr.faults), "something did not go wrong"
+    assert ghcr.count("/referrers/") <= len(first), "each process asks once"
+    found = tags(ghcr)
+    assert found[f"{PREFIX}/ros"].keys() >= {"alpha-core", "alpha-core-20261122", "alpha", "latest", "omega-base"}
+    assert found[f"{PREFIX}/ros-torch"].keys() >= {"alpha-base-cu1", "alpha-base-cu1-torch2.10.0", "latest"}
+    with oci.Registry(ghcr.address, credentials=lambda _: Credentials(NAME, SECRET)) as client:
+        whole = Place(here.services, cast(Any, client))
+        monkeypatch.setattr(whole, "tagged", lambda repository: found[f"{PREFIX}/{repository}"])
+        whole.check(image_set)
+    before = ghcr.count("^(PUT|POST|DELETE)")
+    second = Night(ghcr, image_set, here, NEXT).whole()
+    assert [outcome for run in second for outcome in run.outcomes if outcome.state != "waits"] == []
+    assert [run.made for run in second if run.made] == []
+    assert (tags(ghcr), ghcr.count("^(PUT|POST|DELETE)")) == (found, before)
+
+
+Make = Callable[[], tuple[int, dict[str, Any]]]
+
+
+@pytest.fixture
+def make(
+    ghcr: StandIn,
+    image_set: ImageSet,
+    project: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> Iterator[Make]:
+    """Calls the command that makes the repositories which a plan writes into: its exit code, and what it prints."""
+    here = place(project, services(project), monkeypatch)
+    (run,) = Night(ghcr, image_set, here, DAY, "alpha-core", "alpha-base-torch-cu1").job("plan")
+    (project / "plan.json").write_text(report.planned(run, 4, why=False).text())
+    (project / "matrix.yaml").write_text(SMALLER)
+    ghcr.requests.clear()
+    with oci.Registry(ghcr.address, credentials=lambda _: Credentials(NAME, SECRET)) as client:
+        monkeypatch.setattr(publish, "place_of", lambda *_: (client, PREFIX))
+        monkeypatch.setattr(oci.Registry, "close", lambda _: None)
+        arguments = ["--plan", f"{project}/plan.json", "--matrix", f"{project}/matrix.yaml", "--json"]
+
+        def called() -> tuple[int, dict[str, Any]]:
+            with pytest.raises(SystemExit) as ended:
+                publish.main(["repositories", *arguments], standalone_mode=False)
+            return int(ended.value.code or 0), json.loads(capsys.readouterr().out)
+
+        yield called
+
+
+MADE = ["records", "part", "ros", "ros-torch", "rosdep"]
+
+
+def test_repositories_are_made_before_machines_push_at_once(ghcr: StandIn, make: Make) -> None:
+    """One after the other, those that the plan writes into. The second time nothing is written."""
+    ghcr.fault("POST", "/uploads/", 403, 1000, each=3, body=DENIED)
+    assert make() == (0, {"made": MADE, "failed": {}})
+    found = [found[1] for request in ghcr.requests if (found := re.search(rf"/v2/{PREFIX}/([^/]+)/", request))]
+    assert [name for name, _ in itertools.groupby(found)] == MADE
+    assert all(ghcr.exists(f"{PREFIX}/{name}") for name in MADE) and not any(ghcr.tags.values())
+    before = ghcr.count("^(PUT|POST)")
+    assert make() == (0, {"made": [], "failed": {}}) and ghcr.count("^(PUT|POST)") == before
+
+
+def test_a_repository_that_cannot_be_made_holds_up_no_other(ghcr: StandIn, make: Make) -> None:
+    ghcr.fault("POST", "/records/blobs/uploads/", 403, 1000, body=DENIED)
+    code, said = make()
+    assert (code, said["made"]) == (1, MADE[1:])
+    assert "access denied: cannot push to rosml/records" in said["failed"]["records"]
+
+
+def test_a_tag_that_is_denied_to_a_reader_does_not_move(
+    ghcr: StandIn, image_set: ImageSet, project: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It may point at something newer, or at more architectures."""
+    here = place(project, services(project), monkeypatch)
+    Night(ghcr, image_set, here, NEXT, "alpha-core").whole()
+    found = tags(ghcr)
+    here.upstream["alpha"] = "tuesday"
+    older = Night(ghcr, image_set, here, DAY, "alpha-core")
+    older.job("build", "join", "test", "index")
+    ghcr.fault("HEAD", f"/{PREFIX}/ros/manifests/alpha-core$", 403, 1000, body=DENIED)
+    with pytest.raises(RosmlError, match="access denied: cannot pull from rosml/ros with the account"):
+        older.job("promote")
+    assert tags(ghcr)[f"{PREFIX}/ros"] == found[f"{PREFIX}/ros"]

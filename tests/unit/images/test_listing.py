@@ -1,0 +1,105 @@
+"""`rosml list`: all images, or those that are in all of some groups; for people and for machines."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from conftest import ROOT, SMALL, changed
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed
+from rosml.cli.images import tables
+from rosml.images.image_set import selection
+from rosml.images.image_set.locked import with_locks
+from rosml.images.image_set.model import ImageSet
+
+ROSML = [sys.executable, "src"]
+
+
+def targets(image_set: ImageSet, *groups: str) -> list[str]:
+    return [image.target for image in selection.members(image_set, groups)]
+
+
+def test_groups_narrow_the_list_down(small: ImageSet) -> None:
+    assert targets(small) == [image.target for image in small.images]
+    assert targets(small, "omega", "none") == ["omega-core", "omega-base"]
+    assert targets(small, "alpha", "torch", "cu1") == [
+        "alpha-core-torch-cu1",
+        "alpha-base-torch-cu1",
+        "alpha-desktop-torch-cu1",
+    ]
+    assert targets(small, "alpha", "omega") == []
+
+
+def test_architectures_narrow_the_list_down(small: ImageSet) -> None:
+    assert targets(small, "alpha", "core", "arm64") == ["alpha-core", "alpha-core-torch-cpu", "alpha-core-ml-cpu"]
+
+
+@pytest.mark.parametrize("groups", [("alpha", "robot"), ("alpha", "cu1", "arm64")])
+def test_groups_without_a_common_image(groups: tuple[str, ...], tmp_path: Path) -> None:
+    """They are no error, but somebody who mistook one for the other must not take an empty table for an answer."""
+    robot = changed("components: [core, base]\n", "components: [core, base, robot]\n")
+    (tmp_path / "matrix.yaml").write_text(robot)
+    argv = [*ROSML, "list", "--matrix", str(tmp_path / "matrix.yaml"), *groups]
+    done = subprocess.run(argv, cwd=ROOT, capture_output=True, text=True, check=True)
+    assert done.stdout == ""
+    assert done.stderr.startswith(f"no image is in all of {listed(groups)}; see why: ")
+    assert done.stderr.endswith(": rosml explain <distribution>-<component>-<framework>\n")
+
+
+def test_one_image_is_one(small: ImageSet, capsys: pytest.CaptureFixture[str]) -> None:
+    tables.print_images(selection.members(small, ["alpha", "core", "torch", "cu1"]))
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].split()[:6] == ["target", "versions", "platforms", "main", "tag", "lock"]
+    assert lines[-1] == "1 image, 3 parts"
+
+
+def test_a_group_that_does_not_exist(small: ImageSet) -> None:
+    with pytest.raises(RosmlError, match="no group named 'omga'; did you mean 'omega'") as caught:
+        selection.members(small, ["omga"])
+    assert caught.value.exit_code == 2
+    assert "alpha, amd64, arm64, base, core, cpu, cu1, cuda, default, desktop" in caught.value.remedy
+
+
+def test_images_without_a_lock_are_listed(small: ImageSet) -> None:
+    assert targets(with_locks(small, ()), "omega", "base", "cpu") == ["omega-base-torch-cpu"]
+
+
+def test_command(real: ImageSet) -> None:
+    """With two groups that the project's matrix has together, whatever it holds."""
+    image = real.image(real.matrix.default.targets[-1])
+    done = subprocess.run(
+        [*ROSML, "list", image.distribution, image.framework],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    wanted = targets(real, image.distribution, image.framework)
+    assert [line.split()[0] for line in done.stdout.splitlines()[1 : len(wanted) + 1]] == wanted
+    assert f"\n{len(wanted)} images, " in done.stdout
+
+
+def test_command_for_machines(tmp_path: Path) -> None:
+    (tmp_path / "matrix.yaml").write_text(SMALL)
+    argv = [*ROSML, "list", "--matrix", str(tmp_path / "matrix.yaml"), "--json", "alpha", "none"]
+    images = json.loads(subprocess.run(argv, cwd=ROOT, capture_output=True, check=True).stdout)
+    assert [image["target"] for image in images] == ["alpha-core", "alpha-base", "alpha-desktop"]
+    assert all(image["inputs"] for image in images)
+
+
+def test_a_reader_that_has_seen_enough() -> None:
+    """`rosml list | head` is no error."""
+    done = subprocess.run(
+        ["bash", "-c", 'set -o pipefail; "$@" list | head -1', "bash", *ROSML],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.startswith("target ")

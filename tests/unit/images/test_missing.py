@@ -1,0 +1,148 @@
+"""Locks that are not there: those that got lost are told, those that wait for PyTorch's own index make no noise."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from conftest import SMALL, changed, parse, write_locks
+
+from rosml.cli import command
+from rosml.cli.images import generate as generate_bake
+from rosml.images.image_set import load as loading
+from rosml.images.image_set import missing
+from rosml.images.image_set.explain import explained
+from rosml.images.image_set.locked import with_locks
+from rosml.images.image_set.model import ImageSet
+
+TORCH = "locks/cu1/amd64/3.12/torch.txt"
+COMMON = "locks/cpu/amd64/3.14/common.txt"
+GONE = "locks/cu1/amd64/3.14/torch.txt"
+WAITING = "locks/cpu/amd64/3.12/torch.txt"
+ELSEWHERE = 'cpu: [arm64]}, elsewhere: {cpu: {amd64: {"3.14": sha256:' + "4" * 64 + "}}}, requires: [jinja2]}"
+
+
+@pytest.fixture
+def elsewhere() -> ImageSet:
+    """The small matrix, where PyTorch's own index has torch for amd64's CPU: with a digest for Python 3.14 alone."""
+    return parse(changed("cpu: [arm64]}}", ELSEWHERE))
+
+
+def without(image_set: ImageSet, *locks: str) -> ImageSet:
+    return with_locks(image_set, {lock for part in image_set.parts for lock in part.locks}.difference(locks))
+
+
+def test_a_lock_waits_where_the_digest_of_its_wheel_is_not_known(elsewhere: ImageSet) -> None:
+    assert missing.waiting(elsewhere.matrix, elsewhere.parts) == {WAITING}
+    assert missing.lost(without(elsewhere, WAITING)) is None
+
+
+def test_what_is_common_to_waiting_releases_alone_waits_with_them() -> None:
+    nothing = parse(changed("cpu: [arm64]}}", "cpu: [arm64]}, elsewhere: {cpu: {amd64: {}}}, requires: [jinja2]}"))
+    assert missing.waiting(nothing.matrix, nothing.parts) == {WAITING, WAITING.replace("3.12", "3.14"), COMMON}
+
+
+def test_lost_locks_name_their_images(elsewhere: ImageSet) -> None:
+    one = missing.lost(without(elsewhere, TORCH, WAITING))
+    assert one is not None
+    assert one.message == (
+        "6 images cannot be built (alpha-core-torch-cu1, alpha-base-torch-cu1, alpha-desktop-torch-cu1, "
+        f"alpha-core-ml-cu1 and 2 more): {TORCH} is missing"
+    )
+    assert one.remedy == "run 'rosml locks'; if they were there and got lost: git checkout locks"
+    two = missing.lost(without(elsewhere, TORCH, COMMON))
+    assert two is not None
+    assert f"): {TORCH}, {COMMON} are missing" in two.message
+
+
+def test_what_an_image_lacks(elsewhere: ImageSet) -> None:
+    image_set = without(elsewhere, TORCH, WAITING)
+    lost, waiting = image_set.image("alpha-core-torch-cu1"), image_set.image("alpha-core-torch-cpu")
+    assert (missing.reason(lost), missing.remedy(lost)) == (f"{TORCH} is missing", "run 'rosml locks'")
+    assert (missing.reason(waiting), missing.remedy(waiting)) == (f"{WAITING} is missing", missing.ASK_PYTORCH)
+
+
+@pytest.fixture
+def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Arguments of the command for a project of its own with all locks but one."""
+    (tmp_path / "matrix.yaml").write_text(SMALL)
+    write_locks(tmp_path, parse(SMALL))
+    (tmp_path / TORCH).unlink()
+    load = loading.load
+    monkeypatch.setattr(loading, "load", lambda file, root: load(file, tmp_path))
+    return ["--matrix", str(tmp_path / "matrix.yaml"), "--output", str(tmp_path / "out.hcl")]
+
+
+def test_generating_tells_what_is_left_out(project: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.run(generate_bake.main, arguments=project) == 0
+    lines = capsys.readouterr().err.splitlines()
+    assert lines[0].endswith("out.hcl: written")
+    assert lines[1].startswith("warning: 6 images cannot be built (alpha-core-torch-cu1, ")
+    assert lines[2:] == [f"remedy: {missing.RESTORE}"]
+
+
+def _cut(lock: Path) -> None:
+    lock.write_text(lock.read_text()[:-9])
+
+
+def _of_another_release(lock: Path) -> None:
+    lock.write_text(lock.read_text().replace("torch==", "torch==0."))
+
+
+def _folder(lock: Path) -> None:
+    lock.unlink()
+    lock.mkdir()
+
+
+def _loose_link(lock: Path) -> None:
+    lock.unlink()
+    lock.symlink_to("nowhere")
+
+
+DAMAGE: dict[str, Callable[[Path], object]] = {
+    "empty": lambda lock: lock.write_text(""),
+    "not UTF-8": lambda lock: lock.write_bytes(b"\xff" * 99),
+    "cut": _cut,
+    "of another release": _of_another_release,
+    "a folder": _folder,
+    "a link to nothing": _loose_link,
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGE.values(), ids=DAMAGE)
+def test_a_damaged_lock_is_not_called_missing(tmp_path: Path, damage: Callable[[Path], object]) -> None:
+    (tmp_path / "matrix.yaml").write_text(SMALL)
+    write_locks(tmp_path, parse(SMALL))
+    damage(tmp_path / TORCH)
+    (tmp_path / GONE).unlink()
+    image_set = loading.load(tmp_path / "matrix.yaml", tmp_path)
+    damaged = f"{TORCH} is damaged, or not of the release that matrix.yaml names"
+    assert missing.reason(image_set.image("alpha-core-torch-cu1")) == damaged
+    said = missing.lost(image_set)
+    assert said is not None
+    assert said.message.endswith(f"): {GONE} is missing; {damaged}")
+    text = explained(image_set, "alpha-core-torch-cu1").text
+    assert text.endswith(f"{damaged}; run 'rosml locks'")
+
+
+def test_checking_does_not_ask_to_commit_a_loss(project: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.run(generate_bake.main, arguments=[*project, "--check"]) == 1
+    stale = capsys.readouterr().err.splitlines()
+    assert stale[0].startswith("error: 6 images cannot be built")
+    assert stale[1].endswith("out.hcl: stale")
+    assert stale[2:] == [f"remedy: {missing.RESTORE}; then run 'rosml generate' and commit the result"]
+    command.run(generate_bake.main, arguments=project)
+    capsys.readouterr()
+    assert command.run(generate_bake.main, arguments=[*project, "--check"]) == 1
+    assert capsys.readouterr().err.splitlines()[1:] == [f"remedy: {missing.RESTORE}"]
+
+
+def test_listing_tells_both_apart(elsewhere: ImageSet, capsys: pytest.CaptureFixture[str]) -> None:
+    from rosml.cli.images import tables
+
+    tables.print_images(without(elsewhere, TORCH, WAITING).images)
+    assert [line.strip() for line in capsys.readouterr().out.splitlines()[-2:]] == [
+        f"6 images without a lock, which cannot be built yet: {missing.RESTORE}",
+        f"6 images without a lock, which cannot be built yet: {missing.ASK_PYTORCH}",
+    ]

@@ -1,0 +1,157 @@
+"""What the package index has that a stack has not, since when, and what holds it; with a uv that says what tests want."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from conftest import SMALL, changed, parse
+from stubs import calls, executable
+
+from rosml.base.errors import RosmlError
+from rosml.cli import command
+from rosml.cli.images import locks as script
+from rosml.images.locks import upstream
+from rosml.images.locks.upstream import Newer
+
+PYLOCK = """\
+[[packages]]
+name = "torch"
+version = "{torch}"
+wheels = [{{ url = "x", upload-time = 2026-10-28T15:16:55Z }}, {{ url = "y", upload-time = 2026-10-29T01:00:00Z }}]
+[[packages]]
+name = "tensorflow"
+version = "2.20.0"
+[[packages]]
+name = "tensorflow-cpu"
+version = "2.20.0"
+[[packages]]
+name = "torchvision"
+version = "0.25.0"
+"""
+UV = """\
+echo "uv $*" >>'{folder}/calls'
+cat in.txt >>'{folder}/asked'
+[ ! -e overrides.txt ] || cat overrides.txt >>'{folder}/overrides'
+case "$*" in *pylock.toml*) cp '{folder}/newest.toml' pylock.toml; exit ;; esac
+{resolve}
+"""
+RESOLVES = (
+    "(grep == in.txt; echo nvidia-cuda-runtime-cu12==12.8.90) | sed 's/$/ --hash=sha256:aa/; s/ /\\n    /' >out.txt"
+)
+CUDA_13 = RESOLVES.replace("-cu12==12.8.90", "==13.2.86")
+REFUSES = """cat >&2 <<'END'
+error: No solution found when resolving dependencies
+  cause: Because tensorflow==2.21.0 depends on nccl{platform_machine == 'x86_64'}>=2.27.7 and torch==2.10.0 depends on
+         nccl==2.27.5, they are incompatible.
+         And because you require both, your requirements are unsatisfiable.
+END
+exit 1"""
+
+
+def uv(folder: Path, resolve: str = RESOLVES, torch: str = "2.15.0") -> str:
+    (folder / "newest.toml").write_text(PYLOCK.format(torch=torch))
+    return executable(folder / "uv", UV.format(folder=folder, resolve=resolve))
+
+
+def test_nothing_is_newer(tmp_path: Path) -> None:
+    assert upstream.look(parse(SMALL), uv(tmp_path, torch="2.10.0+cu128")) == []
+    assert all("--no-deps" in call for call in calls(tmp_path)), "nothing is resolved for what is there"
+
+
+def test_a_release_that_nothing_holds(tmp_path: Path) -> None:
+    found = upstream.look(parse(SMALL), uv(tmp_path), ["cu1"])
+    assert found == [Newer("cu1", "torch", "2.10.0", "2.15.0", "2026-10-28", "", (), ("3.12", "3.14"))]
+    platforms = {call.partition("--python-platform ")[2].split()[0] for call in calls(tmp_path)}
+    assert platforms == {"x86_64-manylinux_2_28"}
+
+
+@pytest.mark.parametrize(
+    ("resolve", "held"),
+    [
+        (CUDA_13, "another CUDA: nvidia-cuda-runtime 13.2.86 (the stack says 12.8.90)"),
+        (
+            REFUSES,
+            "tensorflow==2.21.0 depends on nccl>=2.27.7 and torch==2.10.0 depends on nccl==2.27.5, they are incompatible.",
+        ),
+    ],
+)
+def test_what_holds_a_release(tmp_path: Path, resolve: str, held: str) -> None:
+    assert {item.held_by for item in upstream.look(parse(SMALL), uv(tmp_path, resolve), ["cu1"])} == {held}
+
+
+def test_a_release_of_another_stack(tmp_path: Path) -> None:
+    """What the matrix says of it counts here too."""
+    text = SMALL
+    for place, more in {
+        "  cpu:\n    accelerator": "  cu2: {accelerator: cuda, cuda: 13.2.86, cudnn: 9.26.0.51, releases: {torch: 2.15.0}}\n",
+        "  tensorflow:\n    2.20.0": (
+            '    2.15.0: {python: ["3.12"], wheels: {cu2: [amd64]}, adapted: {setuptools: ">=66"}, beside: {torchvision: 0.25.0}}\n'
+        ),
+        "    cpu:\n      common": "    cu2: {cuda: *, common: *, torch: *}\n".replace(
+            "*", "{unpacked: 1, compressed: 1}"
+        ),
+    }.items():
+        text = changed(place, more + place, text)
+    (cu1,) = upstream.look(parse(text), uv(tmp_path), ["cu1"])
+    assert cu1.elsewhere == ("cu2",)
+    assert "setuptools>=66" in (tmp_path / "overrides").read_text()
+    assert upstream.look(parse(text), uv(tmp_path), ["cu2"]) == []
+    assert "torchvision\n" in (tmp_path / "asked").read_text()
+
+
+def test_an_index_that_does_not_answer(tmp_path: Path) -> None:
+    failing = executable(tmp_path / "uv", "echo 'dns error' >&2; exit 2")
+    with pytest.raises(RosmlError, match="nobody says what is newest:\ndns error"):
+        upstream.look(parse(SMALL), failing)
+
+
+@pytest.mark.parametrize("text", ["", "packages = 1", "[[packages]]\nname = 'torch'", "\x00"])
+def test_an_answer_that_is_none(tmp_path: Path, text: str) -> None:
+    program = uv(tmp_path)
+    (tmp_path / "newest.toml").write_text(text)
+    with pytest.raises(RosmlError, match="cannot be read"):
+        upstream.look(parse(SMALL), program)
+
+
+def run(tmp_path: Path, *arguments: str) -> int:
+    (tmp_path / "matrix.yaml").write_text(SMALL)
+    return command.run(script.main, arguments=["--matrix", str(tmp_path / "matrix.yaml"), *arguments])
+
+
+@pytest.fixture
+def on_path(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("PATH", str(Path(uv(tmp_path, CUDA_13)).parent), prepend=":")
+    return tmp_path
+
+
+def test_a_table_for_people_and_for_pull_requests(on_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    report = on_path / "report.md"
+    assert run(on_path, "--upstream", "--stack", "cu1", "--report", str(report)) == 0
+    done = capsys.readouterr()
+    assert "cu1, Python 3.12, 3.14" in done.out
+    assert "1 newer release" in done.out
+    assert "[2 of 2] stack cu1, Python " in done.err, "long work shows progress"
+    assert "| torch | 2.10.0 | 2.15.0 | 2026-10-28 | another CUDA: " in report.read_text()
+
+
+def test_json_for_machines(on_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(on_path, "--upstream", "--stack", "cu1", "--json") == 0
+    (found,) = json.loads(capsys.readouterr().out)
+    assert found == {
+        "stack": "cu1",
+        "package": "torch",
+        "ours": "2.10.0",
+        "newest": "2.15.0",
+        "since": "2026-10-28",
+        "held_by": "another CUDA: nvidia-cuda-runtime 13.2.86 (the stack says 12.8.90)",
+        "elsewhere": [],
+        "pythons": ["3.12", "3.14"],
+    }
+
+
+def test_it_goes_with_nothing_that_writes(on_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(on_path, "--upstream", "--upgrade") == 2
+    assert "--upstream writes no lock" in capsys.readouterr().err
+    assert run(on_path, "--upstream", "--stack", "cu9") == 2

@@ -1,0 +1,158 @@
+"""Base images whose tags moved: found in a registry, written into the matrix with all else as it was, told in a table; and that
+what is built from them counts their digests as inputs."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from conftest import SMALL, parse
+from projects import copy
+from registry_stand_in import StandIn, standing_in
+
+from rosml.cli import command
+from rosml.cli.images import locks as script
+from rosml.images.bake.inputs import Inputs
+from rosml.images.image_set import locked
+from rosml.images.locks import base_digests
+from rosml.images.matrix import names, source
+from rosml.registry import oci
+from rosml.registry.oci import Registry
+
+OLD = "sha256:" + "1" * 64
+OTHER = "sha256:" + "2" * 64
+BOTH = ("amd64", "arm64")
+
+
+@pytest.fixture
+def hub() -> Iterator[StandIn]:
+    with standing_in() as found:
+        yield found
+
+
+def push(hub: StandIn, repository: str, tag: str, architectures: tuple[str, ...] = BOTH, mark: str = "") -> str:
+    """Puts an index under a tag; gives its digest."""
+    with Registry(hub.address) as registry:
+        member = registry.put_manifest(repository, "", {"schemaVersion": 2})
+        manifests = [
+            {"mediaType": oci.IMAGE, "digest": member, "size": 2, "platform": {"os": "linux", "architecture": name}}
+            for name in architectures
+        ]
+        content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": manifests, "annotations": {"mark": mark}}
+        return registry.put_manifest(repository, tag, content, oci.INDEX)
+
+
+@pytest.fixture
+def matrix(hub: StandIn, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A matrix whose images are in the local replacement, with comments, and an image of NVIDIA's."""
+    monkeypatch.setattr(script, "ROOT", tmp_path)
+    text = SMALL.replace("docker.io/library/ubuntu:24.04", f"{hub.address}/library/ubuntu:24.04")
+    text = text.replace("docker.io/library/ubuntu:26.04", f"{hub.address}/nvidia/cuda:13.0.2-runtime-ubuntu26.04")
+    text = text.replace(f"    digest: {OLD}\n", f"    # of a day\n    digest:  {OLD} # renewed by its makers\n")
+    text = text.replace("    codename: noble\n", f"    codename: noble # {OLD} is no digest of ours\n")
+    (tmp_path / "matrix.yaml").write_text(f"# {OLD} was the first one\n{text}")
+    return tmp_path / "matrix.yaml"
+
+
+def run(matrix: Path, *arguments: str) -> int:
+    return command.run(script.main, arguments=["--matrix", str(matrix), *arguments])
+
+
+def test_what_moved_is_written_and_nothing_else(
+    hub: StandIn, matrix: Path, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    before = matrix.read_text()
+    new = push(hub, "library/ubuntu", "24.04", mark="new")
+    cuda = push(hub, "nvidia/cuda", "13.0.2-runtime-ubuntu26.04", mark="new")
+    assert run(matrix, "--bases", "--check") == 1
+    done = capsys.readouterr()
+    assert f"ubuntu-24.04: {hub.address}/library/ubuntu:24.04: would move from {OLD[:19]} to {new[:19]}" in done.out
+    assert "2 base images are stale" in done.err and "rosml locks --bases" in done.err
+    assert run(matrix, "--bases", "--check", "--json") == 1
+    found = json.loads(capsys.readouterr().out)
+    assert found["base_images"][0] == {
+        "system": "ubuntu-24.04",
+        "image": f"{hub.address}/library/ubuntu:24.04",
+        "old": OLD,
+        "new": new,
+    }
+    assert len(found["base_images"]) == 2 and found["moved"] == found["changed"] == []
+    assert matrix.read_text() == before
+    assert run(matrix, "--bases", "--report", str(tmp_path / "report.md")) == 0
+    assert matrix.read_text() == before.replace(f"digest:  {OLD} # renewed", f"digest:  {new} # renewed").replace(
+        f"    digest: {OTHER}\n", f"    digest: {cuda}\n"
+    )
+    report = (tmp_path / "report.md").read_text()
+    assert f"| ubuntu-24.04 | {hub.address}/library/ubuntu:24.04 | {OLD[:19]} | {new[:19]} |" in report
+    capsys.readouterr()
+    assert run(matrix, "--bases", "--check") == 0
+    assert "2 base images, 0 stale" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("style", ["{{image: {image}, digest: {digest}, {rest}}}", "\n    digest:\n      {digest}\n"])
+def test_however_it_is_written(style: str) -> None:
+    """A mapping on one line, whose image may have the old digest in its name; a value on a line of its own."""
+    if style.startswith("{"):
+        body = style.format(image="a.b/c:d", digest=OLD, rest="python: x")
+        text = f"operating_systems:\n  one: {body}\n"
+    else:
+        text = "operating_systems:\n  one:" + style.format(digest=OLD)
+    found = base_digests.rewritten(text, source.parse(text.encode()), [base_digests.Pin("one", "a.b/c:d", OLD, OTHER)])
+    assert found == text.replace(OLD, OTHER)
+
+
+@pytest.mark.parametrize(
+    ("fault", "says"),
+    [
+        ("missing", "is not there any more"),
+        ("arm64", "is not there for linux/arm64 now"),
+        ("no index", "its tag points at no index"),
+        ("down", "does not answer"),
+    ],
+)
+def test_what_cannot_be_taken_stays_and_stops_no_other(
+    hub: StandIn,
+    matrix: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    fault: str,
+    says: str,
+) -> None:
+    cuda = push(hub, "nvidia/cuda", "13.0.2-runtime-ubuntu26.04", mark="new")
+    if fault == "arm64":
+        push(hub, "library/ubuntu", "24.04", ("amd64",))
+    elif fault == "no index":
+        with Registry(hub.address) as registry:
+            registry.put_manifest("library/ubuntu", "24.04", {"schemaVersion": 2, "mediaType": oci.IMAGE})
+    elif fault == "down":
+        monkeypatch.setenv("ROSML_DOCKER_HUB", "0")
+        matrix.write_text(matrix.read_text().replace(f"{hub.address}/library/ubuntu", "docker.io/library/ubuntu"))
+    assert run(matrix, "--bases") == 0
+    done = capsys.readouterr()
+    assert "ubuntu-24.04: its base image stays as it is" in done.err and says in done.err
+    assert OLD in matrix.read_text() and cuda in matrix.read_text()
+
+
+def test_bases_alone(matrix: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(matrix, "--bases", "--upgrade") == 2
+    assert "leave --upgrade and --stack out" in capsys.readouterr().err
+
+
+def test_a_base_image_is_an_input_whoever_makes_it(tmp_path: Path) -> None:
+    """NVIDIA's as any other: all that stands on it, and what is assembled on it, is made anew; nothing else is."""
+    root = copy(tmp_path / "project")
+    text = SMALL.replace("docker.io/library/ubuntu:26.04", "nvcr.io/nvidia/cuda:13.0.2-runtime-ubuntu26.04")
+    moved = text.replace(OTHER, "sha256:" + "5" * 64)
+    assert moved != text
+    catalogues = [locked.with_locks(parse(content), frozenset()) for content in (text, moved)]
+    old, new = (Inputs(root, image_set) for image_set in catalogues)
+    changed = {image.target for image in catalogues[0].images if old.digests(image) != new.digests(image)}
+    stands = {image.target for image in catalogues[0].images if image.os == "ubuntu-26.04"}
+    assert stands and stands <= changed
+    core = next(image for image in catalogues[0].images if image.os == "ubuntu-24.04" and image.stack is None)
+    assert core.target not in changed
+    name = "base image nvcr.io/nvidia/cuda:13.0.2-runtime-ubuntu26.04"
+    target = names.os_target("ubuntu-26.04")
+    assert old.of(target, "amd64")[name] == OTHER != new.of(target, "amd64")[name]

@@ -1,0 +1,181 @@
+"""Shards: estimates worked out by hand from the small matrix, and properties that hold for every plan."""
+
+from __future__ import annotations
+
+import dataclasses
+from itertools import permutations
+
+import pytest
+from conftest import ROOT, changed, parse
+from counting import calls
+
+from bench import synthetic
+from rosml.base.errors import RosmlError
+from rosml.images.builds import disk
+from rosml.images.image_set.model import ImageSet
+from rosml.images.publish import shards as dealing
+
+
+@pytest.fixture(scope="module")
+def big() -> ImageSet:
+    """Ten distributions on eight operating systems, five stacks, two architectures."""
+    return parse(synthetic.matrix(10 * synthetic.IMAGES))
+
+
+# ---- Estimates -------------------------------------------------------------------------------------------------------
+
+
+def test_a_shard(small: ImageSet) -> None:
+    shards = dealing.deal(small, 4)
+    assert [shard.name for shard in shards] == ["amd64-1", "amd64-2", "arm64-1", "arm64-2"]
+    first = shards[0]
+    assert (first.architecture, first.platform, first.runner) == ("amd64", "linux/amd64", "amd")
+    assert first.distributions == ("alpha",)
+    assert first.targets[:4] == ("alpha-core", "alpha-base", "alpha-desktop", "alpha-core-cuda-cu1")
+    assert len(first.targets) == 12
+    assert first.parts == (
+        "cuda-cu1",
+        "common-cu1-py312",
+        "torch-cu1-py312",
+        "tensorflow-cc-cu1",
+        "tensorflow-cu1-py312",
+    )
+    # The operating system, three components, and the parts cuda, common, torch and tensorflow.
+    assert first.estimates.download_mb == 10 + 3 * 2 + 100 + 30 + 200 + 150
+    parts = (1000 + 100) + (300 + 30) + (2000 + 200) + (1500 + 150)
+    assert first.estimates.disk_mb == (100 + 2 * 10) + 3 * (20 + 2 * 2) + 2 * parts + disk.RESERVE_MB
+    assert first.estimates.seconds == (100 + 3 * 20) // 10 + (1000 + 300 + 2000 + 1500) // 100 + 12 * 5 + 2 == 126
+    assert [shard.estimates.seconds for shard in shards] == [126, 79, 76, 44]
+
+
+def test_what_took_longer_the_last_time_counts_so(small: ImageSet) -> None:
+    """Of each step, and nothing that was in a cache."""
+    targets = [(image.target, "amd64") for image in small.images] + [(part.target, "amd64") for part in small.parts]
+    work = dealing.Work(frozenset(targets), frozenset(targets))
+    (before,) = dealing.deal(small, 1, work=work)
+    took = {("alpha-core", "amd64"): {"test": 105.2, "build": 0.4}, ("part-cuda-cu1", "amd64"): {"build": 1010.0}}
+    (after,) = dealing.deal(small, 1, work=dataclasses.replace(work, seconds=took))
+    assert after.estimates.seconds - before.estimates.seconds == (106 - 6) + (1010 - 10)
+
+
+def test_what_a_shard_has_already_costs_nothing(small: ImageSet) -> None:
+    """Both distributions need CUDA, which is assembled once: 10 s, and 2 * 1100 MB; their Pythons differ."""
+    apart, together = dealing.deal(small, 4), dealing.deal(small, 2)
+    assert [shard.estimates.seconds for shard in together] == [126 + 79 - 10, 76 + 44]
+    assert together[0].parts.count("cuda-cu1") == 1
+    saved = apart[0].estimates.disk_mb + apart[1].estimates.disk_mb - together[0].estimates.disk_mb
+    assert saved == 2 * 1000 + 2 * 100 + disk.RESERVE_MB
+    assert apart[0].estimates.download_mb + apart[1].estimates.download_mb - together[0].estimates.download_mb == 100
+
+
+def test_a_further_shard_goes_where_it_takes_longest(small: ImageSet) -> None:
+    assert [shard.name for shard in dealing.deal(small, 3)] == ["amd64-1", "amd64-2", "arm64-1"]
+
+
+def test_each_architecture_has_a_machine(small: ImageSet) -> None:
+    assert [shard.name for shard in dealing.deal(small, 1)] == ["amd64-1", "arm64-1"]
+
+
+def test_only_what_is_included(small: ImageSet) -> None:
+    found = dealing.deal(small, 4, lambda image: image.target == "alpha-desktop-torch-cpu")
+    assert [(shard.name, shard.targets) for shard in found] == [
+        ("arm64-1", ("alpha-core", "alpha-base", "alpha-desktop", "alpha-desktop-torch-cpu"))
+    ]
+    assert found[0].parts == ("common-cpu-py312", "torch-cpu-py312")
+
+
+def test_distributions_that_share_come_together() -> None:
+    """Two on each of eight operating systems, all equally long; the second ones where the first ones are."""
+    image_set = parse(synthetic.matrix(16 * synthetic.IMAGES))
+    system = {name: row.os for name, row in image_set.matrix.distributions.items()}
+    for shard in dealing.deal(image_set, 16):
+        assert len(shard.distributions) == 2
+        assert len({system[name] for name in shard.distributions}) == 1
+
+
+# ---- Properties ------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("number", [2, 3, 7, 12, 20, 99])
+def test_every_plan(big: ImageSet, number: int) -> None:
+    found = dealing.deal(big, number)
+    assert len(found) == min(number, 20)
+    wanted = {(image.target, architecture) for image in big.images for architecture in image.architectures}
+    built = [(target, shard.architecture) for shard in found for target in shard.targets]
+    assert len(built) == len(set(built)), "an image is built twice"
+    assert set(built) == wanted
+    for shard in found:
+        place = {target: index for index, target in enumerate(shard.targets)}
+        for target in shard.targets:
+            image = big.by_target[target]
+            assert place.get(image.parent, -1) < place[target], "an image stands before what it stands on"
+            assert set(image.parts) <= set(shard.parts)
+    for architecture in ("amd64", "arm64"):
+        seconds = [shard.estimates.seconds for shard in found if shard.architecture == architecture]
+        assert seconds == sorted(seconds, reverse=True)
+
+
+@pytest.mark.parametrize("number", [4, 8, 12])
+def test_balanced(big: ImageSet, number: int) -> None:
+    """No shard takes longer than its fair share of all the work and the longest unit together."""
+    units = dealing.deal(big, 99)
+    longest = max(unit.estimates.seconds for unit in units)
+    shards = dealing.deal(big, number)
+    assert (
+        max(shard.estimates.seconds for shard in shards)
+        <= sum(unit.estimates.seconds for unit in units) / number + longest
+    )
+
+
+def test_more_machines_never_take_longer(big: ImageSet) -> None:
+    times = [max(shard.estimates.seconds for shard in dealing.deal(big, number)) for number in range(2, 22)]
+    assert times == sorted(times, reverse=True)
+    assert times[0] > 4 * times[-1]
+
+
+def test_same_input_same_shards(big: ImageSet) -> None:
+    assert dealing.deal(big, 7) == dealing.deal(parse(synthetic.matrix(10 * synthetic.IMAGES)), 7)
+
+
+def test_order_of_the_matrix_does_not_make_it_worse() -> None:
+    head, _, rows = synthetic.matrix(5 * synthetic.IMAGES).partition("distributions:\n")
+    orders = list(permutations(rows.splitlines()))[::20]
+    times = set()
+    for order in orders:
+        image_set = parse("\n".join([f"{head}distributions:", *order, ""]))
+        times.add(max(shard.estimates.seconds for shard in dealing.deal(image_set, 4)))
+    assert len(times) == 1
+
+
+def test_work_grows_with_the_images_and_not_with_their_square() -> None:
+    """Ten times the images; with their square it would be 100 times the work."""
+    few, many = (parse(synthetic.matrix(images)) for images in (400, 4_000))
+    assert calls(lambda: dealing.deal(many, 20)) < 12 * calls(lambda: dealing.deal(few, 20))
+
+
+# ---- What the matrix does not say ------------------------------------------------------------------------------------
+
+
+def test_nobody_says_where_an_architecture_is_built() -> None:
+    with pytest.raises(RosmlError, match=r"architectures.arm64: 'runner' is missing") as caught:
+        dealing.deal(parse(changed(", runner: arm", "")), 2)
+    assert "runner: ubuntu-24.04" in caught.value.remedy
+    assert caught.value.exit_code == 2
+
+
+def test_an_architecture_that_nothing_is_built_for_needs_no_runner() -> None:
+    text = changed(", runner: arm", "", changed("default_stack: cpu", "default_stack: cu1"))
+    text = text.replace("architectures: [amd64, arm64]", "architectures: [amd64]")
+    assert [shard.architecture for shard in dealing.deal(parse(text), 1)] == ["amd64"]
+
+
+@pytest.mark.parametrize("rate", ["0", "-1", "2.5", "fast", "100000"])
+def test_rates_that_are_none(rate: str) -> None:
+    with pytest.raises(RosmlError, match=r"matrix.yaml:\d+:\d+: rates.packages: expected"):
+        parse(changed("{packages: 10,", f"{{packages: {rate},"))
+
+
+def test_the_real_matrix_has_a_plan(real: ImageSet) -> None:
+    units = {(image.distribution, name) for image in real.images for name in image.architectures}
+    assert len(dealing.deal(real, 100)) == len(units)
+    assert (ROOT / "matrix.yaml").read_text().count("runner:") == len(real.matrix.architectures)

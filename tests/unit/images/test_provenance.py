@@ -1,0 +1,110 @@
+"""Where images came from: what is said of base images, of the checkout and of who builds; nothing that tells of a machine.
+What a publishing run attaches: test_attached.py."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import pytest
+from projects import git
+
+from rosml.images.publish import provenance
+from rosml.images.publish.provenance import Machine
+
+DATE = "2026-11-22T03:00:00Z"
+DIGEST = "sha256:" + "1" * 64
+GITHUB = {
+    "GITHUB_ACTIONS": "true",
+    "GITHUB_SERVER_URL": "https://github.com",
+    "GITHUB_REPOSITORY": "me/rosml",
+    "GITHUB_WORKFLOW_REF": "me/rosml/.github/workflows/nightly.yml@refs/heads/main",
+    "GITHUB_RUN_ID": "7",
+    "GITHUB_RUN_ATTEMPT": "2",
+}
+
+
+@pytest.fixture
+def checkout(tmp_path: Path) -> Path:
+    folder = tmp_path / "checkout"
+    (folder / "locks").mkdir(parents=True)
+    (folder / "locks/a.txt").write_text("torch==1\n")
+    git(folder.parent, "init", "-q", str(folder))
+    git(folder, "add", ".")
+    git(folder, "commit", "-qm", "first")
+    return folder
+
+
+def test_who_builds() -> None:
+    assert Machine.here(DATE, {}) == Machine(provenance.OWN_MACHINE, DATE)
+    found = Machine.here(DATE, GITHUB)
+    assert found.builder == "https://github.com/me/rosml/.github/workflows/nightly.yml@refs/heads/main"
+    assert found.invocation == "https://github.com/me/rosml/actions/runs/7/attempts/2"
+    # Variables that are left over on somebody's machine make it no workflow.
+    assert Machine.here(DATE, GITHUB | {"GITHUB_ACTIONS": ""}).builder == provenance.OWN_MACHINE
+
+
+@pytest.mark.parametrize(
+    ("reference", "repository"),
+    [
+        (f"debian:bookworm@{DIGEST}", "docker.io%2Flibrary%2Fdebian"),
+        (f"docker.io/library/debian:bookworm@{DIGEST}", "docker.io%2Flibrary%2Fdebian"),
+        (f"docker-image://ubuntu:24.04@{DIGEST}", "docker.io%2Flibrary%2Fubuntu"),
+        (f"me/debian:1@{DIGEST}", "docker.io%2Fme%2Fdebian"),
+        (f"ghcr.io/me/debian@{DIGEST}", "ghcr.io%2Fme%2Fdebian"),
+        (f"127.0.0.1:5000/library/assembler@{DIGEST}", "127.0.0.1%3A5000%2Flibrary%2Fassembler"),
+    ],
+)
+def test_base_images(reference: str, repository: str) -> None:
+    found = provenance.base(reference, DIGEST)
+    assert found["uri"].endswith(f"?repository_url={repository}")
+    assert found["digest"] == {"sha256": "1" * 64}
+    assert "annotations" not in found
+    another = provenance.base(reference, f"sha256:{'2' * 64}")
+    assert another == {**found, "annotations": {"differs": "matrix.yaml names another base image"}}
+
+
+def test_the_checkout(checkout: Path, tmp_path: Path) -> None:
+    head = git(checkout, "rev-parse", "HEAD")
+    assert provenance.source(checkout) == [{"name": "source", "digest": {"gitCommit": head}}]
+    git(checkout, "remote", "add", "origin", "https://me:s3cret@github.com/me/rosml.git?x=s3cret")
+    (found,) = provenance.source(checkout)
+    assert found["uri"] == "git+https://github.com/me/rosml.git"
+    (checkout / "plan.json").write_text("{}")
+    assert provenance.source(checkout) == [found], "what a job leaves beside it decides no image"
+    (checkout / "locks/a.txt").write_text("torch==2\n")
+    (dirty,) = provenance.source(checkout)
+    assert "differ" in dirty["annotations"]["differs"] and dirty["digest"] == {"gitCommit": head}
+    git(checkout, "remote", "set-url", "origin", "/home/me/rosml")
+    assert "uri" not in provenance.source(checkout)[0], "a path of this machine"
+    assert provenance.source(tmp_path) == [], "no checkout"
+    assert provenance.source(checkout / "locks") == [], "a checkout of something else around it"
+
+
+def test_locks(checkout: Path) -> None:
+    sha = subprocess.run(["sha256sum", str(checkout / "locks/a.txt")], capture_output=True, text=True, check=True)
+    assert provenance.locks(checkout, ["locks/a.txt"]) == [
+        {"name": "locks/a.txt", "digest": {"sha256": sha.stdout.split()[0]}}
+    ]
+
+
+def test_the_statement() -> None:
+    definition = provenance.definition({"target": "t", "stack": ""}, "abc", [{"name": "x"}])
+    said = provenance.statement("rosml/ros", DIGEST, definition, Machine("b", "i"), DATE, DATE)
+    assert said == {
+        "_type": "https://in-toto.io/Statement/v1",
+        "subject": [{"name": "rosml/ros", "digest": {"sha256": "1" * 64}}],
+        "predicateType": "https://slsa.dev/provenance/v1",
+        "predicate": {
+            "buildDefinition": {
+                "buildType": provenance.BUILD_TYPE,
+                "externalParameters": {"target": "t"},
+                "internalParameters": {"inputs": "abc"},
+                "resolvedDependencies": [{"name": "x"}],
+            },
+            "runDetails": {
+                "builder": {"id": "b"},
+                "metadata": {"invocationId": "i", "startedOn": DATE, "finishedOn": DATE},
+            },
+        },
+    }

@@ -1,0 +1,312 @@
+"""`rosml image`: a publishing run for one image, and what it tells; above all, that no untested tag moves."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import signal
+from contextlib import ExitStack
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import click
+import pytest
+from conftest import SMALL, write_locks
+from memory_registry import DAY, HOST, NEXT, Place, Run, place
+from projects import copy
+from stubs import OFFLINE, buildx, calls, services
+
+from rosml.base.file_lock import turn
+from rosml.cli import command
+from rosml.cli.images import call
+from rosml.cli.images import image as script
+from rosml.images.builds import base_images
+from rosml.images.image_set import model as sets
+from rosml.machine.services import Services
+
+TARGET = "alpha-base-torch-cu1"
+TAGS = ["alpha-base-cu1", "alpha-base-cu1-torch2.10.0", "alpha", "latest"]
+
+
+@dataclass
+class Stage:
+    """A checkout whose registry is in memory, and the runs of the command."""
+
+    folder: Path
+    image_set: sets.ImageSet
+    place: Place
+    options: dict[str, Any] = field(default_factory=dict)
+    runs: list[Run] = field(default_factory=list)
+
+    def image(self, *arguments: str) -> int:
+        """The command; gives its exit code."""
+        return command.run(script.main, arguments=["--matrix", str(self.folder / "matrix.yaml"), *arguments])
+
+    def tags(self, repository: str = "ros-torch") -> dict[str, str]:
+        """Tags and what they point at, but for dated ones."""
+        return {tag: to for tag, to in self.place.tagged(repository).items() if "-2026" not in tag}
+
+
+def free(monkeypatch: pytest.MonkeyPatch, megabytes: int) -> None:
+    """Makes every file system have this much room."""
+    usage = shutil.disk_usage("/")._replace(free=megabytes * 1_000_000)
+    monkeypatch.setattr(shutil, "disk_usage", lambda path: usage)
+
+
+@pytest.fixture
+def stage(tmp_path: Path, registry: str, small: sets.ImageSet, monkeypatch: pytest.MonkeyPatch) -> Stage:
+    """Its first run is of one day, the second of the next."""
+    free(monkeypatch, 1_000_000)
+    monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
+    monkeypatch.setattr(script, "ROOT", tmp_path)
+    monkeypatch.setattr(call, "ROOT", tmp_path)
+    monkeypatch.setattr(signal, "signal", lambda *_: None)  # a test run keeps its own
+    copy(tmp_path)
+    (tmp_path / "matrix.yaml").write_text(SMALL)
+    write_locks(tmp_path, small)
+    services(tmp_path, registry, buildx=buildx(tmp_path, "exit 1"))
+    found = Stage(tmp_path, small, place(tmp_path, Services.load(tmp_path), monkeypatch))
+
+    def pipeline(called: call.Call) -> Run:
+        facts: dict[str, Any] = {
+            "date": (DAY, NEXT)[len(found.runs)],
+            "only": called.only,
+            "architectures": called.architectures,
+            "serving": called.serve,
+            "force": called.force,
+        }
+        found.runs.append(found.place.run(small, **facts, **found.options))
+        return found.runs[-1]
+
+    monkeypatch.setattr(call.Call, "pipeline", pipeline)
+    return found
+
+
+def test_an_image_is_published(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
+    assert stage.image(TARGET, "--json") == 0
+    result = json.loads(capsys.readouterr().out)
+    repository = f"{HOST}/rosml/ros-torch"
+    assert result["reference"] == f"{repository}:alpha-base-cu1"
+    assert result["tags"] == [f"{repository}:{tag}" for tag in TAGS]
+    assert stage.tags() == dict.fromkeys(TAGS, result["digest"])
+    assert set(TAGS) <= set(result["moved"])
+    assert (result["passed"], result["versions"]) == (5, {"torch": "2.10.0"})
+    assert result["compressed"] > result["parts"] > 0 < result["uploaded"]
+    assert result["made"] == [
+        *("alpha-core", "alpha-base", "part-cuda-cu1", "part-common-cu1-py312", "part-torch-cu1-py312", TARGET)
+    ]
+    index = stage.place.registry.manifest("rosml/ros-torch", result["digest"])
+    assert index and [item["digest"] for item in index.content["manifests"]] == [result["manifest"]]
+    stage.place.check(stage.image_set)
+
+
+def test_it_is_the_runs_own_order(stage: Stage) -> None:
+    """Built, joined, tested, and only then tags; what it stands on is not tested for itself, and gets no tag."""
+    assert stage.image(TARGET) == 0
+    made = stage.runs[0].made
+    assert [step for step, _, _ in made] == ["build"] * 5 + ["join", "test"]
+    assert made[-1][1] == TARGET
+    assert not stage.tags("ros")
+
+
+def test_a_second_call_does_nothing(stage: Stage, capsys: pytest.CaptureFixture[str], monkeypatch: Any) -> None:
+    assert stage.image(TARGET) == 0
+    capsys.readouterr()
+    free(monkeypatch, 1)
+    assert stage.image(TARGET) == 0, "it needs no room"
+    assert stage.runs[1].made == []
+    told = capsys.readouterr().out
+    assert "tags moved       none: all pointed here already\n" in told
+    assert "made now         nothing: all of it was there\n" in told
+    assert "time             nothing to do\n" in told
+
+
+def test_a_run_waits_for_another_one_of_its_checkout(
+    stage: Stage, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It asks how things are only when that one has ended."""
+    with ExitStack() as other:
+        other.enter_context(turn(stage.folder / ".state/publish.lock", lambda: None))
+
+        def say(line: str) -> None:
+            if "waiting for another publishing run" in line:
+                assert not stage.runs
+                other.close()
+            click.echo(line)
+
+        monkeypatch.setattr(call, "say", say)
+        assert stage.image(TARGET) == 0
+    assert "waiting for another publishing run of this checkout" in capsys.readouterr().out
+    with turn(stage.folder / ".state/publish.lock", lambda: pytest.fail("its own turn has not ended")):
+        assert stage.tags()
+
+
+def test_force_makes_it_anew(stage: Stage) -> None:
+    for _ in range(2):
+        assert stage.image(TARGET, "--force") == 0
+    assert [len(run.made) for run in stage.runs] == [7, 6], "the same digest passed its tests before"
+
+
+def test_the_screen(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
+    assert stage.image(TARGET) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[1] == f"{TARGET} is built, tested and published"
+    assert lines[3] == f"FROM             {HOST}/rosml/ros-torch:alpha-base-cu1"
+    names = [line.split("  ")[0] for line in lines[3:]]
+    assert names == [
+        *("FROM", "digest", "tags", "tags moved", "build on it", "size", "new in registry", "made now"),
+        *("structure tests", "time"),
+    ]
+    assert "structure tests  5 passed, 0 failed" in lines
+    (builds,) = [line for line in lines if line.startswith("build on it")]
+    assert "/mine,push=true,oci-mediatypes=true ." in builds
+
+
+def test_another_architecture_is_built_and_tested_and_gets_no_tag(
+    stage: Stage, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A tag is for all platforms of an image: one of them alone does not move it."""
+    (stage.folder / "status").write_text("Status: running\nPlatforms: linux/amd64, linux/arm64*\n")
+    assert stage.image("alpha-core-ml-cpu", "--platform", "linux/arm64") == 0
+    told = capsys.readouterr().out
+    assert "alpha-core-ml-cpu is built, tested and pushed by its digest" in told
+    assert "tags             none: a tag is for all platforms of an image" in told
+    assert not stage.place.tagged("ros-ml")
+
+
+# ---- Nothing is tagged -----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("json_too", [False, True])
+def test_a_test_fails(stage: Stage, capsys: pytest.CaptureFixture[str], json_too: bool) -> None:
+    stage.options = {"poisoned": {TARGET}}
+    assert stage.image(TARGET, *(["--json"] if json_too else [])) == 1
+    done = capsys.readouterr()
+    assert not stage.tags()
+    said = f"test of {TARGET} failed, so {TARGET} gets no tag: tests failed: contract: it is poisoned"
+    assert said in (json.loads(done.out)["error"] if json_too else done.err)
+    stage.options = {}
+    assert stage.image(TARGET) == 0, "what failed is tested again: what made it fail may be gone"
+    assert [step for step, _, _ in stage.runs[1].made] == ["test"]
+
+
+def test_a_part_fails(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
+    stage.options = {"broken": {"part-torch-cu1-py312"}}
+    assert stage.image(TARGET) == 1
+    told = capsys.readouterr().err
+    assert f"build of part-torch-cu1-py312 failed, so {TARGET} gets no tag" in told
+    assert "remedy: mend it\n" in told
+    assert not stage.tags()
+    stage.options = {}
+    assert stage.image(TARGET) == 0, "what was finished is kept, the next call carries on"
+    assert [target for _, target, _ in stage.runs[1].made] == ["part-torch-cu1-py312", TARGET, TARGET]
+
+
+def test_a_base_image_that_cannot_be_had(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
+    """What it is needed for waits, and the rest is made."""
+    stage.place.services = replace(stage.place.services, bases=tuple(OFFLINE))
+    assert stage.image(TARGET) == 1
+    told = capsys.readouterr().err
+    assert f"{TARGET} gets no tag: waiting for a builder: docker.io/library/ubuntu:24.04 is on Docker Hub" in told
+    assert "or name one that answers: OS_UBUNTU_24_04=" in told
+    assert {kind for kind, _, _ in stage.runs[0].made} == {"build"}
+    assert all(target.startswith("part-") for _, target, _ in stage.runs[0].made)
+
+
+def test_tags_stay_where_they_were(stage: Stage) -> None:
+    assert stage.image(TARGET) == 0
+    before = stage.tags()
+    stage.options = {"poisoned": {TARGET}, "packages": "2"}
+    assert stage.image(TARGET, "--force") == 1
+    assert stage.tags() == before
+
+
+def test_tags_that_were_moved_back_stay(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
+    assert stage.image(TARGET) == 0
+    stage.place.undo()
+    capsys.readouterr()
+    assert stage.image(TARGET) == 1
+    assert "gets no tag: its tags were moved back" in capsys.readouterr().err
+    assert not stage.tags()
+
+
+def test_no_room(stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    free(monkeypatch, 4_000)
+    assert stage.image(TARGET) == 1
+    assert f"build {TARGET}: 9.4 GB are needed" in capsys.readouterr().err
+    assert not stage.runs[0].made
+
+
+SET_UP = """\
+import pathlib, shutil, sys
+print("set up:", *sys.argv[1:])
+root = pathlib.Path(__file__).parents[1]
+shutil.copytree(root / "kept", root / ".state", dirs_exist_ok=True)
+"""
+"""In the place of scripts/bootstrap.py: the services are as they were."""
+
+
+@pytest.mark.parametrize("lost", ["all", "registry", "builder"])
+def test_it_sets_the_machine_up(stage: Stage, capfd: pytest.CaptureFixture[str], lost: str) -> None:
+    shutil.copytree(stage.folder / ".state", stage.folder / "kept")
+    (stage.folder / "scripts").mkdir()
+    program = stage.folder / "scripts/bootstrap.py"
+    program.write_text(SET_UP)
+    if lost == "all":
+        shutil.rmtree(stage.folder / ".state")
+    elif lost == "registry":
+        file = stage.folder / ".state/services.json"
+        file.write_text(json.dumps({**json.loads(file.read_text()), "registry": "127.0.0.1:1"}))
+    else:
+        (stage.folder / "status").write_text("Status: stopped\n")
+        program.write_text(SET_UP + '(root / "status").write_text("Status: running")\n')
+    assert stage.image(TARGET, "--json") == 0
+    said = capfd.readouterr()
+    assert "set up: up\n" in said.err and json.loads(said.out)
+
+
+def test_a_set_up_that_fails(stage: Stage, capfd: pytest.CaptureFixture[str]) -> None:
+    """It has said why; nothing is built."""
+    shutil.rmtree(stage.folder / ".state")
+    (stage.folder / "scripts").mkdir()
+    (stage.folder / "scripts/bootstrap.py").write_text("import sys\nsys.exit('error: no disk')\n")
+    assert stage.image(TARGET) == 1
+    assert "error: no disk\nerror: this machine could not be set up\n" in capfd.readouterr().err
+    assert not stage.runs
+
+
+# ---- What is told before anything happens ----------------------------------------------------------------------------
+
+
+def test_a_near_miss(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
+    """A typo is told before anything else, even where no service is up."""
+    shutil.rmtree(stage.folder / ".state")
+    assert stage.image("alpha-bse-torch-cu1") == 2
+    done = capsys.readouterr()
+    assert done.out == ""
+    assert "error: no image named 'alpha-bse-torch-cu1'; did you mean 'alpha-base-torch-cu1'" in done.err
+    assert "remedy: see all with:" in done.err
+    assert stage.image("omega-base-ml-cu1") == 2
+    assert "no release of tensorflow has a wheel for Python 3.14" in capsys.readouterr().err
+    assert not calls(stage.folder)
+
+
+def test_another_channel(stage: Stage, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ROS_CHANNEL", "fina")
+    assert stage.image(TARGET) == 2
+    assert "no channel 'fina'" in capsys.readouterr().err
+
+
+def test_a_platform_that_nothing_has(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
+    assert stage.image(TARGET, "--platform", "linux/riscv") == 2
+    assert "linux/amd64 and linux/arm64" in capsys.readouterr().err
+    assert stage.image(TARGET, "--platform", "linux/arm64") == 2
+    assert f"{TARGET} exists for amd64 only\n" in capsys.readouterr().err
+
+
+def test_committed_files_are_left_alone(stage: Stage) -> None:
+    """A stale docker-bake.hcl is no matter of a build, which reads an excerpt of its own: rosml generate writes it."""
+    (stage.folder / "docker-bake.hcl").write_text("# somebody's edit\n")
+    assert stage.image(TARGET) == 0
+    assert (stage.folder / "docker-bake.hcl").read_text() == "# somebody's edit\n"

@@ -1,0 +1,255 @@
+"""What buildx makes of the bake file and what Python takes it for are the same, whatever the variables say: inputs are
+digested from the one, images are built from the other."""
+
+from __future__ import annotations
+
+import datetime
+import json
+from collections.abc import Callable, Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+from bakes import evaluated, printed
+from conftest import ROOT, SMALL, WHEELS, changed, parse
+
+from rosml.base.errors import RosmlError
+from rosml.images.bake import bake_file, targets
+from rosml.images.bake.targets import Context, Dependency, NoInput, Overridable, Target, Value
+from rosml.images.image_set import load, locked
+from rosml.images.image_set.model import ImageSet
+
+# ---- What Python says ------------------------------------------------------------------------------------------------
+
+
+class Caller:
+    """Who calls bake, with values for its variables."""
+
+    def __init__(self, image_set: ImageSet, given: Mapping[str, str]) -> None:
+        self.variables = {**bake_file.variables(image_set.matrix), **given}
+        self.digests: dict[str, str] = json.loads(self.variables["DIGESTS"] or "{}")
+        self.dates: dict[str, str] = json.loads(self.variables["ROS_SYNC_DATES"] or "{}")
+
+    def text(self, value: Value | Context) -> str | None:
+        """A value; None where it is left out."""
+        match value:
+            case str():
+                return value
+            case Overridable():
+                return self.variables[value.variable] or value.fact
+            case Dependency(target, name, repository):
+                digest = self.digests.get(name)
+                return (
+                    f"docker-image://{self.variables['REGISTRY']}/{repository}@{digest}"
+                    if digest
+                    else f"target:{target}"
+                )
+            case NoInput(what, of):
+                return self._told(what, of)
+
+    def _told(self, what: str, of: str) -> str | None:
+        match what:
+            case "variable":
+                return self.variables[of] or None
+            case "sync date":
+                return self.dates.get(of, "")
+            case "root":
+                return "/" if self.digests.get(of) else "/out/"
+            case "base name":
+                return self.variables[of].removeprefix("docker-image://").partition("@")[0]
+            case "base digest":
+                return self.variables[of].partition("@")[2]
+            case _:
+                moment = datetime.datetime.fromtimestamp(int(self.variables[of]), datetime.UTC)
+                return moment.strftime("%Y-%m-%dT%H:%M:%SZ")
+
+    @property
+    def secrets(self) -> list[dict[str, str]]:
+        certificates, ros, os = (self.variables[name] for name in ("CA_BUNDLE", "ROS_APT_MIRROR", "OS_APT_MIRROR"))
+        found = [{"id": "ca-bundle", "src": certificates}] if certificates else []
+        found += [{"id": "ros-apt-mirror", "env": "ROS_APT_MIRROR"}] if ros else []
+        return found + ([{"id": "os-apt-mirror", "env": "OS_APT_MIRROR"}] if os else [])
+
+    def told(self, target: Target) -> dict[str, Any]:
+        """A target as `bake --print` has it."""
+        every = {
+            "context": ".",
+            "dockerfile": "Dockerfile",
+            "target": target.stage,
+            "dockerfile-inline": target.join.dockerfile() if target.join else "",
+            "description": target.description,
+            "contexts": {name: self.text(value) for name, value in target.contexts.items()},
+            "args": {name: text for name, value in target.arguments.items() if (text := self.text(value)) is not None},
+            "labels": {name: text for name, value in target.labels.items() if (text := self.text(value))},
+            "tags": [f"{self.variables['REGISTRY']}/{tag}" for tag in target.tags],
+            "platforms": self._platforms(target),
+            "secret": self.secrets,
+            "network": self.variables["STEP_NETWORK"],
+            "entitlements": ["network.host"] if self.variables["STEP_NETWORK"] == "host" else [],
+            "output": [{"type": "cacheonly"}] if target.stage == "test" else [],
+        }
+        return {name: value for name, value in every.items() if value}
+
+    def _platforms(self, target: Target) -> list[str]:
+        chosen = self.variables["PLATFORM"]
+        return [chosen] if chosen and target.platforms else list(target.platforms)
+
+
+# ---- Matrices and callers --------------------------------------------------------------------------------------------
+
+
+def unlocked(image_set: ImageSet, *absent: str) -> ImageSet:
+    return locked.with_locks(image_set, [lock for lock in image_set.locks if not any(word in lock for word in absent)])
+
+
+def turned(text: str) -> str:
+    """A matrix with its rows in another order."""
+
+    def turn(value: Any) -> Any:
+        return {key: turn(value[key]) for key in reversed(value)} if isinstance(value, dict) else value
+
+    return yaml.safe_dump(turn(yaml.safe_load(text)), sort_keys=False)
+
+
+ASIDE = changed("desktop: {builds_on: robot}", "desktop: {builds_on: core}")
+RMW = changed(
+    "    apt: {channel: live}",
+    "    apt: {channel: live}\n    usual_rmw: rmw_zenoh_cpp\n    rmw: [rmw_cyclonedds_cpp, rmw_zenoh_cpp]",
+)
+BOTH = changed("wheels: {cu1: [amd64], cpu: [arm64]}", "wheels: {cu1: [amd64], cpu: [amd64, arm64]}", WHEELS)
+
+MATRICES: dict[str, Callable[[], ImageSet]] = {
+    "ours": lambda: load.load(ROOT / "matrix.yaml"),
+    "small": lambda: parse(SMALL),
+    "from wheels": lambda: parse(WHEELS),
+    "without locks": lambda: unlocked(parse(WHEELS), "locks/"),
+    "without some locks": lambda: unlocked(parse(WHEELS), "sigma", "tensorflow.txt"),
+    "components side by side": lambda: parse(ASIDE),
+    "more middlewares": lambda: parse(RMW),
+    "no address": lambda: parse(changed("source: https://example.org/images\n", "")),
+    "another order": lambda: parse(turned(WHEELS)),
+    "fewer platforms": lambda: parse(BOTH),
+}
+OTHERS = [name for name in MATRICES if name != "ours"]
+"""Small ones: buildx takes seconds for the whole of ours."""
+
+
+@cache
+def image_set(name: str) -> ImageSet:
+    return MATRICES[name]()
+
+
+def callers(image_set: ImageSet) -> dict[str, dict[str, str]]:
+    """Values of the bake file's variables by what a caller says: nothing, or something for every variable."""
+    published = [*(image.target for image in image_set.images), *(part.name for part in image_set.parts)]
+    systems = [
+        name for name in bake_file.variables(image_set.matrix) if name.startswith("OS_") and name != "OS_APT_MIRROR"
+    ]
+    rows = list(image_set.matrix.distributions)
+    everything = {
+        "REGISTRY": "registry.test:5001/some/where",
+        **{name: f"docker-image://mirror.test/{name.lower()}:x@sha256:{'a' * 64}" for name in systems},
+        "PLATFORM": "linux/riscv64",
+        "SOURCE_DATE_EPOCH": "86400",
+        "REVISION": "0123abc",
+        "DIGESTS": json.dumps({name: f"sha256:{n:064x}" if n % 5 else "" for n, name in enumerate(published) if n % 3}),
+        "ROS_SYNC_DATES": json.dumps({name: f"2026-11-{n + 1:02}" if n % 3 else "" for n, name in enumerate(rows)}),
+        "ROS_CHANNEL": "snapshot",
+        "ROS_SNAPSHOT": "2026-10-01",
+        "CA_BUNDLE": str(ROOT / "matrix.yaml"),  # any file
+        "ROS_APT_MIRROR": "http://ros.mirror.test",
+        "OS_APT_MIRROR": "http://os.mirror.test",
+        "STEP_NETWORK": "host",
+        "HTTP_PROXY": "http://proxy.test:1",
+        "HTTPS_PROXY": "http://proxy.test:2",
+        "NO_PROXY": "intern.test",
+    }  # fmt: skip
+    undigested = {name: f"docker-image://intern.test/{name.lower()}" for name in systems}
+    digests = json.dumps(dict.fromkeys(published, f"sha256:{'b' * 64}"))
+    return {
+        "nothing": {},
+        "everything": everything,
+        "a little": {**undigested, "DIGESTS": digests, "ROS_CHANNEL": "final"},
+    }
+
+
+def differences(image_set: ImageSet, text: str, given: Mapping[str, str], folder: Path) -> dict[str, tuple[Any, Any]]:
+    """The targets of a bake file that are not what Python takes them for: what they are here and there."""
+    caller = Caller(image_set, given)
+    here = {name: caller.told(target) for name, target in targets.of(image_set).items()}
+    file = folder / "bake.hcl"
+    file.write_text(
+        f'{text}\ngroup "everything" {{ targets = {json.dumps(list(here))} }}\n'
+    )  # names are slow one by one
+    there = printed("everything", file=file, **given)
+    return {name: (here.get(name), there.get(name)) for name in here | there if here.get(name) != there.get(name)}
+
+
+# ---- The same --------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "says"),
+    [("ours", "everything"), *((name, says) for name in OTHERS for says in ("nothing", "everything", "a little"))],
+)
+def test_every_target_is_what_buildx_makes_of_it(name: str, says: str, tmp_path: Path) -> None:
+    found = image_set(name)
+    assert differences(found, bake_file.render(found), callers(found)[says], tmp_path) == {}
+
+
+@pytest.mark.parametrize("name", OTHERS)
+def test_every_group_is_what_buildx_makes_of_it(name: str, tmp_path: Path) -> None:
+    found = image_set(name)
+    file = tmp_path / "bake.hcl"
+    file.write_text(bake_file.render(found))
+    if not found.groups:
+        with pytest.raises(RosmlError, match="failed to find target default"):
+            evaluated("default", file=file)
+        return
+    groups = {name: members for name, members in found.groups.items() if name != "default"}
+    there = evaluated(*groups, file=file)["group"]
+    del there["default"]  # what was asked for
+    assert {name: set(group["targets"]) for name, group in there.items()} == {
+        name: set(members) for name, members in groups.items()
+    }
+    assert set(evaluated("default", file=file)["group"]["default"]["targets"]) == set(found.groups["default"])
+
+
+@pytest.mark.parametrize("name", MATRICES)
+def test_no_variable_is_left_unsaid(name: str) -> None:
+    found = image_set(name)
+    said = callers(found)["everything"]
+    assert said.keys() == bake_file.variables(found.matrix).keys()
+    assert all(said[variable] not in ("", default) for variable, default in bake_file.variables(found.matrix).items())
+
+
+UNKNOWN = {
+    "a fact": ("NUMPY = systems[system.os].numpy", 'NUMPY = "${systems[system.os].numpy},<3"'),
+    "a variable for a fact": ("ROS_VERSION = image.row.ros,", "ROS_VERSION = overridable(image.row.ros, REVISION),"),
+    "a condition on a variable": ('ACCELERATOR  = stacks[', 'NEW = REVISION == "" ? null : "two"\n    ACCELERATOR  = stacks['),
+    "an argument that may be left out": ("PART         = part.kind", "PART = part.kind\n    NEW = given(NO_PROXY)"),
+    "a label": ('"io.rosml.os"  ', '"io.rosml.new" = given(ROS_CHANNEL)\n    "io.rosml.os"'),
+    "a label of a part": (
+        '"io.rosml.stack"  = part.stack',
+        '"io.rosml.stack" = overridable(part.stack, ROS_CHANNEL)',
+    ),
+    "a context": ("image = dependency(image.target,", 'image = dependency(REVISION == "" ? image.target : "x",'),
+    "another context": ("contexts  = { os = systems[part.os].image }", "contexts = { os = systems[assembler].image }"),
+    "a tag": ("[image.main, image.spelled]", 'concat([image.main, image.spelled], compact([REVISION]))'),
+    "a platform": ("platforms = platforms(image.platforms)\n  contexts", "platforms = image.platforms\n  contexts"),
+    "a secret": ('["id=ca-bundle,src=${CA_BUNDLE}"]', '["id=ca-bundle,src=${CA_BUNDLE}", "id=new,env=NEW"]'),
+}  # fmt: skip
+"""What somebody may write into the graph, and not into src/rosml/images/bake/targets.py."""
+
+
+@pytest.mark.parametrize("name", UNKNOWN)
+def test_an_expression_that_python_does_not_know_is_found(name: str, tmp_path: Path) -> None:
+    """It may hold a fact of the matrix, and an image that it decides would not be built anew."""
+    found = image_set("another order")  # where the system that assembles is not the one of every part
+    old, new = UNKNOWN[name]
+    text = bake_file.render(found)
+    assert text.count(old) == 1
+    text = text.replace(old, new)
+    assert any(differences(found, text, given, tmp_path) for given in callers(found).values())

@@ -1,0 +1,278 @@
+"""Of when packages are: by the lists of packages of the archives that the base image's apt sources name, and not by the date that
+these write several times a day; of ROS's own repository by its date."""
+
+from __future__ import annotations
+
+import hashlib
+import http.server
+import itertools
+import threading
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import pytest
+from conftest import WHEELS, changed, parse
+
+from rosml.base.errors import RosmlError
+from rosml.images.builds import apt_sources, package_state
+from rosml.images.matrix.model import Matrix
+from rosml.machine.services import Services
+
+RELEASE = """\
+Origin: Debian
+Date: {date}
+SHA256:
+ {amd64} 12345678 main/binary-amd64/Packages
+ {arm64} 12345677 main/binary-arm64/Packages
+ {universe} 12345675 universe/binary-amd64/Packages
+ {other} 3456 main/binary-amd64/Packages.xz
+ {other} 12345676 main/binary-armhf/Packages
+ {other} 3456 contrib/binary-amd64/Packages
+"""
+FACTS = {"date": "Sat, 21 Nov 2026 10:00:00 UTC"} | {
+    name: letter * 64 for name, letter in (("amd64", "a"), ("arm64", "b"), ("other", "c"), ("universe", "f"))
+}
+DATE = "2026-11-20T21:14:09Z"
+SYNC = "/ros2/ubuntu/dists/noble/InRelease"
+ROWS = {"omega": "bookworm", "alpha": "noble", "sigma": "noble"}
+"""Rows whose ROS is the system's own, from ROS's repository, and from wheels: the suite that their system is of."""
+SYSTEMS = {"ubuntu-24.04": "noble", "ubuntu-26.04": "bookworm"}
+SOURCES = """\
+deb {address}/debian {suite} main universe
+deb {address}/debian {suite}-updates main universe
+deb {address}/debian-security {suite}-security main universe
+"""
+PATHS = {
+    suite: [
+        f"/debian/dists/{suite}/Release",
+        f"/debian/dists/{suite}-updates/Release",
+        f"/debian-security/dists/{suite}-security/Release",
+    ]
+    for suite in ("bookworm", "noble")
+}
+EVERY = [(row, path) for row, suite in ROWS.items() for path in PATHS[suite]]
+
+
+class Mirror(http.server.ThreadingHTTPServer):
+    """An archive, of which there are the Release files: by path, what they say."""
+
+    files: dict[str, bytes]
+    asked: list[str]
+
+    @property
+    def address(self) -> str:
+        return f"http://127.0.0.1:{self.server_port}"
+
+
+class Handler(http.server.BaseHTTPRequestHandler):
+    server: Mirror
+
+    def do_GET(self) -> None:
+        self.server.asked.append(self.path)
+        body = self.server.files.get(self.path)
+        self.send_response(200 if body is not None else 404)
+        self.end_headers()
+        self.wfile.write(body or b"")
+
+    def log_message(self, format: str, *args: object) -> None:
+        pass
+
+
+@pytest.fixture
+def mirror(monkeypatch: pytest.MonkeyPatch) -> Iterator[Mirror]:
+    for name in ("no_proxy", "NO_PROXY"):
+        monkeypatch.setenv(name, "127.0.0.1")
+    with Mirror(("127.0.0.1", 0), Handler) as server:
+        lists = RELEASE.format(**FACTS).encode()
+        server.files, server.asked = {path: lists for paths in PATHS.values() for path in paths}, []
+        server.files[SYNC] = b"Suite: noble\nDate: Fri, 20 Nov 2026 21:14:09 UTC\n"
+        threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.01}, daemon=True).start()
+        yield server
+        server.shutdown()
+
+
+def without_apt(text: str) -> str:
+    """A matrix whose omega has its system's own ROS."""
+    apt = "default_stack: cpu\n    apt: {channel: snapshot, date: 2026-11-01}\n"
+    text = changed(apt, "default_stack: cpu\n", text)
+    named = "packages: ros-{ros_distro}-{metapackage}\n    components: [core, base]\n    default_stack: cpu"
+    return changed(named, named.replace("-{ros_distro}", ""), text)
+
+
+def at(address: str) -> Matrix:
+    """A matrix with a live row, one from wheels, and omega, whose ROS is the system's own."""
+    text = changed("    codename: resolute\n", "", WHEELS.replace("http://ros.test", address))
+    return parse(without_apt(text)).matrix
+
+
+@dataclass
+class Machine:
+    """Asks of when packages are. The base images have `sources`, by system."""
+
+    services: Services
+    sources: dict[str, str] = field(default_factory=dict)
+
+    def name(self, address: str, text: str = SOURCES) -> None:
+        """Has all base images name the archive at an address."""
+        self.sources = {system: text.format(address=address, suite=suite) for system, suite in SYSTEMS.items()}
+
+    def state(self, matrix: Matrix, row: str, environ: Mapping[str, str] | None = None) -> str:
+        return package_state.state(self.services, matrix, row, environ or {})
+
+    def repositories(self, matrix: Matrix, row: str, state: str) -> list[tuple[str, str]]:
+        return package_state.repositories(self.services, matrix, row, state)
+
+
+@pytest.fixture
+def machine(tmp_path: Path, mirror: Mirror, monkeypatch: pytest.MonkeyPatch) -> Machine:
+    """One whose base images name the local replacement."""
+    found = Machine(Services.load(tmp_path, required=False))
+    found.name(mirror.address)
+
+    def sources(_services: object, _systems: object, system: str) -> tuple[apt_sources.Source, ...]:
+        return apt_sources.parse({"etc/apt/sources.list": found.sources[system]}, system)
+
+    monkeypatch.setattr(apt_sources, "sources", sources)
+    return found
+
+
+@pytest.mark.parametrize("row", ROWS)
+def test_another_list_of_packages_is_another_state(machine: Machine, mirror: Mirror, row: str) -> None:
+    """Of the release, its updates and its security, for either architecture; wherever a row's ROS is from, its images have
+    packages of the system."""
+    matrix, paths = at(mirror.address), PATHS[ROWS[row]]
+    before = machine.state(matrix, row)
+    assert f"debian {ROWS[row]} " in before
+    assert sorted(mirror.asked) == sorted([*paths, *([SYNC] if row == "alpha" else [])])
+    for path, what in itertools.product(paths, ("amd64", "arm64", "universe")):
+        whole = mirror.files[path]
+        mirror.files[path] = RELEASE.format(**FACTS | {what: "d" * 64}).encode()
+        assert machine.state(matrix, row) != before, (path, what)
+        mirror.files[path] = whole
+        assert machine.state(matrix, row) == before
+
+
+def test_the_state_of_an_archive_is_the_same_on_every_machine(machine: Machine, mirror: Mirror) -> None:
+    """Records compare it, of images that were built on other architectures, whose base image names other addresses."""
+    matrix = at(mirror.address)
+    lists = " ".join(["a" * 64, "b" * 64, "f" * 64])
+    digest = hashlib.sha256(" ".join([lists] * 3).encode()).hexdigest()[:16]
+    assert machine.state(matrix, "omega") == f"debian bookworm {digest}"
+    machine.name(f"{mirror.address}/ports")
+    mirror.files = {f"/ports{path}": body for path, body in mirror.files.items()}
+    assert machine.state(matrix, "omega") == f"debian bookworm {digest}"
+
+
+@pytest.mark.parametrize("row", ROWS)
+def test_another_date_alone_is_none(machine: Machine, mirror: Mirror, row: str) -> None:
+    """Nor are the lists of packages that no image is installed from."""
+    before = machine.state(at(mirror.address), row)
+    later = RELEASE.format(**FACTS | {"date": "Sun, 22 Nov 2026 16:00:00 UTC", "other": "e" * 64}).encode()
+    mirror.files |= {path: later for paths in PATHS.values() for path in paths}
+    assert machine.state(at(mirror.address), row) == before
+
+
+def test_components_are_those_that_the_source_names(machine: Machine, mirror: Mirror) -> None:
+    machine.name(mirror.address, SOURCES.replace("main universe", "main contrib").replace("-updates main", "-updates"))
+    before = machine.state(at(mirror.address), "omega")
+    path = PATHS["bookworm"][0]
+    whole = mirror.files[path]
+    mirror.files[path] = whole.replace(b"contrib/binary-amd64/Packages\n", b"contrib/binary-amd64/Packages.gz\n")
+    mirror.files[path] += b" " + b"e" * 64 + b" 1 contrib/binary-amd64/Packages\n"
+    assert machine.state(at(mirror.address), "omega") != before
+    mirror.files[path] = whole.replace(b"f" * 64, b"e" * 64)
+    assert machine.state(at(mirror.address), "omega") == before
+
+
+def test_backports_do_not_count(machine: Machine, mirror: Mirror) -> None:
+    """apt installs nothing from there on its own; unless their Release file says otherwise."""
+    matrix, path = at(mirror.address), "/debian/dists/bookworm-backports/Release"
+    before = machine.state(matrix, "omega")
+    machine.name(mirror.address, "deb {address}/debian {suite}-backports main\n" + SOURCES)
+    for packages in ("d", "e"):
+        lists = RELEASE.format(**FACTS | {"amd64": packages * 64}).encode()
+        mirror.files[path] = b"NotAutomatic: yes\nButAutomaticUpgrades: yes\n" + lists
+        assert machine.state(matrix, "omega") == before
+    assert path in mirror.asked
+    mirror.files[path] = b"NotAutomatic: no\n" + lists
+    assert machine.state(matrix, "omega").startswith("debian bookworm-backports ")
+
+
+def test_a_flat_repository(machine: Machine, mirror: Mirror) -> None:
+    """Without components: its lists are beside its Release file. It says no origin."""
+    machine.name(mirror.address, "deb {address}/flat ./\ndeb {address} more/\n")
+    for path in ("/flat/Release", "/more/Release"):
+        mirror.files[path] = f"SHA256:\n {'a' * 64} 12 Packages\n {'b' * 64} 1 main/binary-amd64/Packages\n".encode()
+    digest = hashlib.sha256(" ".join(["a" * 64] * 2).encode()).hexdigest()[:16]
+    assert machine.state(at(mirror.address), "omega") == f"apt ./ {digest}"
+
+
+@pytest.mark.parametrize(("row", "path"), EVERY)
+@pytest.mark.parametrize(
+    ("body", "words"),
+    [
+        (None, r"does not answer \(HTTP Error 404"),
+        (b"Origin: Debian\n", "names no lists of packages"),
+        (b"\xff", "names"),
+    ],
+)
+def test_what_is_not_there_is_an_error(
+    machine: Machine, mirror: Mirror, row: str, path: str, body: bytes | None, words: str
+) -> None:
+    """And no state, as which it would have everything built anew."""
+    mirror.files.pop(path)
+    if body is not None:
+        mirror.files[path] = body
+    with pytest.raises(RosmlError, match=words) as caught:
+        machine.state(at(mirror.address), row)
+    assert path in caught.value.message and caught.value.remedy
+
+
+@pytest.mark.parametrize("scheme", ["http", "https"])
+def test_a_mirror_is_asked_in_the_place_of_the_archive(machine: Machine, mirror: Mirror, scheme: str) -> None:
+    matrix = at(mirror.address)
+    before = machine.state(matrix, "omega")
+    machine.name(f"{scheme}://debian.test")
+    mirror.files = {f"/debian.test{path}": body for path, body in mirror.files.items()}
+    assert machine.state(matrix, "omega", {"OS_APT_MIRROR": f"{mirror.address}/"}) == before
+    with pytest.raises(RosmlError, match="OS_APT_MIRROR is not an address") as caught:
+        machine.state(matrix, "omega", {"OS_APT_MIRROR": "nowhere"})
+    assert caught.value.exit_code == 2
+
+
+def test_nobody_who_answers(machine: Machine, mirror: Mirror) -> None:
+    """A password in the base image's sources is not told."""
+    machine.name("http://user:secret@127.0.0.1:1")
+    for environ in ({}, {"OS_APT_MIRROR": "http://127.0.0.1:1"}):
+        with pytest.raises(RosmlError, match="does not answer") as caught:
+            machine.state(at(mirror.address), "omega", environ)
+        assert "secret" not in caught.value.message
+
+
+def test_each_repository_has_its_own_state(machine: Machine, mirror: Mirror, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As the provenance of an image names them; the build fails where ROS's is of another date by then."""
+    matrix = at(mirror.address)
+    found = machine.state(matrix, "alpha")
+    ros, archive = found.split(", ")
+    assert package_state.ros_date(found) == package_state.ros_date(DATE) == ros == DATE
+    archives = [(f"{mirror.address}/{name}", archive) for name in ("debian", "debian-security")]
+    assert machine.repositories(matrix, "alpha", found) == [(f"{mirror.address}/ros2/ubuntu", DATE), *archives]
+    own = machine.state(matrix, "omega")
+    assert package_state.ros_date(own) == package_state.ros_date("") == ""
+    machine.name("http://user:secret@debian.test")
+    assert machine.repositories(matrix, "omega", own) == [
+        ("http://debian.test/debian", own),
+        ("http://debian.test/debian-security", own),
+    ]
+    assert machine.repositories(matrix, "omega", "") == []
+    machine.sources["ubuntu-24.04"] = "deb nothing\n"
+    assert machine.repositories(matrix, "alpha", found) == [(f"{mirror.address}/ros2/ubuntu", DATE)]
+
+
+def test_a_base_image_without_an_archive_that_can_be_asked(machine: Machine, mirror: Mirror) -> None:
+    """ROS's own repository decides alone."""
+    machine.name(mirror.address, "deb cdrom:[Debian 12]/ {suite} main\n")
+    assert machine.state(at(mirror.address), "alpha") == DATE
+    assert machine.state(at(mirror.address), "sigma") == ""
+    assert mirror.asked == [SYNC]

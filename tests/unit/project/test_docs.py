@@ -1,0 +1,266 @@
+"""The documentation: no broken link or anchor, neither on a forge nor on the site, which asks no other host for anything;
+and files that it describes are as it says."""
+
+from __future__ import annotations
+
+import json
+import re
+import urllib.parse
+from collections.abc import Iterator
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+from conftest import ROOT
+
+from rosml.base.errors import RosmlError
+from rosml.images.catalogue import readme
+from rosml.images.image_set import locked
+from rosml.images.image_set.model import ImageSet
+from scripts import docs
+from tests.pages import Block, blocks, pages
+
+PAGES = pages()
+
+
+def prose(text: str) -> str:
+    """A page without its code."""
+    return re.sub(r"`[^`\n]*`", "", re.sub(r"^ *```.*?^ *```", "", text, flags=re.MULTILINE | re.DOTALL))
+
+
+def links(page: Path) -> list[str]:
+    """What a page links to, with the text of links left out, and pictures."""
+    return re.findall(r"\]\(([^)\s]+)\)", prose(page.read_text()))
+
+
+def anchors(page: Path) -> set[str]:
+    """The anchors of a page's headings, as forges make them."""
+    found: dict[str, int] = {}
+    text = re.sub(r"^ *```.*?^ *```", "", page.read_text(), flags=re.MULTILINE | re.DOTALL)
+    for heading in re.findall(r"^#+ (.*)$", text, re.MULTILINE):
+        words = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading).strip().lower()
+        slug = re.sub(r"[^\w\- ]", "", words).replace(" ", "-")
+        found[slug] = found.get(slug, -1) + 1
+    return {slug if not number else f"{slug}-{number}" for slug, last in found.items() for number in range(last + 1)}
+
+
+def broken(page: Path, link: str) -> str:
+    """What is wrong with a link; nothing where it is right."""
+    path, _, anchor = link.partition("#")
+    if "://" in link:
+        address = urllib.parse.urlsplit(link)
+        right = address.scheme == "https" and re.fullmatch(r"[\w-]+(\.[\w-]+)+", address.netloc)
+        return "" if right else "no https address"
+    target = (page.parent / path).resolve() if path else page
+    if not target.is_relative_to(ROOT) or not target.is_file():
+        return "no such file"
+    if anchor and (target.suffix != ".md" or anchor not in anchors(target)):
+        return f"no heading for #{anchor}"
+    return ""
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_no_link_is_broken(page: Path) -> None:
+    assert {link: wrong for link in links(page) if (wrong := broken(page, link))} == {}
+
+
+@pytest.mark.parametrize(
+    ("link", "wrong"),
+    [
+        ("docs/nothing.md", "no such file"),
+        ("../x", "no such file"),
+        ("docs", "no such file"),
+        ("docs/contract.md#start", ""),
+        ("docs/contract.md#stop", "no heading for #stop"),
+        ("#images", ""),
+        ("#nothing", "no heading for #nothing"),
+        ("http://example.org/", "no https address"),
+        ("https://example", "no https address"),
+        ("https://example.org/a#b", ""),
+    ],
+)
+def test_a_broken_link_is_found(link: str, wrong: str) -> None:
+    assert broken(ROOT / "README.md", link) == wrong
+
+
+# ---- The site --------------------------------------------------------------------------------------------------------
+
+
+class Reader(HTMLParser):
+    """The anchors of a page, what it links to, and what a browser fetches for it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.ids: set[str] = set()
+        self.links: list[str] = []
+        self.fetched: list[str] = []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        found = {name: value or "" for name, value in attrs}
+        self.ids.add(found.get("id", ""))
+        if tag == "a" and "href" in found:
+            self.links.append(found["href"])
+        elif "src" in found or ("href" in found and tag == "link" and found.get("rel") != "canonical"):
+            self.fetched.append(found.get("src") or found["href"])
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> dict[Path, Reader]:
+    """Every page of the site, read."""
+    folder = tmp_path_factory.mktemp("docs")
+    assert docs.main.main(["--output", str(folder)], standalone_mode=False) is None
+    found = {}
+    for file in (folder / "site").rglob("*.html"):
+        found[file] = Reader()
+        found[file].feed(file.read_text())
+    return found
+
+
+def test_the_site_is_built(site: dict[Path, Reader]) -> None:
+    names = {f"{file.parent.name}/{file.name}" for file in site}
+    assert {f"site/{name}.html" for name in ("index", "SECURITY", "CONTRIBUTING")} <= names
+    assert len(site) >= len(PAGES)
+
+
+def test_every_link_on_the_site_leads_somewhere(site: dict[Path, Reader]) -> None:
+    wrong = []
+    for file, page in site.items():
+        for link in page.links:
+            path, _, anchor = link.partition("#")
+            if "://" in link or file.name == "404.html":
+                continue
+            target = (file.parent / urllib.parse.unquote(path)).resolve() if path else file
+            if target.is_dir():
+                target /= "index.html"
+            known = site[target].ids | {""} if target in site else {""}
+            if not target.is_file() or anchor not in known | {"__top"}:
+                wrong.append((file.name, link))
+    assert wrong == []
+
+
+def test_the_site_asks_no_other_host(site: dict[Path, Reader]) -> None:
+    assert [name for page in site.values() for name in page.fetched if re.match(r"(https?:)?//", name)] == []
+    root = next(file for file in site if file.name == "404.html").parent
+    styles = list(root.rglob("*.css"))
+    assert styles
+    assert [file.name for file in styles if re.search(r"(url\(|@import )[\"']?(https?:)?//", file.read_text())] == []
+
+
+def test_a_site_with_broken_links_is_not_built(tmp_path: Path) -> None:
+    """Files and headings that there are not, each told."""
+    docs.stage(ROOT, tmp_path)
+    gone = ("nothing.md", "../nothing.md", "contract.md#nothing")
+    with (tmp_path / "docs/docs/limits.md").open("a") as page:
+        page.write("".join(f"\n[gone]({link})\n" for link in gone))
+    with pytest.raises(RosmlError) as caught:
+        docs.build(tmp_path)
+    said = re.sub(r"\x1b\[[0-9;]*m", "", caught.value.message)
+    for link in gone:
+        assert f"[gone]({link})" in said
+    assert "Traceback" not in said
+
+
+def test_every_page_is_in_the_navigation() -> None:
+    def leaves(node: Any) -> Iterator[str]:
+        if isinstance(node, str):
+            yield node
+        for inner in node.values() if isinstance(node, dict) else node if isinstance(node, list) else ():
+            yield from leaves(inner)
+
+    text = re.sub(r"!!python/\S+", "", (ROOT / "mkdocs.yml").read_text())
+    nav = list(leaves(yaml.safe_load(text)["nav"]))
+    assert sorted(nav) == sorted({str(page.relative_to(ROOT)) for page in PAGES})
+
+
+# ---- What pages say --------------------------------------------------------------------------------------------------
+
+
+def test_the_readme_fits_on_two_screens_before_its_tables() -> None:
+    head, table, _ = (ROOT / "README.md").read_text().partition("\n| you have |")
+    assert table
+    assert head.count("\n") <= 120
+
+
+def test_the_readme_says_which_images_of_its_table_lack_a_lock(real: ImageSet, small: ImageSet) -> None:
+    """Right below the table that people choose from, and by what is locked now; nothing where all of them are."""
+    page = readme.render((ROOT / "README.md").read_text(), real)
+    text = page.partition(readme.BEGIN)[2].partition("\n| distribution |")[0]
+    lacking = {(i.repository, i.stack, i.distribution) for i in real.images if not i.locked}
+    assert lacking, "then the sentence is not there"
+    for repository, stack, distribution in lacking:
+        (line,) = [line for line in text.splitlines() if line.startswith(f"- `{repository}:<d>-<c>-{stack}`: ")]
+        assert distribution in re.split(r": |, | and ", line)
+    assert text.count("\n- ") == len({(repository, stack) for repository, stack, _ in lacking})
+    whole = locked.with_locks(small, small.locks)
+    assert "cannot be built" not in readme.tables(whole)
+
+
+def test_the_readme_says_which_distributions_lack_an_image(real: ImageSet) -> None:
+    """Its table of frameworks is for all distributions but those that the sentence below it names."""
+    table, _, rest = (ROOT / "README.md").read_text().partition("\nNot for every `<d>`: ")
+    said = rest.partition("\n\n")[0]
+    wanted = re.findall(r"`(ros-\w+):<d>-<c>-(\w+)`", table.rpartition("| you have |")[2])
+    assert len(wanted) >= 7
+    there = {(image.distribution, image.repository, image.stack) for image in real.images}
+    lacking = {name for name in real.matrix.distributions for tag in wanted if (name, *tag) not in there}
+    assert set(re.findall(r"[\w-]+", said)) & real.matrix.distributions.keys() == lacking
+    for stack in ("cu121", "cpu38"):
+        assert {name for name, repository, other in there if (repository, other) == ("ros-torch", stack)} <= lacking
+        assert f"`{stack}`" in said
+
+
+def titled(name: str) -> Iterator[Block]:
+    return (block for page in PAGES for block in blocks(page) if block.title == name)
+
+
+@pytest.mark.parametrize("name", [".github/workflows/test.yml", ".gitlab-ci.yml", "compose.yaml"])
+def test_yaml_of_the_documentation_is_yaml(name: str, real: ImageSet) -> None:
+    [block] = titled(name)
+    content = yaml.safe_load(block.text)
+    assert isinstance(content, dict)
+    [image] = re.findall(r"(?:image|container): \S*/(ros\S*)", block.text)
+    assert image in tags(real)
+
+
+def test_the_workflow_of_the_documentation_can_pull_private_packages() -> None:
+    """Packages that a repository publishes are private at first: its token has to be sent, and may read them."""
+    [block] = titled(".github/workflows/test.yml")
+    workflow = yaml.safe_load(block.text)
+    assert workflow["permissions"] == {"contents": "read", "packages": "read"}
+    [job] = workflow["jobs"].values()
+    assert job["container"]["credentials"] == {"username": "${{ github.actor }}", "password": "${{ github.token }}"}
+
+
+def test_a_dev_container_is_json() -> None:
+    [block] = titled(".devcontainer/devcontainer.json")
+    assert json.loads(block.text)["workspaceFolder"].startswith("/docker-ros/ws")
+
+
+def tags(image_set: ImageSet) -> set[str]:
+    return {tag for image in image_set.images for tag in image.tags}
+
+
+def test_every_image_that_a_page_builds_on_is_one_that_there_is(real: ImageSet) -> None:
+    found = [
+        (block.page, image)
+        for page in PAGES
+        for block in blocks(page)
+        for image in re.findall(r"^FROM <registry>/(\S+)", block.text, re.MULTILINE)
+    ]
+    assert len(found) >= 3
+    assert [item for item in found if item[1] not in tags(real)] == []
+
+
+def test_old_tags_lead_to_tags_that_there_are(real: ImageSet) -> None:
+    """The right columns of the page about moving from other images."""
+    rows = re.findall(r"^\| (`.*?) \| (.*) \|$", (ROOT / "docs/migrate.md").read_text(), re.MULTILINE)
+    assert len(rows) > 15
+    known, repository = tags(real), ""
+    for _, new in rows:
+        if new.startswith("none"):
+            continue
+        for tag in re.findall(r"`([^`]+)`", new):
+            repository = tag.partition(":")[0] if ":" in tag else repository
+            assert (tag if ":" in tag else f"{repository}:{tag}") in known, new

@@ -1,0 +1,421 @@
+"""`rosml run --export`: what would run, as a file for docker compose or for an editor, says what `--dry-run` says."""
+
+from __future__ import annotations
+
+import json
+import os
+import shlex
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import click
+import pytest
+import yaml
+from desks import BARE, OTHER, OURS, Desk
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from rosml.base.errors import RosmlError
+from rosml.cli.run import run
+from rosml.run import compose, devcontainer, export, plugins, words
+from rosml.run.context import Context, Engine, Host, Image, Person
+from rosml.run.words import split
+
+ME = Person(1234, 5678, "jo", "/home/jo/robot", "Europe/Berlin")
+OWN = [name for option in run.main.get_params(click.Context(run.main)) for name in option.opts if name.startswith("--")]
+QUIET = ("--no-tz", "--no-it", "--no-user")
+DOCKER, ROOTLESS = Engine(), Engine(rootless=True)
+PODMAN = Engine("podman", podman=True, rootless=True)
+
+
+def call(
+    *line: str,
+    kind: str = "compose",
+    ours: bool = True,
+    engine: Engine = DOCKER,
+    host: Host = BARE,
+    trusted: bool = True,
+    labels: Mapping[str, str] = {},
+) -> export.Call:
+    """What would run of a command line that has an image."""
+    variables = dict(entry.partition("=")[::2] for entry in (OURS if ours else OTHER))
+    context = export.lasting(
+        Context(split(line, OWN), engine, ME, Image(environment=variables, labels=labels), host, trusted)
+    )
+    if kind == "devcontainer":
+        context = devcontainer.bare(context)
+    return export.call(context, plugins.plan(context).argv)
+
+
+def service(*line: str, **facts: Any) -> dict[str, Any]:
+    """The service of compose."""
+    (found,) = yaml.safe_load(compose.text(call(*line, **facts)))["services"].values()
+    return dict(found)
+
+
+def container(*line: str, **facts: Any) -> dict[str, Any]:
+    """The file for editors."""
+    return dict(json.loads(devcontainer.text(call(*line, kind="devcontainer", **facts))))
+
+
+def test_time_to_save_is_in_the_file() -> None:
+    """An editor replaces the entrypoint, which would hand a stop on."""
+    label = {"io.rosml.component": "base"}
+    assert service(*QUIET, "me/ros", labels=label)["stop_grace_period"] == "30s"
+    assert "--stop-timeout=30" not in container(*QUIET, "me/ros", labels=label).get("runArgs", [])
+
+
+# ---- Compose ---------------------------------------------------------------------------------------------------------
+
+
+def test_a_whole_file_for_compose() -> None:
+    """The folder is where the file is, so that it can be moved; files that are written belong to whoever exported it."""
+    found = yaml.safe_load(
+        compose.text(call("--mws", "--rm", "-d", "-v", "data:/data", "me/ros:jazzy", "colcon", "build"))
+    )
+    assert found == {
+        "services": {
+            "robot": {
+                "image": "me/ros:jazzy",
+                "stdin_open": True,
+                "tty": True,
+                "labels": {"io.rosml.run.folder": "/home/jo/robot"},
+                "environment": {"DOCKER_UID": "1234", "DOCKER_GID": "5678", "DOCKER_USER": "jo", "TZ": "Europe/Berlin"},
+                "volumes": [
+                    {
+                        "type": "bind",
+                        "source": ".",
+                        "target": "/docker-ros/ws/src/target",
+                        "bind": {"create_host_path": False},
+                    },
+                    "data:/data",
+                ],
+                "command": ["colcon", "build"],
+            }
+        },
+        "volumes": {"data": {"name": "data"}},
+    }
+
+
+@pytest.mark.parametrize(
+    ("written", "expected"),
+    [
+        (["-e", "A=1", "-e", "A=2", "-e", "B"], {"environment": {"A": "2", "B": None}}),
+        (["-v", "./bags:/bags:ro", "-v", "/x:/y"], {"volumes": ["./bags:/bags:ro", "/x:/y"]}),
+        (["-v", "/home/jo/robot2:/x", "-v", "/x"], {"volumes": ["/home/jo/robot2:/x", "/x"]}),
+        (["--mount", "src=vol,dst=/v,ro"], {"volumes": [{"type": "volume", "source": "vol", "target": "/v", "read_only": True}]}),
+        (
+            ["--mount", "type=tmpfs,target=/t,tmpfs-mode=1777"],
+            {"volumes": [{"type": "tmpfs", "target": "/t", "tmpfs": {"mode": 0o1777}}]},
+        ),
+        (["--network", "host", "--net=none"], {"network_mode": "none"}),
+        (["--network=robots"], {"networks": {"robots": {}}}),
+        (["-w", "/a", "--workdir=/b", "-u0"], {"working_dir": "/b", "user": "0"}),
+        (["--device", "nvidia.com/gpu=all", "--device=/dev/video0"], {"devices": ["nvidia.com/gpu=all", "/dev/video0"]}),
+        (["--group-add", "44", "--group-add", "44"], {"group_add": ["44"]}),
+        (["--shm-size=8g", "--ipc", "host", "--memory=1g"], {"shm_size": "8g", "ipc": "host", "mem_limit": "1g"}),
+        (["--ulimit", "rtprio=99", "--ulimit=memlock=-1:-1"], {"ulimits": {"rtprio": 99, "memlock": {"soft": -1, "hard": -1}}}),
+        (["--privileged", "--init=false", "-it"], {"privileged": True, "init": False, "stdin_open": True, "tty": True}),
+        (["--cap-add", "SYS_NICE", "--security-opt", "seccomp=unconfined"], {"cap_add": ["SYS_NICE"], "security_opt": ["seccomp=unconfined"]}),
+        (["-p", "22:22", "--expose", "80"], {"ports": ["22:22"], "expose": ["80"]}),
+        (["--log-driver=local", "--log-opt", "max-size=1m"], {"logging": {"driver": "local", "options": {"max-size": "1m"}}}),
+        (["--health-cmd", "curl x", "--health-interval=5s"], {"healthcheck": {"test": "curl x", "interval": "5s"}}),
+        (["--env-file", "./a", "--stop-timeout=5"], {"env_file": [{"path": "./a", "format": "raw"}], "stop_grace_period": "5s"}),
+        (["--env-file", "/home/jo/robot/a"], {"env_file": [{"path": "./a", "format": "raw"}]}),
+        (["--label-file", "a", "--label-file=../b"], {"label_file": ["./a", "/home/jo/b"]}),
+        (["--restart=no", "--name=x", "--userns=host"], {"restart": "no", "container_name": "x", "userns_mode": "host"}),
+        (["--entrypoint", "a b", "--volumes-from=other"], {"entrypoint": ["a b"], "volumes_from": ["container:other"]}),
+    ],
+)  # fmt: skip
+def test_an_option_as_compose_has_it(written: list[str], expected: dict[str, Any]) -> None:
+    assert service(*QUIET, *written, "x").items() >= expected.items()
+
+
+@pytest.mark.parametrize(
+    ("asked", "expected"),
+    [
+        ("all", {"count": "all"}),
+        ("2", {"count": 2}),
+        ("device=0", {"device_ids": ["0"]}),
+        ('"device=0,1"', {"device_ids": ["0", "1"]}),
+        ('all,"capabilities=utility,compute"', {"count": "all", "capabilities": ["gpu", "utility", "compute"]}),
+    ],
+)
+def test_gpus_of_compose(asked: str, expected: dict[str, Any]) -> None:
+    (found,) = service("--gpus", asked, "x")["deploy"]["resources"]["reservations"]["devices"]
+    assert found == {"driver": "nvidia", "capabilities": ["gpu"], **expected}
+
+
+def test_networks_and_volumes_are_those_that_the_engine_has() -> None:
+    """Compose would put the project's name before theirs."""
+    found = yaml.safe_load(
+        compose.text(call("--network=robots", "-v", "data:/d", "--mount", "src=more,dst=/m", "-v", ".:/x", "x"))
+    )
+    assert found["networks"] == {"robots": {"name": "robots", "external": True}}
+    assert found["volumes"] == {"data": {"name": "data"}, "more": {"name": "more"}}
+
+
+VALUES = {"gpus": "device=78", "mount": "source=78,target=/x", "cgroupns": "private", "pull": "missing"}
+
+
+@pytest.mark.parametrize("name", sorted(words.table().names - {*export.OF_A_CALL}))
+def test_no_option_gets_lost(name: str) -> None:
+    """It is in the file, or an error names it; a terminal and an entrypoint are the editor's."""
+    value = VALUES.get(name, "78=9") if name in words.table().values else ""
+    option = f"--{name}={value}" if value else f"--{name}"
+    try:
+        assert service(*QUIET, option, "x") != service(*QUIET, "x")
+        assert ("78" if "78" in value else value) in compose.text(call(*QUIET, option, "x"))
+    except RosmlError as error:
+        assert error.message.startswith(f"--{name}") and error.remedy
+    if name not in ("entrypoint", *devcontainer.DROPPED):
+        assert container(*QUIET, option, "x") != container(*QUIET, "x")
+        assert ("78" if "78" in value else value) in json.dumps(container(*QUIET, option, "x"))
+
+
+@pytest.mark.parametrize("name", export.OF_A_CALL)
+def test_what_is_of_one_call(name: str) -> None:
+    option = f"--{name}" + ("=78" if name in words.table().values else "")
+    assert service(*QUIET, option, "x") == service(*QUIET, "x")
+    assert container(*QUIET, option, "x") == container(*QUIET, "x")
+
+
+@pytest.mark.parametrize(
+    ("written", "named"),
+    [
+        (["--blkio-weight", "5"], "--blkio-weight"),
+        (["--brand-new=5"], "--brand-new"),
+        (["-P"], "--publish-all"),
+        (["--pull=newer"], "--pull=newer"),
+        (["--network", "name=x,alias=y"], "--network name=x"),
+        (["--mount", "type=bind,source=/a,target=/b,bind-nonrecursive"], "bind-nonrecursive of --mount"),
+        (["--gpus", "all,options=x"], "options of --gpus"),
+    ],
+)
+def test_an_option_that_compose_does_not_have(written: list[str], named: str) -> None:
+    with pytest.raises(RosmlError, match="has no counterpart in a file of compose") as caught:
+        compose.text(call(*written, "x"))
+    assert caught.value.message.startswith(named) and "leave out" in caught.value.remedy
+
+
+def test_quotes_that_do_not_close() -> None:
+    with pytest.raises(RosmlError, match="quotes do not close"):
+        compose.text(call("--mount", '"type=bind', "x"))
+
+
+TEXT = st.text(st.characters(exclude_categories=["Cs"], exclude_characters="\0"))
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.lists(TEXT), TEXT)
+@example(["$HOME", "$$"], "a ${b}")
+def test_words_are_the_same_in_the_file(command: list[str], value: str) -> None:
+    """`$`, quotes, spaces, numbers and letters of any language; compose reads two `$` as one."""
+    found = service("-e", f"A={value}", "x", *command)
+    assert [word.replace("$$", "$") for word in found.get("command", [])] == command
+    assert found["environment"]["A"].replace("$$", "$") == value
+    assert "$" not in found["environment"]["A"].replace("$$", "")
+    assert container("-e", f"A={value}", "x")["containerEnv"]["A"] == value
+
+
+def test_what_another_reader_of_yaml_takes_for_a_number() -> None:
+    text = compose.text(call("x", "1e3", "0o7", "no", "~", "0x1", ".5", "1:30", "-1"))
+    assert [line for line in text.splitlines() if line.startswith("    - ") and line[6] not in "\"'"] == []
+
+
+# ---- Editors ---------------------------------------------------------------------------------------------------------
+
+
+def test_a_whole_file_for_editors() -> None:
+    """The editor's command is in the place of the entrypoint: the bare ids run, and the group 0 writes to the workspace."""
+    line = [
+        "--mws",
+        "-it",
+        "--rm",
+        "-v",
+        "./bags:/bags",
+        "-e",
+        "ROBOT",
+        "--privileged",
+        "--gpus",
+        "all",
+        "me/ros:jazzy",
+    ]
+    assert container(*line) == {
+        "name": "robot",
+        "image": "me/ros:jazzy",
+        "workspaceMount": "type=bind,source=${localWorkspaceFolder},target=/docker-ros/ws/src/target",
+        "workspaceFolder": "/docker-ros/ws/src/target",
+        "containerUser": "1234:5678",
+        "updateRemoteUserUID": False,
+        "containerEnv": {
+            "HOME": "/tmp",
+            "USER": "jo",
+            "LOGNAME": "jo",
+            "TZ": "Europe/Berlin",
+            "ROBOT": "${localEnv:ROBOT}",
+        },
+        "privileged": True,
+        "securityOpt": ["no-new-privileges"],
+        "runArgs": [
+            "--label=io.rosml.run.folder=${localWorkspaceFolder}",
+            "--group-add=0",
+            "--volume=${localWorkspaceFolder}/bags:/bags",
+            "--gpus=all",
+        ],
+    }
+
+
+@pytest.mark.parametrize(
+    ("written", "folder", "others"),
+    [
+        ([], None, []),
+        (["--mwd"], "/home/jo/robot", []),
+        (["-v", ".:/ws"], "/ws", []),
+        (["--mount", "type=bind,src=.,dst=/ws"], "/ws", []),
+        (["-v", ".:/ws:ro"], None, []),
+        (["--mwd", "--mws"], "/home/jo/robot", ["type=bind,source=${localWorkspaceFolder},target=/docker-ros/ws/src/target"]),
+        (["--mount", "type=bind,src=./a,dst=/a"], None, ["type=bind,source=${localWorkspaceFolder}/a,target=/a"]),
+    ],
+)  # fmt: skip
+def test_the_folder_that_is_opened(written: list[str], folder: str | None, others: list[str]) -> None:
+    found = container(*written, "x")
+    assert found.get("workspaceFolder") == folder and ("workspaceMount" in found) == (folder is not None)
+    assert found.get("mounts", []) == others
+
+
+@pytest.mark.parametrize(
+    ("facts", "written", "user", "group"),
+    [
+        ({}, [], "1234:5678", True),
+        ({"ours": False}, [], "1234:5678", False),
+        ({"trusted": False}, [], "1234:5678", False),
+        ({}, ["--user", "robot"], "robot", False),
+        ({}, ["--no-user"], None, False),
+        ({"engine": ROOTLESS}, [], "root", False),
+        ({"engine": PODMAN}, [], "1234:5678", True),
+    ],
+)
+def test_who_runs_in_an_editor(facts: dict[str, Any], written: list[str], user: str | None, group: bool) -> None:
+    found = container(*written, "x", **facts)
+    assert found.get("containerUser") == user and ("--group-add=0" in found["runArgs"]) == group
+    assert ("--userns=keep-id" in found["runArgs"]) == (facts.get("engine") is PODMAN)
+    locked = ["no-new-privileges"] if user == "1234:5678" and "engine" not in facts else None
+    assert found.get("securityOpt") == locked
+    assert "DOCKER_UID" not in found.get("containerEnv", {})
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [(["x", "colcon", "build"], "such as colcon"), (["--entrypoint", "sh", "x"], "leave out --entrypoint")],
+)
+def test_what_an_editor_does_itself(line: list[str], says: str) -> None:
+    with pytest.raises(RosmlError) as caught:
+        container(*line)
+    assert says in f"{caught.value.message} {caught.value.remedy}"
+
+
+def test_places_of_this_machine_are_found_from_anywhere() -> None:
+    """And those of the container stay."""
+    files = container("--env-file", "../a", "--env-file=./b", "--label-file=/c", "x")["runArgs"]
+    assert files[-3:] == ["--env-file=/home/jo/a", "--env-file=${localWorkspaceFolder}/b", "--label-file=/c"]
+    mounts = container("-v", ".:/ws:ro", "-v", "/home/jo/robot/x", "-w", "/home/jo/robot", "x")["runArgs"]
+    assert mounts[-3:] == [
+        "--volume=${localWorkspaceFolder}:/ws:ro",
+        "--volume=/home/jo/robot/x",
+        "--workdir=/home/jo/robot",
+    ]
+
+
+# ---- What lasts ------------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def shown(tmp_path: Path) -> Host:
+    """A machine with a display."""
+    (tmp_path / "tmp/.X11-unix").mkdir(parents=True)
+    (tmp_path / "tmp/.X11-unix/X1").touch()
+    return Host(tmp_path, {"DISPLAY": ":1"}, connects=lambda address: True)
+
+
+def test_windows_are_those_of_whoever_starts_it(shown: Host) -> None:
+    """Not the cookie, nor today's display."""
+    found = service("x", host=shown)
+    assert found["environment"].items() >= {"DISPLAY": None, "QT_X11_NO_MITSHM": "1"}.items()
+    assert found["volumes"] == ["/tmp/.X11-unix:/tmp/.X11-unix"]
+    assert container("x", host=shown)["containerEnv"]["DISPLAY"] == "${localEnv:DISPLAY}"
+
+
+@pytest.mark.parametrize(
+    ("written", "display"),
+    [(["--no-x11"], ":1"), ([], ""), ([], "localhost:10.0"), ([], ":2"), (["-e", "DISPLAY=:7"], ":1")],
+)
+def test_no_windows(shown: Host, written: list[str], display: str) -> None:
+    found = service(*written, "x", host=replace(shown, environment={"DISPLAY": display}))
+    assert "volumes" not in found and found["environment"].get("DISPLAY") in (None, ":7")
+    assert "network_mode" not in found
+
+
+def test_the_agent_of_ssh_is_of_one_session() -> None:
+    with pytest.raises(RosmlError, match="--ssh-agent does not go with --export"):
+        call("--ssh-agent", "x")
+
+
+# ---- The command -----------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def desk(tmp_path: Path) -> Desk:
+    """A desk with docker, whose image `ours` is trusted."""
+    made = Desk(tmp_path)
+    made.engine()
+    made.trust(ours=True)
+    return made
+
+
+@pytest.mark.parametrize("option", [["--export", "compose"], ["--export=compose"]])
+def test_a_file_is_printed_and_nothing_runs(desk: Desk, option: list[str]) -> None:
+    done = desk.call(*option, "-e", "A=ü", "ours", "echo", "--export")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert yaml.safe_load(done.stdout)["services"]["dr"]["command"] == ["echo", "--export"]
+    assert {call[1] for call in desk.calls} == {"info", "image"}
+
+
+def test_it_says_what_a_dry_run_says(desk: Desk) -> None:
+    code, told = desk.on_a_terminal("--dry-run", "--no-name", "--mws", "--mwd", "-e", "A=b c", "ours", "ls", "-l")
+    exported = yaml.safe_load(desk.call("--export=compose", "--mws", "--mwd", "-e", "A=b c", "ours", "ls", "-l").stdout)
+    line = split(shlex.split(told.decode())[2:], ())
+    found = exported["services"]["dr"]
+    assert code == 0 and [*line.command] == found["command"] and line.image == found["image"]
+    assert dict(x.split("=", 1) for x in line.values("env")) == found["environment"]
+    assert line.value("workdir") == found["working_dir"] == str(desk.folder)
+    mounted = [dict(field.split("=") for field in mount.split(",")) for mount in line.values("mount")]
+    assert [mount["target"] for mount in mounted] == [mount["target"] for mount in found["volumes"]]
+    assert {*line.values("label")} == {f"{key}={value}" for key, value in found["labels"].items()}
+    assert {name for option in line.engine for name in option.names} == {
+        *("rm", "interactive", "tty", "label", "env", "mount", "workdir"), *(["user"] if "user" in found else []),
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        (["--export", "compose"], "--export needs an image"),
+        (["--export"], "the option --export lacks its value"),
+        (["--export", "helm", "ours"], "'helm' is not one of 'devcontainer', 'compose'"),
+        (["--export", "compose", "--check", "ours"], "--export does not go with --check"),
+        (["--export", "compose", "no/such:image"], "no image no/such:image here"),
+        (["--export", "compose", "--blkio-weight=5", "ours"], "--blkio-weight has no counterpart"),
+    ],
+)
+def test_a_call_that_is_wrong(desk: Desk, line: list[str], says: str) -> None:
+    done = desk.call(*line)
+    assert done.returncode == 125 and done.stdout == "" and says in done.stderr, done.stderr
+    assert "Traceback" not in done.stderr and not desk.called("run") and not desk.called("pull")
+
+
+def test_bytes_that_are_no_text() -> None:
+    with pytest.raises(RosmlError, match="is no text"):
+        call("x", os.fsdecode(b"\xff"))
