@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import ast
 import os
+import re
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -35,6 +37,19 @@ def test_imports_go_one_way() -> None:
     done = lint_imports(ROOT)
     if done.returncode:
         pytest.fail(done.stdout + done.stderr, pytrace=False)
+
+
+def test_the_picture_shows_the_layers_of_the_contracts() -> None:
+    contracts = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["importlinter"]["contracts"]
+    layers = {word for found in contracts for layer in found.get("layers", ()) for word in layer.split(" | ")}
+    order = [found["layers"] for found in contracts if "layers" in found]
+    picture = (ROOT / "docs/architecture.md").read_text().partition("```text\n")[2].partition("```")[0]
+    shown = re.findall(r"^ *(\w+(?:, \w+)*)  |│  (\w+) ", picture, re.MULTILINE)
+    names = [name for pair in shown for name in ", ".join(filter(None, pair)).split(", ")]
+    assert sorted(names) == sorted(layers)
+    for found in order:
+        places = [min(names.index(word) for word in layer.split(" | ")) for layer in found]
+        assert places == sorted(places), f"{names} are not in the order of {found}"
 
 
 def test_only_commands_print() -> None:

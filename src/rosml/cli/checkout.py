@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -57,6 +57,7 @@ class Group(click.Group):
 
     Attributes:
         kept: what is said after Ctrl-C, for all of them. elsewhere: words that people look for here, and where they are.
+        sections: titles in --help, and the names of the commands below each.
     """
 
     command_class = Command
@@ -68,10 +69,11 @@ class Group(click.Group):
         *arguments: Any,
         kept: str = command.INTERRUPTED_TEXT,
         elsewhere: Mapping[str, str] | None = None,
+        sections: Mapping[str, Iterable[str]] | None = None,
         **options: Any,
     ) -> None:
         super().__init__(*arguments, **{"context_settings": SETTINGS, **options})
-        self.kept, self.elsewhere = kept, elsewhere or {}
+        self.kept, self.elsewhere, self.sections = kept, elsewhere or {}, sections
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
@@ -79,6 +81,20 @@ class Group(click.Group):
         if args and args[0] in self.elsewhere:
             raise click.UsageError(f"No such command '{args[0]}'. It is: {self.elsewhere[args[0]]}", ctx)
         return super().resolve_command(ctx, args)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Lists the commands in their sections, each with its whole sentence."""
+        found = {name: command for name, command in sorted(self.commands.items()) if not command.hidden}
+        width = max(map(len, found), default=0)
+        for title, names in (self.sections or {"Commands": found}).items():
+            if rows := [(name.ljust(width), sentence(found[name])) for name in names if name in found]:
+                with formatter.section(title):
+                    formatter.write_dl(rows)
+
+
+def sentence(command: click.Command) -> str:
+    """What a list of commands says of one."""
+    return command.get_short_help_str(limit=1_000)
 
 
 def around() -> Path | None:

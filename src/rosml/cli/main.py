@@ -20,6 +20,32 @@ SETUP = {name: f"rosml setup {name}" for name in ("clean", "client", "down", "sc
 }
 
 
+SECTIONS = {
+    "Run images": {"run": "run.run", "attach": "run.attach"},
+    "Build images of your own packages": {"containerize": "containerize.containerize", "ci": "containerize.ci"},
+    "Find and build base images": {
+        "list": "images.listing",
+        "explain": "images.explain",
+        "image": "images.image",
+        "part": "images.part",
+        "join": "images.join",
+    },
+    "Publish base images": {
+        "plan": "images.plan",
+        "publish": "images.publish",
+        "status": "images.status",
+        "catalogue": "images.catalogue",
+        "locks": "images.locks",
+        "generate": "images.generate",
+        "diff": "images.diff",
+    },
+    "Set up this machine": {"setup": "machine.setup"},
+}
+"""The commands as --help shows them, and where each is in this package: a module with a `main`."""
+
+MODULES = {name: module for section in SECTIONS.values() for name, module in section.items()}
+
+
 class Rosml(Group):
     """The command, whose other commands need packages that may not be installed."""
 
@@ -32,7 +58,7 @@ class Rosml(Group):
         return super().resolve_command(ctx, args)
 
 
-@click.group(cls=Rosml, elsewhere=SETUP)
+@click.group(cls=Rosml, elsewhere=SETUP, sections=SECTIONS)
 @click.version_option(__version__, prog_name="rosml")
 def cli() -> None:
     """ROS base images with machine learning inside.
@@ -55,27 +81,6 @@ def cli() -> None:
     """
 
 
-MODULES = {
-    "attach": "run",
-    "catalogue": "images",
-    "ci": "containerize",
-    "containerize": "containerize",
-    "diff": "images",
-    "explain": "images",
-    "generate": "images",
-    "image": "images",
-    "join": "images",
-    "listing": "images",
-    "locks": "images",
-    "part": "images",
-    "plan": "images",
-    "publish": "images",
-    "run": "run",
-    "setup": "machine",
-    "status": "images",
-}
-"""The modules that have a command, `main` in each, and the package of this one that they are in."""
-
 QUICK = completion.OF_WORDS
 """Every shell in a container waits for them, and importing the others takes longer than all that they do themselves."""
 
@@ -89,7 +94,7 @@ def needed() -> Iterable[str]:
 
 
 for name in needed():
-    cli.add_command(import_module(f"rosml.cli.{MODULES[name]}.{name}").main)
+    cli.add_command(import_module(f"rosml.cli.{MODULES[name]}").main)
 
 
 def _absolute(path: str) -> str:

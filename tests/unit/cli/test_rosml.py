@@ -79,6 +79,17 @@ def test_each_has_its_help(words: str) -> None:
     assert "Usage: " in done.output and ALL[words].help
 
 
+@pytest.mark.parametrize("words", ["", *(name for name, command in ALL.items() if isinstance(command, click.Group))])
+def test_a_list_of_commands_has_one_whole_sentence_for_each(words: str) -> None:
+    done = CliRunner(env={"COLUMNS": "80"}).invoke(main.cli, [*words.split(), "--help"])
+    group = ALL[words] if words else main.cli
+    assert isinstance(group, click.Group)
+    for name, command in group.commands.items():
+        lines = re.findall(rf"^  {name}  +(\S.*)$", done.output, re.MULTILINE)
+        assert len(lines) == (0 if command.hidden else 1)
+        assert all(line.endswith(".") and len(line) > 20 for line in lines), lines
+
+
 def test_its_version(wheel: Path, tmp_path: Path) -> None:
     said = CliRunner().invoke(main.cli, ["--version"]).output
     assert said == installed(wheel, tmp_path, "--version").stdout == f"rosml, version {rosml.__version__}\n"

@@ -22,7 +22,7 @@ KEPT = "interrupted: finished steps are kept where the builder is; run the job a
 """What is said after Ctrl-C."""
 
 
-@click.group("ci", cls=Group, kept=KEPT)
+@click.group("ci", short_help="Builds images of a commit, for the CI files in containerize/.", cls=Group, kept=KEPT)
 def main() -> None:
     """What 'rosml containerize' is in CI: for the files in containerize/, which pass inputs as variables.
 
@@ -90,7 +90,7 @@ def build(out: Path) -> None:
     _done(images)
 
 
-@main.command(alone=True)
+@main.command(alone=True, short_help="Makes one index of the images for several platforms.")
 @click.argument("folder", type=click.Path(exists=True, file_okay=False, path_type=Path))
 def index(folder: Path) -> None:
     """Makes an index of what the jobs for one platform each left in FOLDER, and moves the tags to it."""

@@ -49,7 +49,9 @@ def _services() -> Services:
     return services
 
 
-@click.command("containerize", cls=Command, alone=True, kept=KEPT)
+@click.command(
+    "containerize", short_help="Builds images of the ROS packages in a folder.", cls=Command, alone=True, kept=KEPT
+)
 @click.argument("folder", type=click.Path(exists=True, file_okay=False, path_type=Path), default=".")
 @click.option("--lock", is_flag=True, help="take what is newest now, and write the lock file")
 @_options

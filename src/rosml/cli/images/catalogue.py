@@ -13,7 +13,13 @@ from rosml.cli import command, options
 from rosml.cli.checkout import Command
 
 
-@click.command("catalogue", cls=Command, alone=True, prints=True)
+@click.command(
+    "catalogue",
+    short_help="Writes a page of what is published, and the same as JSON.",
+    cls=Command,
+    alone=True,
+    prints=True,
+)
 @options.registry("where the images are")
 @options.MATRIX
 @options.ONLY

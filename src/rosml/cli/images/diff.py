@@ -12,7 +12,7 @@ from rosml.cli import options
 from rosml.cli.checkout import Command
 
 
-@click.command("diff", cls=Command, prints=True)
+@click.command("diff", short_help="Says which images a change builds anew, and why.", cls=Command, prints=True)
 @click.argument("version", metavar="[REVISION]", default="HEAD")
 @options.MATRIX
 @options.JSON

@@ -25,7 +25,13 @@ if TYPE_CHECKING:  # imported where it is needed: what is fast stays fast
 COMMAND = "rosml generate"
 
 
-@click.command("generate", cls=Command, prints=True, help=__doc__)
+@click.command(
+    "generate",
+    short_help="Writes docker-bake.hcl and other files from matrix.yaml.",
+    cls=Command,
+    prints=True,
+    help=__doc__,
+)
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 with a diff if a generated file is stale.")
 @options.MATRIX
 @click.option(

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from rosml.machine.services import Services
 
 
-@click.command("image", cls=Command, kept=KEPT)
+@click.command("image", short_help="Builds and tests an image on this machine.", cls=Command, kept=KEPT)
 @click.argument("target", default="", type=completion.Name("targets"))
 @sharing("matrix", "namespace")
 @click.option(

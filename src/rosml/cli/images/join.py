@@ -15,7 +15,9 @@ KEPT = "interrupted: no tag was moved; what was pushed is found again by the nex
 """What is said after Ctrl-C."""
 
 
-@click.command("join", cls=Command, alone=True, kept=KEPT)
+@click.command(
+    "join", short_help="Puts an image together from a ROS image and parts.", cls=Command, alone=True, kept=KEPT
+)
 @click.argument("ros_image")
 @click.argument("parts", nargs=-1, required=True, metavar="PART...")
 @click.option("--tag", required=True, metavar="REFERENCE", help="the image to make: registry, repository and tag")

@@ -12,7 +12,7 @@ from rosml.cli import completion, options
 from rosml.cli.checkout import Command
 
 
-@click.command("list", cls=Command, alone=True, prints=True)
+@click.command("list", short_help="Lists all images, or those of some groups.", cls=Command, alone=True, prints=True)
 @click.argument("groups", nargs=-1, type=completion.Name("groups"), metavar="[GROUP]...")
 @options.MATRIX
 @options.JSON

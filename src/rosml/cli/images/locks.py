@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from rosml.images.scan.locked import Refused
 
 
-@click.command("locks", cls=Command)
+@click.command("locks", short_help="Resolves versions of Python packages, and writes the locks.", cls=Command)
 @click.option(
     "--upgrade",
     is_flag=True,

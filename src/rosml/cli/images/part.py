@@ -14,7 +14,7 @@ from rosml.cli.checkout import Command
 from rosml.cli.images.call import KEPT, say, sharing
 
 
-@click.command("part", cls=Command, kept=KEPT)
+@click.command("part", short_help="Builds parts, which COPY --link adds to an image of yours.", cls=Command, kept=KEPT)
 @click.argument("parts", nargs=-1, metavar="[NAME]...", type=completion.Name("parts"))
 @sharing("matrix", "namespace", "json")
 @click.option("--markdown", is_flag=True, help="print them as a table in Markdown, for docs/digests.md")

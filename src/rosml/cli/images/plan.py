@@ -12,7 +12,7 @@ from rosml.cli.checkout import Command
 from rosml.cli.images.call import Call, sharing
 
 
-@click.command("plan", cls=Command)
+@click.command("plan", short_help="Says what a publishing run will do, and why.", cls=Command)
 @sharing("registry", "matrix", "only", "architecture", "serve", "force", "date", "json")
 @click.option(
     "--everywhere",

@@ -29,7 +29,13 @@ ELSEWHERE = {name: f"rosml {name}" for name in ("image", "part", "plan", "status
 }
 
 
-@click.group("publish", cls=Group, kept=KEPT, elsewhere=ELSEWHERE)
+@click.group(
+    "publish",
+    short_help="Builds, tests and publishes images, and undoes it.",
+    cls=Group,
+    kept=KEPT,
+    elsewhere=ELSEWHERE,
+)
 def main() -> None:
     """Builds, tests and publishes images of matrix.yaml: the steps of a publishing run, and what is done with published tags.
 
@@ -59,7 +65,7 @@ def _step(name: str, help_text: str, options: tuple[str, ...] = _STEP) -> None:
         call.report(pipeline)
 
 
-@main.command()
+@main.command(short_help="Makes the repositories that a plan writes into.")
 @sharing("matrix", "json")
 @click.option(
     "--plan", "plan_file", type=click.Path(path_type=Path, exists=True), required=True, help="what 'plan' wrote"
@@ -100,12 +106,12 @@ def repositories(plan_file: Path, matrix: Path, as_json: bool) -> None:
     raise SystemExit(bool(failed))
 
 
-_step("build", "Builds ROS images and parts that are not as they should be, and pushes them by digest.")
-_step("join-images", "Puts images with frameworks together in the registry, from ROS images and parts; pulls nothing.")
-_step("test", "Runs the structure tests of images that have not passed them, on their architecture.")
+_step("build", "Builds ROS images and parts that are out of date or missing. They are pushed by digest.")
+_step("join-images", "Puts ROS images and parts together in the registry. No layer is pulled.")
+_step("test", "Runs the structure tests that images have not passed yet. They run on the image's architecture.")
 
 
-@main.command(name="images")
+@main.command(name="images", short_help="Builds, joins and tests images, each as soon as it can be.")
 @sharing(*_STEP)
 @click.option("--minutes", type=click.FloatRange(min=0), help="begin nothing more after so many")
 def images(minutes: float | None, **options: Any) -> None:
@@ -124,11 +130,19 @@ def images(minutes: float | None, **options: Any) -> None:
     call.report(pipeline)
 
 
-_step("index", "Makes indexes of images whose architectures are all there, tested and alike. No tag moves.", _GATED)
-_step("promote", "Moves tags to the indexes of images that passed everything; remembers where they were.", _GATED)
+_step(
+    "index",
+    "Makes indexes over the architectures of images. All must be there, tested and alike. No tag moves.",
+    _GATED,
+)
+_step(
+    "promote",
+    "Moves tags to the indexes of images that passed everything. It keeps where they were, for 'undo'.",
+    _GATED,
+)
 
 
-@main.command(name="all")
+@main.command(name="all", short_help="Does all steps, for all that is out of date or missing.")
 @sharing("registry", "matrix", "only", "since", "at-most", "architecture", "serve", "force", "date")
 @sharing("require-scan", "policy", "sign", "json")
 def everything(**options: Any) -> None:
@@ -179,7 +193,7 @@ def _scan(
     return pipeline.scan(rules, trivy, reports, results)
 
 
-@main.command()
+@main.command(short_help="Scans images for known vulnerabilities.")
 @sharing("registry", "matrix", "only", "plan", "shard", "date", "policy", "json")
 @click.option("--fetch", is_flag=True, help="fetch the database of vulnerabilities first; once per run")
 @click.option("--database", default="", metavar="REFERENCE", help="the one that all machines of a run take, by digest")
@@ -218,7 +232,7 @@ def scan(fetch: bool, database: str, reports: Path | None, output: Path | None, 
     raise SystemExit(run.outcome.exit_code)
 
 
-@main.command()
+@main.command(short_help="Prints which database of vulnerabilities is the newest.")
 @sharing("policy", "json")
 def database(policy: Path, as_json: bool) -> None:
     """Prints which database of vulnerabilities is the newest, by digest: for 'scan --database' on several machines.
@@ -241,7 +255,7 @@ def database(policy: Path, as_json: bool) -> None:
     terminal.echo(json.dumps({"database": found}) if as_json else found)
 
 
-@main.command()
+@main.command(short_help="Writes into the registry what a scan found elsewhere.")
 @sharing("registry", "matrix", "only", "plan", "date", "json")
 @click.argument("file", type=click.Path(path_type=Path, exists=True, dir_okay=False))
 def record(file: Path, **options: Any) -> None:
@@ -260,7 +274,7 @@ def record(file: Path, **options: Any) -> None:
     call.report(pipeline)
 
 
-@main.command(alone=True)
+@main.command(alone=True, short_help="Keeps one issue at GitHub while images are not published.")
 @click.argument("file", type=click.Path(path_type=Path, exists=True, dir_okay=False))
 @click.option(
     "--open", "unpublished", type=click.IntRange(min=0), required=True, help="how many images are not published"
@@ -280,7 +294,7 @@ def issue(file: Path, unpublished: int) -> None:
     say(issues.keep(files.limited(file, 4 * LONGEST).decode(errors="replace"), unpublished))
 
 
-@main.command(alone=True)
+@main.command(alone=True, short_help="Moves the tags of a run back to where they were.")
 @sharing("registry", "json")
 @click.argument("run", default="")
 def undo(run: str, **options: Any) -> None:
@@ -309,7 +323,7 @@ def undo(run: str, **options: Any) -> None:
         raise SystemExit(1)
 
 
-@main.command(alone=True)
+@main.command(alone=True, short_help="Publishes rosdep's lists, for 'rosml containerize'.")
 @sharing("registry", "json")
 @click.argument("checkout", type=click.Path(path_type=Path, exists=True, file_okay=False), required=False)
 def rosdep(checkout: Path | None, as_json: bool, **options: Any) -> None:
@@ -332,7 +346,7 @@ def rosdep(checkout: Path | None, as_json: bool, **options: Any) -> None:
     terminal.echo(json.dumps({"tags": names, "digest": digest}) if as_json else f"{names[0]}  {digest}")
 
 
-@main.command(alone=True)
+@main.command(alone=True, short_help="Says what the registry no longer needs, and removes it.")
 @sharing("registry", "matrix", "json")
 @click.option(
     "--days",

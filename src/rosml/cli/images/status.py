@@ -12,7 +12,13 @@ from rosml.cli.checkout import Command
 from rosml.cli.images.call import Call, sharing
 
 
-@click.command("status", cls=Command, alone=True, prints=True)
+@click.command(
+    "status",
+    short_help="Shows which images are published, and why others are not.",
+    cls=Command,
+    alone=True,
+    prints=True,
+)
 @sharing("registry", "matrix", "only", "architecture", "serve", "json")
 @click.option(
     "--markdown", type=click.Path(path_type=Path, dir_okay=False), help="also write a summary there, grouped by cause"

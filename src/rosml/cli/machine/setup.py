@@ -94,7 +94,13 @@ class Steps(Group):
     command_class = Step
 
 
-@click.group("setup", cls=Steps, kept=KEPT, invoke_without_command=True)
+@click.group(
+    "setup",
+    short_help="Makes this machine ready, or takes away what it made.",
+    cls=Steps,
+    kept=KEPT,
+    invoke_without_command=True,
+)
 @click.pass_context
 def main(context: click.Context) -> None:
     """Makes this machine ready: tools at pinned versions, a local registry, a builder.
@@ -121,28 +127,28 @@ def main(context: click.Context) -> None:
         _up(state, _docker_hub(state))
 
 
-@main.command()
+@main.command(short_help="Finds the tools that builds need, and installs the others.")
 def tools() -> None:
     """Finds the tools that builds need, installs those that are missing."""
     state = _state()
     _tools(state, _docker_hub(state))
 
 
-@main.command()
+@main.command(short_help="Finds or installs tools, starts the registry and the builder.")
 def up() -> None:
     """Finds or installs the tools, then starts the local registry and the builder."""
     state = _state()
     _up(state, _docker_hub(state))
 
 
-@main.command()
+@main.command(hidden=True)
 def suite() -> None:
     """Does what `up` does, for `make test`: with Docker, Chromium and actionlint where there are none."""
     state = _state()
     _up(state, _docker_hub(state), tests=True)
 
 
-@main.command()
+@main.command(short_help="Installs what is enough to read and write a registry.")
 def client() -> None:
     """uv and the commands' Python packages: enough to read and write a registry."""
     from rosml.machine.services import Services
@@ -154,7 +160,7 @@ def client() -> None:
         Services(ROOT, "", (), "", "", None, "", state.uv, state.ca_bundle, bases=()).save()
 
 
-@main.command()
+@main.command(hidden=True)
 def linters() -> None:
     """The Python packages, and actionlint, which is built in some seconds."""
     installer = _installer(_state())
@@ -163,7 +169,7 @@ def linters() -> None:
         installer.drop_go_caches()
 
 
-@main.command()
+@main.command(short_help="Lets this machine build for the other architecture.")
 def emulate() -> None:
     """Lets this machine build and test for the other architecture, with QEMU."""
     from rosml.machine.setup import builder, emulation
@@ -175,7 +181,7 @@ def emulate() -> None:
     _up(state, hub)
 
 
-@main.command()
+@main.command(hidden=True)
 def browser() -> None:
     """Installs Chromium where there is none: tests open the catalogue's page in it."""
     from rosml.machine.setup.tools import browser_packages
@@ -183,21 +189,21 @@ def browser() -> None:
     _installer(_state()).debian_packages(browser_packages())
 
 
-@main.command()
+@main.command(short_help="Finds or builds trivy, which looks for vulnerabilities.")
 @TESTS
 def scanner(tests: bool) -> None:
     """Finds or builds trivy, which looks for known vulnerabilities in images: 10 minutes."""
     _program("trivy", "--version", "scanner.json", tests)
 
 
-@main.command()
+@main.command(short_help="Finds or builds cosign, which signs images.")
 @TESTS
 def signer(tests: bool) -> None:
     """Finds or builds cosign, which signs images: a quarter of an hour."""
     _program("cosign", "version", "signer.json", tests)
 
 
-@main.command()
+@main.command(hidden=True)
 def room() -> None:
     """Removes what GitHub's machines bring and nobody needs here; on those only."""
     if os.environ.get("RUNNER_ENVIRONMENT") != "github-hosted":
@@ -213,11 +219,11 @@ def room() -> None:
 
 @main.command()
 def down() -> None:
-    """Stops the registry and the builder; keeps what they stored."""
+    """Stops the registry and the builder, and keeps what they stored."""
     _down(remove=False)
 
 
-@main.command()
+@main.command(short_help="Stops both, and removes all that was made.")
 def clean() -> None:
     """Stops the registry and the builder, and removes all that was made (.state, .venv)."""
     _down(remove=True)  # scripts/bootstrap.py, which waits for this, removes the folders

@@ -11,7 +11,14 @@ from rosml.cli.run import container as cli
 from rosml.run import words
 
 
-@click.command("attach", cls=cli.Words, alone=True, context_settings=cli.SETTINGS, options_metavar="[OPTIONS]")
+@click.command(
+    "attach",
+    short_help="Opens another shell in a container that runs.",
+    cls=cli.Words,
+    alone=True,
+    context_settings=cli.SETTINGS,
+    options_metavar="[OPTIONS]",
+)
 @click.option("--no-it", is_flag=True, expose_value=False, help="neither a terminal nor standard input")
 @cli.showing
 @click.argument("name", required=False, expose_value=False)

@@ -44,6 +44,7 @@ class Run(container.Words):
 @click.command(
     "run",
     cls=Run,
+    short_help="Starts a container of an image, as you and with your GPUs.",
     alone=True,
     context_settings=container.SETTINGS,
     options_metavar="[OPTIONS OF ROSML, DOCKER OR PODMAN]",
