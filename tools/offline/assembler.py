@@ -11,8 +11,8 @@ from pathlib import Path
 from offline import debian
 from offline.official import missing
 from rosml.base.errors import RosmlError
-from rosml.machine.services import Services
 from rosml.images.matrix.model import ANY_PYTHON
+from rosml.machine.services import Services
 
 VERSIONS = "~/.pyenv/versions"
 """Where this machine may have further Pythons."""

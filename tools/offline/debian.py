@@ -22,8 +22,8 @@ from typing import Any
 from offline.official import debian_suite, missing
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
-from rosml.machine import regctl
 from rosml.images.builds.base_images import native_architecture
+from rosml.machine import regctl
 from rosml.machine.services import Services
 
 EPOCH = 1767225600

@@ -602,7 +602,7 @@ def test_a_hash_that_changed_is_stale(checkout: Path) -> None:
 @pytest.mark.parametrize("output", ["| head -1", "| true"])
 def test_all_is_written_whoever_reads_along(checkout: Path, output: str) -> None:
     argv = f"'{sys.executable}' -c 'import sys; sys.path.insert(0, sys.argv[1]); from pathlib import Path; "
-    argv += "from rosml.cli import command; from rosml.cli import locks as lock; lock.ROOT = Path(sys.argv[2]); "
+    argv += "from rosml.cli import command; from rosml.cli.images import locks as lock; lock.ROOT = Path(sys.argv[2]); "
     argv += f"sys.exit(command.run(lock.main, arguments=[\"--matrix\", sys.argv[2] + \"/matrix.yaml\"]))' '{ROOT}/src' '{checkout}'"
     done = subprocess.run(
         ["bash", "-c", f"set -o pipefail; {argv} {output}"], capture_output=True, text=True, check=False

@@ -533,7 +533,7 @@ def test_what_somebody_sees_is_what_they_allow(desk: Desk) -> None:
     (desk.folder / "x").write_text("A=b")
     project(desk, f'{IMAGE}options = ["--no-name", "--env-file", "x"]')
     change = "open('x', 'w').write('LD_PRELOAD=/x')"
-    code = f"from rosml.cli import question; question.agreed = lambda *_: bool([exec({change!r})])"
+    code = f"from rosml.cli.run import question; question.agreed = lambda *_: bool([exec({change!r})])"
     argv = desk.argv()
     argv[2] = f"{code}\nquestion.possible = lambda: True\n{argv[2]}"
     subprocess.run(argv, cwd=desk.folder, env=desk.environment, check=True)
