@@ -11,7 +11,7 @@
 #   ros + part-cuda + part-common + …                      joined with COPY --link: nothing runs after the join
 #    └──► image ─► test                                    structure tests on top of the finished image
 #
-# The join has a line for each part that an image has, so docker-bake.hcl writes it: the target `_joined`. No stage here
+# The join has a line for each part that an image has, so the bake file has it (dockerfile-inline). No stage here
 # knows what parts there are.
 # Contexts: os, parent, upstream, described, image, metadata.
 

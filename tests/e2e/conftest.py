@@ -24,6 +24,7 @@ import pytest
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
+from rosml.images.bake import bake_file
 from rosml.images.image_set import load
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.machine import regctl
@@ -40,7 +41,8 @@ HANGS = 720.0
 CHECKOUT = (
     "Dockerfile",
     ".dockerignore",
-    "docker-bake.hcl",
+    bake_file.NAME,
+    bake_file.TESTS,
     "matrix.yaml",
     "components",
     "locks",

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from rosml import ROOT
+from rosml.images.bake import bake_file
 from rosml.images.builds import structure_tests
 from rosml.images.image_set.labels import OCI
 from rosml.images.image_set.model import ImageSet
@@ -146,9 +147,9 @@ def test_parts_are_added_to_an_image_of_ones_own(
 
 
 def test_the_committed_bake_file_works_by_itself(services: Services, published: Publish) -> None:
-    """`buildx bake <target>-test`, without our commands: as on a laptop, but for the base image's place."""
+    """`buildx bake -f … -f … <target>-test`, without our commands: as on a laptop, but for the base image's place."""
     image = published("ros1-bookworm-core")
-    arguments = [*services.buildx, "bake", "--progress", "plain"]
+    arguments = [*services.buildx, "bake", "--progress", "plain", "-f", bake_file.NAME, "-f", bake_file.TESTS]
     if services.ca_bundle:
         arguments += ["--allow", f"fs.read={services.ca_bundle}"]
     env = {

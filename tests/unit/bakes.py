@@ -13,6 +13,8 @@ import pytest
 from conftest import ROOT
 
 from rosml.base.errors import RosmlError
+from rosml.images.bake import bake_file
+from rosml.images.image_set.model import ImageSet
 
 
 def buildx() -> list[str]:
@@ -27,12 +29,13 @@ def buildx() -> list[str]:
     pytest.skip("no buildx on this machine; 'rosml setup' installs it")
 
 
-def evaluated(*names: str, file: Path = ROOT / "docker-bake.hcl", **env: str) -> dict[str, Any]:
-    """What buildx makes of the bake file."""
+def evaluated(*names: str, file: Path | None = None, **env: str) -> dict[str, Any]:
+    """What buildx makes of a bake file, or of the committed ones."""
+    read = [file] if file else [ROOT / bake_file.NAME, ROOT / bake_file.TESTS]
     shells = {key for key in os.environ if key.upper().endswith("_PROXY")} | {"REGISTRY", "PLATFORM"}  # the user's own
     clean = {key: value for key, value in os.environ.items() if key not in shells}
     done = subprocess.run(
-        [*buildx(), "bake", "--print", "--file", str(file), *names],
+        [*buildx(), "bake", "--print", *(f"--file={path}" for path in read), *names],
         cwd=ROOT,
         env={**clean, **env},
         capture_output=True,
@@ -46,7 +49,12 @@ def evaluated(*names: str, file: Path = ROOT / "docker-bake.hcl", **env: str) ->
     return result
 
 
-def printed(*names: str, file: Path = ROOT / "docker-bake.hcl", **env: str) -> dict[str, Any]:
-    """What buildx makes of the bake file's targets."""
+def printed(*names: str, file: Path | None = None, **env: str) -> dict[str, Any]:
+    """What buildx makes of the targets of a bake file, or of the committed ones."""
     found: dict[str, Any] = evaluated(*names, file=file, **env)["target"]
     return found
+
+
+def whole(image_set: ImageSet) -> str:
+    """Both bake files of an image set as one."""
+    return "\n".join(bake_file.render(image_set).values())

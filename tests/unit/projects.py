@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 from rosml.containerize import ci_files
+from rosml.images.bake import bake_file
 
 ROOT = Path(__file__).resolve().parents[2]
 LOCK = "locks/cu1/amd64/3.12/torch.txt"
@@ -37,7 +38,8 @@ def copy_for_generator(folder: Path) -> Path:
     for name in (
         "matrix.yaml",
         "matrix.schema.json",
-        "docker-bake.hcl",
+        bake_file.NAME,
+        bake_file.TESTS,
         "Dockerfile",
         "Makefile",
         "README.md",

@@ -104,6 +104,11 @@ def ended(code: int) -> int:
     return code
 
 
+def say(line: str) -> None:
+    """Tells people what begins now."""
+    terminal.echo(click.style(f"==> {line}", bold=True), err=True)
+
+
 def warn(message: str, remedy: str = "") -> None:
     """Tells people, on standard error, what is wrong without ending the command, and what to do about it."""
     _say(f"{click.style('warning:', fg='yellow', bold=True)} ", message, remedy)

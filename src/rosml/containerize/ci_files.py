@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 
 from rosml.base.errors import RosmlError
-from rosml.containerize.ci import SECRET, SETTINGS, Setting
+from rosml.containerize.ci_inputs import SECRET, SETTINGS, Setting
 
 ACTION = "containerize/action.yml"
 INDEX = "containerize/index/action.yml"

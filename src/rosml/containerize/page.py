@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from rosml.base.errors import RosmlError
-from rosml.containerize import ci, ci_files, inputs
+from rosml.containerize import ci_files, ci_inputs, inputs
 
 _BY = "written by scripts/generate_bake.py"
 
@@ -40,7 +40,7 @@ def _inputs() -> Iterator[str]:
 def _ci() -> Iterator[str]:
     yield "| input | what it says | on GitHub | on GitLab |"
     yield "| --- | --- | --- | --- |"
-    for setting in ci.SETTINGS:
+    for setting in ci_inputs.SETTINGS:
         if setting.server or setting.github or setting.gitlab:
             item = setting.input
             github = f"the job's token for {setting.server[1]}" if setting.server else _code(setting.github)

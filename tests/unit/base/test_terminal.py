@@ -10,7 +10,6 @@ import pytest
 from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import command
-from rosml.cli.images import call
 
 
 @pytest.mark.parametrize(
@@ -63,7 +62,7 @@ def test_all_that_is_printed_goes_this_way(capfd: pytest.CaptureFixture[str]) ->
 
     @click.command()
     def harm() -> None:
-        call.say("\x1b]0;begins\x07")
+        command.say("\x1b]0;begins\x07")
         table = terminal.table("name")
         table.add_row("\x1b]0;cell\x07named")
         terminal.show(table)

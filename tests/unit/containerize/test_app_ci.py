@@ -16,7 +16,7 @@ from test_report import APP, DEPENDENCIES
 
 from rosml.base.errors import RosmlError
 from rosml.cli.containerize import ci as command
-from rosml.containerize import base, build, ci, inputs
+from rosml.containerize import base, build, ci, ci_inputs, inputs
 from rosml.containerize.build import Built, Made
 from rosml.machine import buildx
 from rosml.machine.services import Services
@@ -46,13 +46,13 @@ MAIN = ci.Commit("main", "", True, Path())
 def test_an_input_counts_before_a_variable_and_before_the_forges_default() -> None:
     environment = {"INPUT_TARGET": "dev", "TARGET": "run", "DEFAULT_TARGET": "run", "INPUT_PLATFORM": ""}
     environment |= {"PLATFORM": "arm64", "DEFAULT_PLATFORM": "amd64", "DEFAULT_REGISTRY": "registry.example.org"}
-    assert ci.given(environment) == {"target": "dev", "platform": "arm64", "registry": "registry.example.org"}
+    assert ci_inputs.given(environment) == {"target": "dev", "platform": "arm64", "registry": "registry.example.org"}
 
 
 def test_a_flag_that_only_ci_has_is_true_or_false() -> None:
-    assert [ci.flag("x", told) for told in ({}, {"x": "True"}, {"x": "false"})] == [False, True, False]
+    assert [ci_inputs.flag("x", told) for told in ({}, {"x": "True"}, {"x": "false"})] == [False, True, False]
     with pytest.raises(RosmlError, match="x is true or false, not 'yes'"):
-        ci.flag("x", {"x": "yes"})
+        ci_inputs.flag("x", {"x": "yes"})
 
 
 def test_the_password_reaches_docker_on_no_command_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -16,7 +16,7 @@ from conftest import ROOT
 
 from rosml.base.errors import RosmlError
 from rosml.base.programs import pinned_image
-from rosml.containerize import ci, ci_files
+from rosml.containerize import ci_files, ci_inputs
 from tests import act
 from tests.pages import blocks
 
@@ -52,9 +52,9 @@ def test_every_variable_of_docker_ros_reaches_a_job_of_gitlab() -> None:
     assert used == declared
     assert set(ACTION.split()) - ONLY_GITHUB - {"enable-singlearch-push"} <= declared
     passed = jobs[".containerize"]["variables"]
-    variables = {setting.input.variable for setting in ci.SETTINGS}
+    variables = {setting.input.variable for setting in ci_inputs.SETTINGS}
     assert {
-        f"INPUT_{name.upper().replace('-', '_')}" for name in declared & {s.input.name for s in ci.SETTINGS}
+        f"INPUT_{name.upper().replace('-', '_')}" for name in declared & {s.input.name for s in ci_inputs.SETTINGS}
     } <= passed.keys()
     assert {name.removeprefix("DEFAULT_") for name in passed if name.startswith("DEFAULT_")} <= variables
     assert all(isinstance(value, str | dict) for value in passed.values()), "GitLab takes texts"
@@ -260,7 +260,7 @@ def called(**values: str) -> dict[str, str]:
         "jobs": {
             "images": {
                 "uses": "./.github/workflows/containerize.yml",
-                "with": {name: value for name, value in {**VALUES, **values}.items() if name not in ci.SECRET},
+                "with": {name: value for name, value in {**VALUES, **values}.items() if name not in ci_inputs.SECRET},
                 "secrets": {"git-ssh-private-key": "${{ secrets.KEY }}"},
             }
         },

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 import yaml
-from bakes import evaluated, printed
+from bakes import evaluated, printed, whole
 from conftest import ROOT, SMALL, WHEELS, changed, parse
 
 from rosml.base.errors import RosmlError
@@ -196,14 +196,14 @@ def differences(image_set: ImageSet, text: str, given: Mapping[str, str], folder
 )
 def test_every_target_is_what_buildx_makes_of_it(name: str, says: str, tmp_path: Path) -> None:
     found = image_set(name)
-    assert differences(found, bake_file.render(found), callers(found)[says], tmp_path) == {}
+    assert differences(found, whole(found), callers(found)[says], tmp_path) == {}
 
 
 @pytest.mark.parametrize("name", OTHERS)
 def test_every_group_is_what_buildx_makes_of_it(name: str, tmp_path: Path) -> None:
     found = image_set(name)
     file = tmp_path / "bake.hcl"
-    file.write_text(bake_file.render(found))
+    file.write_text(whole(found))
     if not found.groups:
         with pytest.raises(RosmlError, match="failed to find target default"):
             evaluated("default", file=file)
@@ -223,33 +223,3 @@ def test_no_variable_is_left_unsaid(name: str) -> None:
     said = callers(found)["everything"]
     assert said.keys() == bake_file.variables(found.matrix).keys()
     assert all(said[variable] not in ("", default) for variable, default in bake_file.variables(found.matrix).items())
-
-
-UNKNOWN = {
-    "a fact": ("NUMPY = systems[system.os].numpy", 'NUMPY = "${systems[system.os].numpy},<3"'),
-    "a variable for a fact": ("ROS_VERSION = image.row.ros,", "ROS_VERSION = overridable(image.row.ros, REVISION),"),
-    "a condition on a variable": ('ACCELERATOR  = stacks[', 'NEW = REVISION == "" ? null : "two"\n    ACCELERATOR  = stacks['),
-    "an argument that may be left out": ("PART         = part.kind", "PART = part.kind\n    NEW = given(NO_PROXY)"),
-    "a label": ('"io.rosml.os"  ', '"io.rosml.new" = given(ROS_CHANNEL)\n    "io.rosml.os"'),
-    "a label of a part": (
-        '"io.rosml.stack"  = part.stack',
-        '"io.rosml.stack" = overridable(part.stack, ROS_CHANNEL)',
-    ),
-    "a context": ("image = dependency(image.target,", 'image = dependency(REVISION == "" ? image.target : "x",'),
-    "another context": ("contexts  = { os = systems[part.os].image }", "contexts = { os = systems[assembler].image }"),
-    "a tag": ("[image.main, image.spelled]", 'concat([image.main, image.spelled], compact([REVISION]))'),
-    "a platform": ("platforms = platforms(image.platforms)\n  contexts", "platforms = image.platforms\n  contexts"),
-    "a secret": ('["id=ca-bundle,src=${CA_BUNDLE}"]', '["id=ca-bundle,src=${CA_BUNDLE}", "id=new,env=NEW"]'),
-}  # fmt: skip
-"""What somebody may write into the graph, and not into src/rosml/images/bake/targets.py."""
-
-
-@pytest.mark.parametrize("name", UNKNOWN)
-def test_an_expression_that_python_does_not_know_is_found(name: str, tmp_path: Path) -> None:
-    """It may hold a fact of the matrix, and an image that it decides would not be built anew."""
-    found = image_set("another order")  # where the system that assembles is not the one of every part
-    old, new = UNKNOWN[name]
-    text = bake_file.render(found)
-    assert text.count(old) == 1
-    text = text.replace(old, new)
-    assert any(differences(found, text, given, tmp_path) for given in callers(found).values())

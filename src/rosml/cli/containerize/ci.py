@@ -13,7 +13,7 @@ from rosml import STATE
 from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli.checkout import Group
-from rosml.cli.images.call import say
+from rosml.cli.command import say
 
 if TYPE_CHECKING:
     from rosml.containerize.ci import Image, Job
@@ -34,9 +34,9 @@ def main() -> None:
 
 def _job() -> tuple[Job, dict[str, str], Path]:
     """The job, the inputs that it is given, and the folder of the packages."""
-    from rosml.containerize import ci, inputs
+    from rosml.containerize import ci, ci_inputs, inputs
 
-    what, given = ci.commit(os.environ), ci.given(os.environ)
+    what, given = ci.commit(os.environ), ci_inputs.given(os.environ)
     folder = (what.folder / given.get("build-context", ".")).resolve()
     for sentence in inputs.answers(folder, {name.upper().replace("-", "_"): text for name, text in given.items()}):
         say(sentence)
@@ -46,9 +46,9 @@ def _job() -> tuple[Job, dict[str, str], Path]:
 @main.command(alone=True)
 def login() -> None:
     """Logs in to the registry, with docker."""
-    from rosml.containerize import ci
+    from rosml.containerize import ci_inputs
 
-    given = ci.given(os.environ)
+    given = ci_inputs.given(os.environ)
     registry, user = given.get("registry", ""), given.get("registry-user", "")
     try:
         done = subprocess.run(
@@ -68,11 +68,11 @@ def login() -> None:
 @click.option("--out", required=True, type=click.Path(path_type=Path), help="folder for reports, and what was made")
 def build(out: Path) -> None:
     """Builds the images of a commit, tests them and pushes them."""
-    from rosml.containerize import ci
+    from rosml.containerize import ci, ci_inputs
     from rosml.machine.services import Services
 
     job, given, folder = _job()
-    apart = ci.flag("enable-singlearch-push", given)
+    apart = ci_inputs.flag("enable-singlearch-push", given)
     out = out / job.name
     told, page = os.environ.get("GITHUB_OUTPUT", ""), os.environ.get("GITHUB_STEP_SUMMARY", "")
     ci.tell(told, {"artifact": job.name, "folder": out})

@@ -13,7 +13,7 @@ from rosml import IN_CHECKOUT, ROOT, STATE
 from rosml.base import terminal
 from rosml.cli import options
 from rosml.cli.checkout import Command
-from rosml.cli.images.call import say
+from rosml.cli.command import say
 from rosml.cli.options import Function
 from rosml.containerize import inputs
 

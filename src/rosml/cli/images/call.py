@@ -16,6 +16,7 @@ import click
 from rosml import ROOT
 from rosml.base import file_lock, terminal
 from rosml.cli import options
+from rosml.cli.command import say
 from rosml.cli.options import Function
 
 if TYPE_CHECKING:
@@ -25,11 +26,6 @@ if TYPE_CHECKING:
 
 KEPT = "interrupted: no tag points at what is not finished; what was finished is kept, the next call carries on"
 """What is said after Ctrl-C."""
-
-
-def say(line: str) -> None:
-    """Tells people what begins now."""
-    terminal.echo(click.style(f"==> {line}", bold=True), err=True)
 
 
 def wait_for_turn() -> None:

@@ -58,14 +58,14 @@ def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
 
     inputs.Inputs(ROOT, image_set).check()
     if output:
-        return {output: bake_file.render(image_set)}
+        return {output: bake_file.render(image_set)[bake_file.NAME]}
     from rosml.containerize import ci_files, page
     from rosml.images.catalogue import readme
     from rosml.images.catalogue.model import Published
     from rosml.images.matrix import schema
 
     return {
-        ROOT / "docker-bake.hcl": bake_file.render(image_set),
+        **{ROOT / name: content for name, content in bake_file.render(image_set).items()},
         ROOT / "matrix.schema.json": schema.render(),
         ROOT / "catalogue.schema.json": schema.render(Published, "src/rosml/images/catalogue/model.py", read=True),
         ROOT / "README.md": readme.render(files.text(ROOT / "README.md"), image_set),

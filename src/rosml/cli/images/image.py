@@ -15,7 +15,8 @@ from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import completion
 from rosml.cli.checkout import Command
-from rosml.cli.images.call import KEPT, Call, say, sharing, wait_for_turn
+from rosml.cli.command import say
+from rosml.cli.images.call import KEPT, Call, sharing, wait_for_turn
 from rosml.cli.machine import setup
 
 if TYPE_CHECKING:

@@ -11,7 +11,8 @@ from rosml import ROOT
 from rosml.base import terminal
 from rosml.cli import completion
 from rosml.cli.checkout import Command
-from rosml.cli.images.call import KEPT, say, sharing
+from rosml.cli.command import say
+from rosml.cli.images.call import KEPT, sharing
 
 
 @click.command("part", short_help="Builds parts, which COPY --link adds to an image of yours.", cls=Command, kept=KEPT)

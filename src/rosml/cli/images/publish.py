@@ -15,7 +15,8 @@ import click
 from rosml import ROOT
 from rosml.base import files, terminal
 from rosml.cli.checkout import Group
-from rosml.cli.images.call import KEPT, Call, say, sharing, wait_for_turn
+from rosml.cli.command import say
+from rosml.cli.images.call import KEPT, Call, sharing, wait_for_turn
 from rosml.cli.options import place_of
 
 if TYPE_CHECKING:

@@ -1,55 +1,47 @@
-"""An image set -> the text of docker-bake.hcl: tables with the facts, and `graph.hcl`, which says what follows from them.
+"""An image set -> the text of docker-bake.hcl: every target written out, with what it inherits.
 
-The graph is written by hand, the same for every image set. `targets` says what follows in Python.
+`targets` decides what a target is. Here it becomes text, and what several targets have in common becomes a target that they inherit.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from functools import cache
-from pathlib import Path
+from itertools import groupby
 
 from rosml.images.bake import targets
-from rosml.images.bake.hcl import Code, aligned, block, key, literal, pairs, text
-from rosml.images.image_set import labels
-from rosml.images.image_set.expand import FLOATING
-from rosml.images.image_set.model import Image, ImageSet, Part
-from rosml.images.matrix import names, rules
-from rosml.images.matrix.model import Matrix, PartEntry
+from rosml.images.bake.hcl import Code, aligned, block, literal, text
+from rosml.images.bake.targets import Context, Dependency, Overridable, Target, Value
+from rosml.images.image_set.model import Image, ImageSet
+from rosml.images.matrix import names
+from rosml.images.matrix.model import Matrix
 
-GRAPH = Path(__file__).with_name("graph.hcl")
-"""What is made of the tables."""
+NAME, TESTS = "docker-bake.hcl", "docker-bake.tests.hcl"
 
 
-def render(image_set: ImageSet) -> str:
-    """The bake file. Depends on nothing but the image set."""
-    return "\n".join([*_tables(image_set), _groups(image_set), _graph()])
+def render(image_set: ImageSet) -> dict[str, str]:
+    """Both files by their names: images and parts, and what goes with it, the structure tests of each image.
+
+    They depend on nothing but the image set. Tests are apart because the time that buildx takes for a file grows with the square
+    of its targets.
+    """
+    found = _Targets(image_set)
+    images, tests = found.needed(found.others), found.needed(found.tests)
+    head = _HEADER_OF_TESTS.format(target=image_set.matrix.default.group[0])
+    return {
+        NAME: "\n".join([*_head(image_set.matrix), *found.blocks(images), *_groups(image_set, False)]),
+        TESTS: "\n".join([head, *found.blocks(tests - images), *_groups(image_set, True)]),
+    }
 
 
 def excerpt(image_set: ImageSet, roots: Iterable[str]) -> str:
-    """The part of the bake file that some targets need: their rows, and what these are built on.
-
-    buildx evaluates a whole file, which takes seconds for some hundred images.
+    """The part of both files that some targets need: they, and what they are built on.
 
     Args:
-        roots: targets of images, of their tests, of parts; others are in every bake file.
+        roots: targets of images, of their tests, of parts.
     """
-    images: set[str] = set()
-    parts: set[str] = set()
-    for root in roots:
-        image = image_set.by_target.get(root) or image_set.by_target.get(root.removesuffix(names.test_target("")))
-        while image:
-            images.add(image.target)
-            parts.update(image.parts)
-            image = image_set.by_target.get(image.parent)
-        parts.add(root.removeprefix(names.part_target("")))
-    some = replace(
-        image_set,
-        images=tuple(image for image in image_set.images if image.target in images),
-        parts=tuple(part for part in image_set.parts if part.name in parts),
-    )
-    return "\n".join([*_tables(some), _graph()])
+    found = _Targets(image_set)
+    return "\n".join([*_head(image_set.matrix), *found.blocks(found.needed({targets.CONTENTS, *roots}, built=True))])
 
 
 def variables(matrix: Matrix) -> dict[str, str]:
@@ -57,70 +49,40 @@ def variables(matrix: Matrix) -> dict[str, str]:
     return {name: default for name, default, _ in _variables(matrix)}
 
 
-@cache
-def _graph() -> str:
-    return GRAPH.read_text(encoding="utf-8")
-
-
 _HEADER = """\
-# Generated from matrix.yaml by scripts/generate_bake.py, with src/rosml/images/bake/graph.hcl below it: change one of them, then run
+# Generated from matrix.yaml: change that, then run
 #   rosml generate
 #
 #   PLATFORM=linux/amd64 docker buildx bake {target}   builds an image, and what it stands on, for one platform
-#   docker buildx bake {target}-test                   runs its structure tests inside the build
 #   docker buildx bake --print <target>                     shows what would be built
 #   docker buildx bake --list targets                       lists all targets, --list variables what can be set
 """
 
+_HEADER_OF_TESTS = """\
+# Generated from matrix.yaml: change that, then run
+#   rosml generate
+#
+#   docker buildx bake -f docker-bake.hcl -f docker-bake.tests.hcl {target}-test   runs an image's structure tests inside the build
+"""
 
-def _tables(image_set: ImageSet) -> Iterator[str]:
-    matrix = image_set.matrix
+_FUNCTIONS = """\
+# What the caller says in JSON. An empty text says nothing.
+digests    = { for name, digest in jsondecode(DIGESTS == "" ? "{}" : DIGESTS) : name => digest if digest != "" }
+sync_dates = { for name, date in jsondecode(ROS_SYNC_DATES == "" ? "{}" : ROS_SYNC_DATES) : name => date if date != "" }
+
+# A dependency: built here, unless DIGESTS names it. The only place that decides.
+function "dependency" {
+  params = [name, repository, target]
+  result = try("docker-image://${REGISTRY}/${repository}@${digests[name]}", "target:${target}")
+}
+"""
+
+
+def _head(matrix: Matrix) -> Iterator[str]:
     yield _HEADER.format(target=matrix.default.group[0])
     for variable, default, description in _variables(matrix):
         yield block("variable", variable, {"description": description, "default": default})
-    yield "# ---- Tables ".ljust(119, "-") + "\n"
-    yield _table(
-        "systems", "Operating systems.", _tall({name: _system(matrix, name) for name in matrix.operating_systems})
-    )
-    about = "Each component with all that it is built on, the lowest first."
-    yield _table("components", about, aligned({name: rules.chain(matrix, name) for name in matrix.components}))
-    about = (
-        "Versions that go together. frameworks: those that can have them, the smallest first. beside: what goes with each"
-        " release, in its part. gpu: what parts say of drivers and GPUs."
-    )
-    yield _table("stacks", about, _tall({name: _stack(matrix, name) for name in matrix.stacks}))
-    about = "What is built once and joined to many images. brings: whose versions labels and the environment name."
-    yield _table("entries", about, _tall({part.name: _entry(matrix, part) for part in matrix.parts}))
-    about = (
-        "What images carry. spelled: whose versions a tag names. stacks: the platforms that all of it has wheels for."
-    )
-    yield _table("frameworks", about, _tall({name: _framework(matrix, name) for name in matrix.frameworks}))
-    yield (
-        "\n".join(["# What is taken where nothing is named, and how things are called.", *aligned(_words(matrix))])
-        + "\n"
-    )
-    about = (
-        "runtime: components on which programs run that are built on another one."
-        " short: the stack of a framework's short tags. aliases: names that it had. lowest: its smallest component. carrying: what runs there what others share with it."
-        " unlocked: what has no lock yet, and why."
-    )
-    yield _table("distributions", about, _tall(_distributions(image_set)))
-    about = "What is assembled once, on a system, and joined to many images."
-    yield _table("parts", about, (f"{literal(_part(part))}," for part in image_set.parts), "[]")
-
-
-Lines = Sequence[Mapping[str, object]]
-"""A row of a table, in lines."""
-
-
-def _table(name: str, about: str, rows: Iterable[str], brackets: str = "{}") -> str:
-    return "\n".join([f"# {about}", f"{name} = {brackets[0]}", *(f"  {row}" for row in rows), brackets[1]]) + "\n"
-
-
-def _tall(rows: Mapping[str, Lines]) -> Iterator[str]:
-    """Rows that take more than a line."""
-    for name, lines in rows.items():
-        yield "\n".join([f"{key(name)} = {{", *(f"    {', '.join(pairs(line))}" for line in lines), "  }"])
+    yield _FUNCTIONS
 
 
 def _variables(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
@@ -150,143 +112,225 @@ def _variables(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
         yield proxy, "", "for build steps; never part of an image"
 
 
-def _system(matrix: Matrix, name: str) -> Lines:
-    facts = matrix.operating_systems[name]
-    image, platforms = Code(names.os_variable(name)), _platforms(matrix, facts.architectures)
-    return [
-        {"image": image, "python": facts.python, "numpy": facts.numpy, "platforms": platforms},
-        {"tools": facts.tools},
-    ]
+# ---- Targets ---------------------------------------------------------------------------------------------------------
+
+Said = dict[tuple[str, str], str]
+"""What a target says, as HCL: by attribute, and by key if the attribute is a mapping."""
+
+EVERY: Said = {
+    ("context", ""): '"."',
+    ("network", ""): 'STEP_NETWORK == "" ? null : STEP_NETWORK',
+    ("secret", ""): """concat(
+    CA_BUNDLE == "" ? [] : ["id=ca-bundle,src=${CA_BUNDLE}"],
+    ROS_APT_MIRROR == "" ? [] : ["id=ros-apt-mirror,env=ROS_APT_MIRROR"],
+    OS_APT_MIRROR == "" ? [] : ["id=os-apt-mirror,env=OS_APT_MIRROR"]
+  )""",
+}
+"""What every target says. Mirrors are secrets like the certificates: an argument would be in the image's history."""
+
+ORDER = ("inherits", "description", "target", "platforms", "contexts", "args", "labels", "tags")
+"""Attributes as people want to read them; others follow."""
 
 
-def _platforms(matrix: Matrix, architectures: Iterable[str]) -> list[str]:
-    return [matrix.architectures[name].platform for name in architectures]
+def _said(target: Target) -> Said:
+    """All that a target says."""
+    said = {**EVERY}
+    if target.description:
+        said["description", ""] = text(target.description)
+    if target.stage:
+        said["target", ""] = text(target.stage)
+    if target.platforms:
+        said["platforms", ""] = f'PLATFORM == "" ? {literal(target.platforms)} : [PLATFORM]'
+    if target.tags:
+        tags = (f'\n    "${{REGISTRY}}/{text(tag)[1:]}' for tag in target.tags)
+        said["tags", ""] = f"[{','.join(tags)}\n  ]"
+    said |= {("contexts", name): _context(value) for name, value in target.contexts.items()}
+    said |= {("args", name): _value(value, '""') for name, value in target.arguments.items()}
+    said |= {("labels", name): _value(value, "null") for name, value in target.labels.items()}
+    if target.join:
+        lines = "".join(f"    {line}\n" for line in target.join.dockerfile().splitlines())
+        said["dockerfile-inline", ""] = f"<<-EOT\n{lines}  EOT"
+    if target.stage == "test":
+        said["output", ""] = '["type=cacheonly"]'
+    return said
 
 
-def _stack(matrix: Matrix, name: str) -> Lines:
-    facts = matrix.stacks[name]
-    taking = labels.smallest_first(rules.frameworks(matrix, name))
-    return [
-        {"accelerator": facts.accelerator, "frameworks": taking},
-        {"versions": rules.versions(matrix, facts)},
-        {"beside": {family: rules.company(matrix, name, [family]) for family in facts.releases}},
-        {"gpu": {part: gpu for part in matrix.part if (gpu := _gpu(matrix, name, part))}},
-    ]
+def _context(context: Context) -> str:
+    if isinstance(context, Overridable):
+        return context.variable
+    if not context.name:
+        return text(f"target:{context.target}")
+    return f"dependency({text(context.name)}, {text(context.repository)}, {text(context.target)})"
 
 
-def _gpu(matrix: Matrix, stack: str, part: str) -> dict[str, str]:
-    """What a part says of GPUs; nothing where the stack does not have it."""
-    release = matrix.part[part].release
-    return {} if release and release not in matrix.stacks[stack].releases else rules.gpu(matrix, stack, [part])
+@cache
+def _value(value: Value, unknown: str) -> str:
+    """An argument or label.
 
-
-def _framework(matrix: Matrix, name: str) -> Lines:
-    facts = matrix.frameworks[name]
-    releases = rules.families(matrix, facts)
-    stacks = [stack for stack in matrix.stacks if facts.parts and name in rules.frameworks(matrix, stack)]
-    parts = [part.name for part in matrix.parts if part.name in facts.parts]
-    spelled = releases or [part.brings[0] for part in matrix.parts if part.name in parts and part.title]
-    return [
-        {"repository": facts.repository, "parts": parts},
-        {"versions": rules.counted(matrix, facts), "spelled": spelled},
-        {"stacks": {stack: _platforms(matrix, rules.joined_for(matrix, name, stack)) for stack in stacks}},
-    ]
-
-
-def _words(matrix: Matrix) -> dict[str, object]:
-    """What is no row of a table."""
+    Args:
+        unknown: what it is if it is a date that nobody named.
+    """
+    if isinstance(value, str):
+        return text(value)
+    if isinstance(value, Overridable):
+        if value.variable == "SOURCE_DATE_EPOCH" or not value.fact:  # its default is the fact
+            return value.variable
+        return f'{value.variable} == "" ? {text(value.fact)} : {value.variable}'
     return {
-        "plain": rules.plain(matrix),
-        "assembler": matrix.default.assembler,
-        "source": matrix.source,
-        "short_component": FLOATING,
-        "releases": matrix.families,
-        "runtimes": [name for name, facts in matrix.components.items() if facts.runtime_of],
-    }
+        "variable": f'{value.of} == "" ? null : {value.of}',
+        "sync date": f"try(sync_dates[{text(value.of)}], {unknown})",
+        "root": f'can(digests[{text(value.of)}]) ? "/" : "/out/"',
+        "base name": f'trimprefix(split("@", {value.of})[0], "docker-image://")',
+        "base digest": f'try(split("@", {value.of})[1], null)',
+        "created": f'timeadd("1970-01-01T00:00:00Z", "${{{value.of}}}s")',
+    }[value.what]
 
 
-def _entry(matrix: Matrix, entry: PartEntry) -> Lines:
-    brings = [{"name": item.name, "short": item.short, "title": item.title} for item in rules.brought_by(entry)]
-    return [
-        {"accelerator": entry.accelerator or "", "any_python": entry.any_python},
-        {"tested": entry.tested, "compiled": entry.compiled},
-        {"slot": f"{entry.slot:02}" if entry.slot else "", "shows": rules.shown(matrix, entry.name)},
-        {"release": entry.release or "", "brings": brings},
-    ]
+class _Targets:
+    """Targets as blocks of HCL. What all of some have in common is a target of its own, which these inherit."""
+
+    def __init__(self, image_set: ImageSet) -> None:
+        self._image_set, self._found = image_set, targets.of(image_set)
+        self.tests = [image.test_target for image in image_set.images]
+        self.others = self._found.keys() - {*self.tests}
+        self._said = {name: _said(target) for name, target in self._found.items()}
+        self._above: dict[str, list[str]] = {name: [] for name in self._found}
+        self._merged: dict[tuple[str, ...], Said] = {}
+        self._families()
+
+    def _families(self) -> None:
+        images, parts = self._image_set.images, self._image_set.parts
+        self._family("_common", [], [*self._said])
+        self._family("_files", ["_common"], [names.files_target(part.name) for part in parts])
+        for part in parts:
+            self._above[part.target] = [names.files_target(part.name)]
+        self._family("_image", ["_common"], [image.target for image in images])
+        self._family("_test", ["_common"], self.tests)
+        for row, members in _by(images, lambda image: image.distribution).items():
+            self._family(f"_{row}", ["_image"], [image.target for image in members])
+            self._family(f"_{row}-ros", [f"_{row}"], [image.target for image in members if not image.stack])
+        for name, members in _by((image for image in images if image.stack), _joined).items():
+            self._family(name, [], [image.target for image in members])
+
+    def _family(self, name: str, above: list[str], members: list[str]) -> None:
+        """A target with what its members have in common, and do not all inherit already.
+
+        Args:
+            above: what it inherits itself; its members inherit it in the place of these.
+        """
+        if not members:
+            return
+        common, inherited = (set(said.items()) for said in (self._said[members[0]], self._inherited(members[0])))
+        for member in members[1:]:
+            common &= self._said[member].items()
+            inherited &= self._inherited(member).items()
+        own = common - inherited
+        self._said[name] = {place: code for place, code in self._said[members[0]].items() if (place, code) in own}
+        self._above[name] = above
+        for member in members:
+            self._above[member] = [*(other for other in self._above[member] if other not in above), name]
+
+    def needed(self, roots: Iterable[str], built: bool = False) -> set[str]:
+        """Some targets, and what they inherit.
+
+        Args:
+            built: also what they are built on.
+        """
+        needed, waiting = set[str](), [root for root in roots if root in self._found]
+        while waiting:
+            if (name := waiting.pop()) not in needed:
+                needed.add(name)
+                waiting += self._above[name]
+                contexts = self._found[name].contexts.values() if built and name in self._found else ()
+                waiting += [context.target for context in contexts if isinstance(context, Dependency)]
+        return needed
+
+    def blocks(self, names: Collection[str]) -> Iterator[str]:
+        """Some of the targets, in the order in which all stand."""
+        for title, members in self._sections():
+            if found := [name for name in members if name in names]:
+                yield f"# ---- {title} ".ljust(119, "-") + "\n"
+                yield from (self._block(name) for name in found)
+
+    def _sections(self) -> Iterator[tuple[str, list[str]]]:
+        images = self._image_set.images
+        systems = [names.os_target(image.os, runs) for image in images for runs in (False, True)]
+        everything = ["_common", targets.CONTENTS, *dict.fromkeys(systems), "_image", "_test"]
+        yield "What others inherit, and operating systems", [name for name in everything if name in self._said]
+        both = [[names.files_target(part.name), part.target] for part in self._image_set.parts]
+        yield (
+            "Parts: the files below /out, and the part as an image of its own",
+            ["_files", *(name for pair in both for name in pair)],
+        )
+        joined = [_joined(image) for image in images if image.stack]
+        yield "What images with the same framework, stack and Python have in common", [*dict.fromkeys(joined)]
+        for row, members in _by(images, lambda image: image.distribution).items():
+            found = [name for image in members for name in (image.target, image.test_target)]
+            yield row, [f"_{row}", f"_{row}-ros", *found]
+
+    def _inherited(self, name: str) -> Said:
+        above = tuple(self._above[name])
+        if above not in self._merged:
+            said: Said = {}
+            for other in above:
+                said |= self._inherited(other) | self._said[other]
+            self._merged[above] = said
+        return self._merged[above]
+
+    def _block(self, name: str) -> str:
+        """A target with what it does not inherit."""
+        inherited = self._inherited(name)
+        attributes: dict[str, str | dict[str, Code]] = {}
+        if above := self._above[name]:
+            attributes["inherits"] = literal(above)
+        for (attribute, item), code in self._said[name].items():
+            if inherited.get((attribute, item)) == code:
+                continue
+            if item:
+                mapping = attributes.setdefault(attribute, {})
+                assert isinstance(mapping, dict)
+                mapping[item] = Code(code)
+            else:
+                attributes[attribute] = code
+        return "\n".join([f"target {text(name)} {{", *_lines(attributes), "}"]) + "\n"
 
 
-def _distributions(image_set: ImageSet) -> dict[str, Lines]:
-    """A row for each distribution that has images."""
-    images: dict[str, list[Image]] = {}
-    for image in image_set.images:
-        images.setdefault(image.distribution, []).append(image)
-    rows = image_set.matrix.distributions
-    return {name: _distribution(image_set.matrix, name, images[name]) for name in rows if name in images}
+def _lines(attributes: Mapping[str, str | dict[str, Code]]) -> Iterator[str]:
+    """Attributes as `hclfmt` writes them: the values of neighbours on one line each stand below each other."""
+    single: dict[str, object] = {}
+    for name in sorted(attributes, key=lambda name: ORDER.index(name) if name in ORDER else len(ORDER)):
+        value = attributes[name]
+        if isinstance(value, str) or len(value) == 1:
+            single[name] = Code(value) if isinstance(value, str) else value
+            continue
+        yield from (f"  {line}" for line in aligned(single))
+        single = {}
+        yield from (f"  {name} = {{", *(f"    {line}" for line in aligned(value)), "  }")
+    yield from (f"  {line}" for line in aligned(single))
 
 
-def _distribution(matrix: Matrix, name: str, images: Sequence[Image]) -> Lines:
-    facts = matrix.distributions[name]
-    alone = [image for image in images if image.stack is None]
-    kinds = {_key(image): image for image in images}
-    carrying = [image for image in images if image.carriers[:1] == (image.target,)]
-    platforms = _platforms(matrix, rules.architectures(matrix, name, rules.plain(matrix), None))
-    short = [
-        tag.split(":")[1]
-        for image in alone
-        if image.component == FLOATING
-        for tag in image.tags[1 + len(facts.aliases) :]
-    ]
-    chosen = {framework: rules.default_stack(matrix, name, framework) for framework in matrix.frameworks}
-    defaults = {framework: stack for framework, stack in chosen.items() if stack}
-    stacks: dict[str, list[str]] = {}
-    for image in kinds.values():
-        if image.stack:
-            stacks.setdefault(image.framework, []).append(image.stack)
-    return [
-        {"os": facts.os, "ros": str(facts.ros), "ros_distro": facts.ros_distro or name, "platforms": platforms},
-        {"tags": short, "aliases": list(facts.aliases), "experimental": facts.experimental},
-        {"short": defaults},
-        {
-            "rmw": ",".join(facts.rmw),
-            "usual_rmw": facts.usual_rmw or "",
-            "wheels": targets.wheels(facts.wheels),
-            "tools": facts.tools or "",
-        },
-        {"packages": {image.component: image.packages for image in alone}},
-        {
-            "runtime": {
-                image.component: found for image in alone if (found := rules.runtime(matrix, name, image.component))
-            }
-        },
-        {"apt": targets.apt_arguments(matrix, name) or None},
-        {"stacks": stacks},
-        {"lowest": next((image.component for image in carrying), ""), "carrying": [_key(image) for image in carrying]},
-        {"unlocked": {kind: targets.unlocked(image) for kind, image in kinds.items() if not image.locked}},
-    ]
+def _joined(image: Image) -> str:
+    """What images with the same framework, stack and Python inherit."""
+    return f"_{image.framework}-{image.stack}-py{image.python.replace('.', '')}"
 
 
-def _key(image: Image) -> str:
-    """What tells images of a distribution and component apart: `torch-cu128`."""
-    return f"{image.framework}-{image.stack}" if image.stack else image.framework
+def _by(images: Iterable[Image], of: Callable[[Image], str]) -> dict[str, list[Image]]:
+    """Images by what they are of."""
+    found: dict[str, list[Image]] = {}
+    for image in images:
+        found.setdefault(of(image), []).append(image)
+    return found
 
 
-def _part(part: Part) -> dict[str, object]:
-    return {
-        "kind": part.kind,
-        "stack": part.stack,
-        "python": part.python,
-        "os": part.os,
-        "platforms": part.platforms,
-    }
+# ---- Groups ----------------------------------------------------------------------------------------------------------
 
 
-def _groups(image_set: ImageSet) -> str:
-    """The groups of the axes, as far as they have a target: what those have in common, so that a new row adds a line."""
-    present, found = image_set.groups, {}
-    if "default" in present:
-        found["default"] = literal(present["default"])
-    for axis in ("distributions", "components", "frameworks", "stacks"):
-        for name in getattr(image_set.matrix, axis):
-            if name in present:
-                found[name] = f"having({text(axis.removesuffix('s'))}, {text(name)})"
-    return "".join(f"group {text(name)} {{ targets = {members} }}\n" for name, members in found.items())
+def _groups(image_set: ImageSet, tests: bool) -> Iterator[str]:
+    """Names of targets, those of a distribution in a line: a new one adds a line."""
+    rows = {image.target: image.distribution for image in image_set.images}
+    rows |= {image.test_target: image.distribution for image in image_set.images}
+    yield "# ---- Groups ".ljust(119, "-") + "\n"
+    for name, members in image_set.groups.items():
+        if (name == "tests") is tests:
+            lines = "".join(f"    {', '.join(map(text, line))},\n" for _, line in groupby(members, rows.get))
+            yield f"group {text(name)} {{\n  targets = [\n{lines}  ]\n}}\n"

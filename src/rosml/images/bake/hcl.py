@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from json.encoder import encode_basestring as quoted
 
 
@@ -15,6 +16,7 @@ class Code:
     code: str
 
 
+@cache
 def text(value: str) -> str:
     """A quoted text in which nothing is filled in."""
     return quoted(value).replace("${", "$${").replace("%{", "%%{")
@@ -47,6 +49,7 @@ def aligned(values: Mapping[str, object]) -> Iterable[str]:
     return (f"{key(name).ljust(width)} = {literal(value)}" for name, value in values.items())
 
 
+@cache
 def key(name: str) -> str:
     """A key of a mapping: in quotes where it has to be."""
     return name if re.fullmatch(r"[A-Za-z][A-Za-z0-9_-]*", name) else text(name)

@@ -1,7 +1,7 @@
 """An image set -> its bake targets as plain data, for whoever asks what a target depends on.
 
-`graph.hcl` says the same to buildx; tests/unit/images/test_targets.py compares what buildx makes of the bake file with this, for
-every target and whatever the bake file's variables say.
+`bake_file` writes them out for buildx. tests/unit/images/test_targets.py compares what buildx makes of that with this, for every
+target and whatever the bake file's variables say.
 """
 
 from __future__ import annotations

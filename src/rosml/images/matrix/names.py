@@ -15,8 +15,8 @@ ROS = "ros"
 """Stands for a part in the locks of distributions that come from wheels: those are named like stacks, which they share
 no name with."""
 
-RESERVED_GROUPS = ("all", "default", "latest", "parts", "tests")
-"""Groups and tags that do not come from an axis of the matrix."""
+RESERVED_GROUPS = ("all", "common", "default", "files", "image", "latest", "parts", "test", "tests")
+"""Groups, tags and targets that others inherit, which do not come from an axis of the matrix."""
 
 
 def image_target(distribution: str, component: str, framework: str = "none", stack: str | None = None) -> str:
