@@ -90,11 +90,16 @@ def needed() -> Iterable[str]:
     if completion.asked().endswith("_source"):
         return ()
     first = completion.begun() if completion.asked() else next(iter(sys.argv[1:]), "")
-    return (first,) if first in QUICK else QUICK if LACKING else MODULES
+    there = QUICK if LACKING else MODULES
+    return (first,) if first in there else there
+
+
+def _add(name: str) -> None:
+    cli.add_command(import_module(f"rosml.cli.{MODULES[name]}").main)
 
 
 for name in needed():
-    cli.add_command(import_module(f"rosml.cli.{MODULES[name]}").main)
+    _add(name)
 
 
 def _absolute(path: str) -> str:
@@ -112,6 +117,8 @@ def run(word: str = "") -> int:
     os.environ["PATH"] = _absolute(os.environ.get("PATH", os.defpath))
     if (answered := completion.answer(cli)) is not None:
         return answered
+    if word and word not in cli.commands:
+        _add(word)
     first = cli.commands.get(word or next(iter(sys.argv[1:]), ""))
     known = first if isinstance(first, Command | Group) else cli
     gone = 0 if known.prints else command.BROKEN_PIPE
