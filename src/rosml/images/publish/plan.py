@@ -175,6 +175,11 @@ class Plan:
         return Size.total(sizes[below.target], image.disk - below.disk) if below else image.disk
 
     @cached_property
+    def _asked(self) -> frozenset[str]:
+        """Targets of the images that are part of this run."""
+        return frozenset(image.target for image in self.images)
+
+    @cached_property
     def by_key(self) -> dict[tuple[str, str], Item]:
         """Items by target and architecture."""
         return {item.key: item for item in self.items}
@@ -272,8 +277,7 @@ class Plan:
         """The tests that an image runs: those that depend on its own sum; and those that it shares with others, unless these are
         part of this run, or passed them before with the same parts."""
         assert isinstance(item.thing, Image)
-        asked = {image.target for image in self.images}
-        elsewhere = all(target in asked or not self._unproven(item, target) for target in item.thing.proven_by)
+        elsewhere = all(target in self._asked or not self._unproven(item, target) for target in item.thing.proven_by)
         return item.thing.tests if elsewhere else self._all(item.thing)
 
     def tests_digest(self, item: Item) -> str:
@@ -296,11 +300,10 @@ class Plan:
     def unproven(self, item: Item) -> str:
         """What other images were to prove of an image and did not; empty where they did, or it ran all tests itself."""
         assert isinstance(item.thing, Image)
-        asked = {image.target for image in self.images}
         entry = self.known[item.key]
         whole = entry.tested == self._digest_of(item, self._all(item.thing))
         for target in item.thing.proven_by:
-            if (target in asked or not whole) and (reason := self._unproven(item, target)):
+            if (target in self._asked or not whole) and (reason := self._unproven(item, target)):
                 return reason
         return ""
 
