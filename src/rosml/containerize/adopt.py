@@ -13,6 +13,7 @@ from rosml.base.file_lock import turn
 from rosml.containerize import bake_file
 from rosml.containerize.base import Base
 from rosml.containerize.cache import BASE
+from rosml.containerize.inputs import Values
 from rosml.images.builds import adopted, base_images, variables
 from rosml.images.builds.adopted import Adopted
 from rosml.images.image_set import system
@@ -25,7 +26,7 @@ from rosml.machine.services import Services
 def with_ros(
     base: Base,
     services: Services,
-    values: Mapping[str, str],
+    values: Values,
     platforms: tuple[str, ...],
     say: Callable[[str], None],
     image_set: ImageSet | None = None,
@@ -39,19 +40,19 @@ def with_ros(
     Raises:
         RosmlError: no ROS can be installed on it, or not the one that is named (exit code 2).
     """
-    if base.environment.get("ROS_DISTRO") or values["disable-ros-installation"] == "true":
+    if base.environment.get("ROS_DISTRO") or values.disable_ros_installation:
         return base
     image_set = image_set or load(ROOT / "matrix.yaml")
     known = {facts.ros_distro or name for name, facts in image_set.matrix.distributions.items()}
     found = adopted.look(services, base.reference, platforms[0], known)
     if found.ros:
-        if values["ros-distro"]:
+        if values.ros_distro:
             return base
         text = f"{base.name} has {' and '.join(found.ros)} in /opt/ros, and does not say which ROS it is"
         raise RosmlError(text, f"add --ros-distro {found.ros[0]}", exit_code=2)
     architectures = [platform.split("/")[1] for platform in platforms]
-    named = values["ros-distro"]
-    image = system.choose(image_set, found, base.name, named, values["ros-component"], architectures)
+    named = values.ros_distro
+    image = system.choose(image_set, found, base.name, named, values.ros_component, architectures)
     lasting = image_set.matrix.distributions[image.distribution].lts
     kind = "the newest long-term release" if lasting else "the first choice"
     why = "" if named else f", {kind} for {found.title or found.id}; --ros-distro names another"

@@ -12,6 +12,7 @@ from typing import Any
 from rosml import ROOT
 from rosml.containerize.base import Base
 from rosml.containerize.cache import BASE
+from rosml.containerize.inputs import Values
 from rosml.containerize.names import SLIM, Names
 from rosml.images.builds import adopted
 from rosml.images.builds.base_images import native_architecture
@@ -64,7 +65,7 @@ class Inputs:
 
     base: Base
     distribution: str
-    values: Mapping[str, str]
+    values: Values
     contexts: Mapping[str, Path]
     empty: Path
     hooked: bool
@@ -102,7 +103,7 @@ def render(
     """
     values = inputs.values
     steps = _steps(services, environment, names.platforms)
-    if values["parallel-jobs"]:  # as a secret, for the result does not depend on it: steps need not run again
+    if values.parallel_jobs:  # as a secret, for the result does not depend on it: steps need not run again
         steps["secret"].append("type=env,id=parallel-jobs,env=PARALLEL_JOBS")
     stages = {name: f"docker-image://{reference}" for name, reference in known.items()}
     onto = inputs.base.adopted if BASE not in known else None
@@ -116,23 +117,23 @@ def render(
         "dockerfile": str(SCRIPTS / "containerize/Dockerfile"),
         "contexts": {**base, "scripts": str(SCRIPTS), **contexts, **stages},
         "args": {
-            "CMAKE_ARGS": values["cmake-args"],
-            "COLCON_ARGS": values["colcon-args"],
-            "SKIP_KEYS": values["skip-keys"],
+            "CMAKE_ARGS": values.cmake_args,
+            "COLCON_ARGS": values.colcon_args,
+            "SKIP_KEYS": values.skip_keys,
             "ROSDEP_DAY": f"{datetime.now(UTC):%F}",
             "ROS_DISTRO": inputs.distribution,
             "CONDITIONS": inputs.conditions or inputs.distribution,
             "MANIFESTS": "changed" if inputs.hooked else "manifests",
-            "DOWNSTREAM": "downstream-results" if values["downstream-workspace"] else "nothing",
+            "DOWNSTREAM": "downstream-results" if values.downstream_workspace else "nothing",
         },
     }
-    before, tested = "slim-" if inputs.slim else "", values["tests"] == "true"
+    before, tested = "slim-" if inputs.slim else "", values.tests
     targets: dict[str, Any] = {
         REPORT: {**common, "target": f"{before}{REPORT}", "output": [exported.output(left[REPORT])]}
     }
     if tested:
         targets[RESULTS] = {**common, "target": f"{before}{RESULTS}", "output": [exported.output(left[RESULTS])]}
-    elif values["downstream-workspace"]:  # built all the same, for nobody to take
+    elif values.downstream_workspace:  # built all the same, for nobody to take
         targets[RESULTS] = {**common, "target": "downstream-built", "output": ["type=cacheonly"]}
     first = [*targets]
     targets[ASKED] = {**common, "target": ASKED, "output": [exported.output(left[ASKED])]}
@@ -215,10 +216,10 @@ def _variables(target: str, inputs: Inputs) -> dict[str, str]:
     base = inputs.slim if target == SLIM and inputs.slim else inputs.base
     if inputs.distribution != base.environment.get("ROS_DISTRO"):
         found["ROS_DISTRO"] = inputs.distribution
-    if values["rmw-implementation"]:
-        found["RMW_IMPLEMENTATION"] = values["rmw-implementation"]
+    if values.rmw_implementation:
+        found["RMW_IMPLEMENTATION"] = values.rmw_implementation
     if target != "dev":
-        found["DEFAULT_CMD"] = values["command"]
+        found["DEFAULT_CMD"] = values.command
     return {f"APP_{name}": value for name, value in found.items()}
 
 

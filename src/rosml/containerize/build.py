@@ -22,6 +22,7 @@ from rosml.containerize import base as bases
 from rosml.containerize import cache as caches
 from rosml.containerize.cache import IDENTIFIED
 from rosml.containerize.git import Access
+from rosml.containerize.inputs import Values
 from rosml.containerize.left_out import LeftOut
 from rosml.containerize.names import SLIM, Names
 from rosml.images.image_set.system import CALLED, DEBIAN
@@ -184,7 +185,7 @@ class App:
     def __init__(
         self,
         folder: Path,
-        values: Mapping[str, str],
+        values: Values,
         environment: Mapping[str, str],
         services: Services,
         say: Callable[[str], None],
@@ -192,16 +193,16 @@ class App:
     ) -> None:
         self._folder, self._values, self._environment = folder, values, environment
         self._services, self._say, self._renew = services, say, renew
-        self._lock_file = lock.place(folder, values["lock-file"], renew)
+        self._lock_file = lock.place(folder, values.lock_file, renew)
         self._names = Names(values, folder.name, services)
-        if "run" in self._names.targets and not values["command"]:
+        if "run" in self._names.targets and not values.command:
             raise RosmlError(
                 "there is no command for the run image", "add --command 'ros2 launch …', or --target dev", exit_code=2
             )
-        if not values["base-image"]:
+        if not values.base_image:
             raise RosmlError("there is no base image", "add --base-image, such as ros:jazzy-base", exit_code=2)
         # By what is made: two calls may work side by side, and those that make the same take turns.
-        name = f"{self._names.app}@{values['image-tag']}".replace("/", "+").replace(":", "=")
+        name = f"{self._names.app}@{values.image_tag}".replace("/", "+").replace(":", "=")
         self._state = services.state / "containerize" / name
 
     @property
@@ -222,7 +223,7 @@ class App:
     def _build(self) -> Built:
         started = time.monotonic()
         locked = None if self._renew else lock.read(self._lock_file, self._folder)
-        named = self._values["base-image"]
+        named = self._values.base_image
         digest = locked.base_image.of(named) if locked else ""
         base = bases.find(named, self._services, self._names.platforms, digest)
         self._say(f"base image {base.name}")
@@ -241,8 +242,8 @@ class App:
         inputs = self._inputs(base, slim, locked)
         with contextlib.ExitStack() as stack:
             cache = None
-            if self._values["cache"] and not self._renew:
-                cache = stack.enter_context(caches.Cache(self._values["cache"], self._services.ca_bundle))
+            if self._values.cache and not self._renew:
+                cache = stack.enter_context(caches.Cache(self._values.cache, self._services.ca_bundle))
             self._make(inputs, built, cache, locked)
         if self._renew and built.lock:
             self._write_lock(built.lock)
@@ -260,7 +261,7 @@ class App:
         known: dict[str, str] = {}
         kept: dict[str, str] = {}
         facts = None
-        named = bool(self._values["rosdep-index"])
+        named = bool(self._values.rosdep_index)
         if named or not cache:
             inputs = self._with_lists(inputs, locked)
         if cache:
@@ -273,7 +274,7 @@ class App:
             kept = {stage: cache.reference(tag) for stage, tag in keys.stages.items() if stage not in known}
         arguments = (inputs, self._names, self._services, [*self._environment], left, known, kept)
         if facts:
-            self._say(f"nothing to build: {self._values['cache']} has it")
+            self._say(f"nothing to build: {self._values.cache} has it")
             built.take(facts)
         else:
             shutil.rmtree(self.report, ignore_errors=True)
@@ -283,7 +284,7 @@ class App:
             self._packages(file, left[bake_file.ASKED])
             said = report.Said(left[bake_file.REPORT], self._state / "said", self._names.platforms)
             _take(built, said, slim=inputs.slim is not None)
-            if self._values["tests"] == "true":
+            if self._values.tests:
                 self._test(left[bake_file.RESULTS], built)
                 self._require_complete(built)
             if cache:
@@ -300,7 +301,7 @@ class App:
             _progress, metadata = buildx.run(self._services, call)
             digest = metadata.get(f"containerimage.{'config.' if self._names.loads else ''}digest", "")
             built.images.append(Made(target, self._names.reference(target), digest))
-        if self._values["sbom"] == "true" and not self._names.loads:
+        if self._values.sbom and not self._names.loads:
             if said:
                 self._describe(built, said.detail)
             elif cache:
@@ -315,7 +316,7 @@ class App:
         Raises:
             RosmlError: a step failed.
         """
-        jobs = {"PARALLEL_JOBS": self._values["parallel-jobs"]}
+        jobs = {"PARALLEL_JOBS": self._values.parallel_jobs}
         name = f"containerize-{self._state.name}"
         call = buildx.Bake(bake_file.PACKAGES, name, file, variables=jobs, foreign=bake_file.FOREIGN)
         try:
@@ -394,12 +395,12 @@ class App:
 
     def _locked(self, inputs: bake_file.Inputs, built: Built) -> lock.Lock:
         """What the images are built from."""
-        slim = inputs.slim and lock.Image(name=self._values["slim-base-image"], digest=inputs.slim.digest)
-        named, rosdep = self._values["rosdep-index"], None
+        slim = inputs.slim and lock.Image(name=self._values.slim_base_image, digest=inputs.slim.digest)
+        named, rosdep = self._values.rosdep_index, None
         if inputs.rosdep and (named or self._renew):  # otherwise they are others every day, and the image is the same
             rosdep = lock.Image(name=named, digest=inputs.rosdep)
         return lock.Lock(
-            base_image=lock.Image(name=self._values["base-image"], digest=inputs.base.digest),
+            base_image=lock.Image(name=self._values.base_image, digest=inputs.base.digest),
             slim_base_image=slim,
             rosdep_index=rosdep,
             repositories=_pins(built.upstream),
@@ -411,7 +412,7 @@ class App:
         """The base image of the slim image; None if there is to be no slim image, or if none belongs to the base image."""
         if SLIM not in self._names.targets:
             return None
-        named = self._values["slim-base-image"]
+        named = self._values.slim_base_image
         name = named or bases.runtime(base)
         reason = f"there is no {name}" if name else f"{base.name} does not say which base image has no compilers"
         digest = locked.slim_base_image.of(named) if locked and locked.slim_base_image else ""
@@ -438,25 +439,25 @@ class App:
         """Fetches the upstream sources, and those of the downstream workspace."""
         values = self._values
         access = Access(
-            https_server=values["git-https-server"],
-            https_user=values["git-https-user"],
-            https_password=values["git-https-password"],
-            ssh_key=values["git-ssh-private-key"],
-            ssh_known_hosts=values["git-ssh-known-host-keys"],
+            https_server=values.git_https_server,
+            https_user=values.git_https_user,
+            https_password=values.git_https_password,
+            ssh_key=values.git_ssh_private_key,
+            ssh_known_hosts=values.git_ssh_known_host_keys,
         )
         fetch = functools.partial(
             sources.fetch,
             self._folder,
             cache=self._services.state / "cache" / "git",
             access=access,
-            local=values["allow-file-urls"] == "true",
+            local=values.allow_file_urls,
             say=self._say,
         )
-        named = values["downstream-workspace"]
+        named = values.downstream_workspace
         upstream = fetch(
             self._state / "upstream",
-            recursive=values["enable-recursive-vcs-import"] == "true",
-            file=values["vcs-import-file"],
+            recursive=values.enable_recursive_vcs_import,
+            file=values.vcs_import_file,
             without=named,
             pins=locked.repositories if locked else None,
         )
@@ -475,15 +476,15 @@ class App:
     def _inputs(self, base: bases.Base, slim: bases.Base | None, locked: lock.Lock | None) -> bake_file.Inputs:
         """What the build reads, written down for it."""
         values, folder, state = self._values, self._folder, self._state
-        distribution = base.environment.get("ROS_DISTRO") or values["ros-distro"]
+        distribution = base.environment.get("ROS_DISTRO") or values.ros_distro
         conditions = distribution
         if distribution == DEBIAN:
             row = {base.adopted.image.distribution, DEBIAN} if base.adopted else {DEBIAN}
-            conditions = CALLED if values["ros-distro"] in row else values["ros-distro"] or CALLED
+            conditions = CALLED if values.ros_distro in row else values.ros_distro or CALLED
             if conditions != CALLED:
                 self._say(f"conditions in package.xml compare $ROS_DISTRO with {conditions}, which --ros-distro names")
-        elif values["ros-distro"] not in ("", distribution):
-            self._say(f"ROS_DISTRO={values['ros-distro']} is not used: the base image has {distribution}")
+        elif values.ros_distro not in ("", distribution):
+            self._say(f"ROS_DISTRO={values.ros_distro} is not used: the base image has {distribution}")
         if not distribution:
             text = f"{base.name} does not say which ROS it has"
             raise RosmlError(text, "add --ros-distro, such as jazzy", exit_code=2)
@@ -493,15 +494,16 @@ class App:
         empty.mkdir(parents=True, exist_ok=True)
         roots = {"target": folder, "upstream": upstream, "downstream": downstream}
         named = bake_file.mirrors_with_a_password(self._environment)
-        if named and values["allow-mirror-password"] != "true":
+        if named and not values.allow_mirror_password:
             text = f"{' and '.join(named)} has a password, and steps that ask the mirror run code of the repository"
             remedy = "name a mirror without a password; if you trust all of that code, add --allow-mirror-password"
             raise RosmlError(text, remedy, exit_code=2)
         counts = workspace.write_manifests(roots, manifests, self._say)
-        if values["downstream-workspace"] and not counts["downstream"]:
-            text = f"downstream-workspace: the repositories of {values['downstream-workspace']} have no package"
+        if values.downstream_workspace and not counts["downstream"]:
+            text = f"downstream-workspace: the repositories of {values.downstream_workspace} have no package"
             raise RosmlError(text, "name some that have, or leave the input out", exit_code=2)
-        workspace.write_requests({**values, "ros-distro": distribution}, folder, upstream, base.environment, requests)
+        of_base = replace(values, ros_distro=distribution)
+        workspace.write_requests(of_base, folder, upstream, base.environment, requests)
         if locked:
             locked.write_requests(requests)
         if self._renew:  # what an earlier build installed is not what is newest
@@ -515,7 +517,7 @@ class App:
         if counts["downstream"]:
             packages += f", and {counts['downstream']} that use them,"
         self._say(f"{packages} for {', '.join(self._names.platforms)}")
-        if additional := workspace.additional_files(values["additional-files-dir"], folder):
+        if additional := workspace.additional_files(values.additional_files_dir, folder):
             workspace.stage(additional, state / "additional")
         contexts = {
             "manifests": manifests,
@@ -541,7 +543,7 @@ class App:
 
     def _with_lists(self, inputs: bake_file.Inputs, locked: lock.Lock | None) -> bake_file.Inputs:
         """The same with rosdep's lists, if there are some beside those of the image."""
-        named = self._values["rosdep-index"]
+        named = self._values.rosdep_index
         pin = locked.rosdep_index.of(named) if locked and locked.rosdep_index else ""
         finder = rosdep_index.Finder(self._services, self._folder, self._say)
         found = finder.find(named, inputs.base, pin, locked is not None)
@@ -556,7 +558,7 @@ class App:
         """What the stages of the build are made from."""
         values, contexts = self._values, inputs.contexts
         names = ["manifests", "requests", "additional"]
-        if values["rosdep-index"]:  # others are the newest, and change every day for nothing
+        if values.rosdep_index:  # others are the newest, and change every day for nothing
             names.append("rosdep")
         given = {"base": inputs.base.digest, "platforms": self._names.platforms, "ros": inputs.distribution}
         if inputs.base.adopted:
@@ -564,7 +566,7 @@ class App:
         if inputs.slim:
             given["slim"] = inputs.slim.digest
         return caches.keys(
-            given | {"skip-keys": values["skip-keys"], "conditions": inputs.conditions},
+            given | {"skip-keys": values.skip_keys, "conditions": inputs.conditions},
             [
                 *(contexts[name] for name in names),
                 *(bake_file.SCRIPTS / name for name in ("containerize", "build", "ros")),
@@ -572,8 +574,8 @@ class App:
             contexts["upstream"],
             contexts["target"],
             contexts["downstream"],
-            f"{values['cmake-args']}\0{values['colcon-args']}" if values["colcon-args"] else values["cmake-args"],
-            values["tests"],
+            f"{values.cmake_args}\0{values.colcon_args}" if values.colcon_args else values.cmake_args,
+            str(values.tests),
             inputs.hooked,
         )
 
@@ -610,8 +612,8 @@ class App:
         """
         if not {"run", SLIM} & {*self._names.targets}:
             return
-        built.unstarted = unstarted(self._values["command"], built.forgotten)
-        if built.unstarted and self._values["tests"] == "true":
+        built.unstarted = unstarted(self._values.command, built.forgotten)
+        if built.unstarted and self._values.tests:
             raise RosmlError(
                 f"the command starts what is not installed; no image was made{_lines(built.unstarted)}",
                 "install it: install(DIRECTORY launch DESTINATION share/${PROJECT_NAME}) or install(PROGRAMS …) in"

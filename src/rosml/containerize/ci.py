@@ -10,7 +10,7 @@ import json
 import re
 import shutil
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +22,7 @@ from rosml.base.problems import first_of
 from rosml.containerize import base as bases
 from rosml.containerize import junit
 from rosml.containerize.build import App
+from rosml.containerize.inputs import Values
 from rosml.containerize.lock import Digest
 from rosml.containerize.names import SLIM, listed, listed_platforms
 from rosml.containerize.report import KINDS, TARGET
@@ -86,18 +87,18 @@ def _slug(name: str) -> str:
     return re.sub(r"[^a-z0-9]", "-", name.lower())[:63].strip("-")
 
 
-def tags(target: str, values: Mapping[str, str], what: Commit) -> list[str]:
+def tags(target: str, values: Values, what: Commit) -> list[str]:
     """The tags of an image. Nothing but the default branch moves the tag that the inputs name.
 
     Args:
         target: run, dev or slim. values: of all inputs. what: is built.
     """
     end = "" if target == "run" else f"-{target}"
-    own = values["image-tag"] if target == "run" else values[f"{target}-image-tag"] or f"{values['image-tag']}{end}"
-    latest = values["enable-push-as-latest"] == "true"
+    own = values.image_tag if target == "run" else values.named(f"{target}-image-tag") or f"{values.image_tag}{end}"
+    latest = values.enable_push_as_latest
     if what.tag:
         release = _TAG.sub("-", what.tag)
-        bare = [f"{release}{end}"] if latest or values["image-tag"] == "latest" else []
+        bare = [f"{release}{end}"] if latest or values.image_tag == "latest" else []
         return [*bare, f"{own}-{release}"]
     if what.default:
         return list(dict.fromkeys([own, *([f"latest{end}"] if latest else [])]))
@@ -143,12 +144,12 @@ class Job:
         say: tells people what begins now.
     """
 
-    def __init__(self, values: Mapping[str, str], environment: Mapping[str, str], what: Commit, say: Say) -> None:
-        run, dev, slim = (_complete(values[name]) for name in ("image-name", "dev-image-name", "slim-image-name"))
-        self._values = {**values, "image-name": run, "dev-image-name": dev, "slim-image-name": slim}
+    def __init__(self, values: Values, environment: Mapping[str, str], what: Commit, say: Say) -> None:
+        run, dev, slim = map(_complete, (values.image_name, values.dev_image_name, values.slim_image_name))
+        self._values = replace(values, image_name=run, dev_image_name=dev, slim_image_name=slim)
         self._names = {"run": run, "dev": dev or run, "slim": slim or run}
         self._environment, self._what, self._say = environment, what, say
-        self._platforms = listed_platforms(values["platform"])
+        self._platforms = listed_platforms(values.platform)
 
     @property
     def name(self) -> str:
@@ -176,17 +177,17 @@ class Job:
 
     def _build(self, folder: Path, services: Services, out: Path, platforms: tuple[str, ...], end: str) -> list[Image]:
         wanted = {target: tuple(tags(target, self._values, self._what)) for target in self._names}
-        values = {
-            **self._values,
-            "platform": ",".join(platforms),
-            "image-tag": wanted["run"][0] + end,
-            "dev-image-tag": wanted["dev"][0] + end,
-            "slim-image-tag": wanted["slim"][0] + end,
-            "enable-push-as-latest": "false",
-        }
-        if values["push"] == "true":  # all tags, before the first one moves
+        values = replace(
+            self._values,
+            platform=",".join(platforms),
+            image_tag=wanted["run"][0] + end,
+            dev_image_tag=wanted["dev"][0] + end,
+            slim_image_tag=wanted["slim"][0] + end,
+            enable_push_as_latest=False,
+        )
+        if values.push:  # all tags, before the first one moves
             with oci.Registries(services.ca_bundle) as registries:
-                for target in {*listed(values["target"])} | ({SLIM} if values["enable-slim"] == "true" else set()):
+                for target in {*listed(values.target)} | ({SLIM} if values.enable_slim else set()):
                     found = [f"{self._names[target]}:{tag}{end}" for tag in wanted.get(target, ())]
                     bases.require_kept(registries, found, platforms)
         app = App(folder, values, self._environment, services, self._say)
@@ -201,7 +202,7 @@ class Job:
             Image(image.target, self._names[image.target], wanted[image.target], end, platforms, image.digest)
             for image in built.images
         ]
-        if values["push"] == "true":
+        if values.push:
             with oci.Registries(services.ca_bundle) as registries:
                 for image in made:
                     _move(registries, image, 1)
@@ -217,7 +218,7 @@ class Job:
         Raises:
             RosmlError: what one left is damaged.
         """
-        jobs = [Job({**self._values, "platform": name}, {}, self._what, self._say).name for name in self._platforms]
+        jobs = [Job(replace(self._values, platform=name), {}, self._what, self._say).name for name in self._platforms]
         return [image for name in dict.fromkeys((self.name, *jobs)) for image in _read(folder / name / FILE)]
 
     def index(self, folder: Path, registries: oci.Registries) -> list[Image]:
@@ -230,17 +231,17 @@ class Job:
         Raises:
             RosmlError: an image is missing.
         """
-        if self._values["push"] != "true":
+        if not self._values.push:
             return []
         found, made = self.made(folder), []
-        for target in [*listed(self._values["target"]), SLIM]:
+        for target in [*listed(self._values.target), SLIM]:
             wanted = (target, self._names.get(target, ""), tuple(tags(target, self._values, self._what)))
             members = [image for image in found if (image.target, image.name, image.tags) == wanted]
             if target == SLIM and not members:  # it is made where the base image has one without compilers
                 continue
             there = {name: image for image in members for name in image.platforms}
             missing = [name for name in self._platforms if name not in there]
-            if missing and target == SLIM and not self._values["slim-base-image"]:
+            if missing and target == SLIM and not self._values.slim_base_image:
                 self._say(f"no slim image: there is none for {', '.join(missing)}")
                 continue
             if missing:

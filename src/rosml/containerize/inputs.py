@@ -15,8 +15,9 @@ import os
 import re
 import shlex
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import Field, dataclass, field, fields
 from pathlib import Path
+from typing import Any
 
 from rosml.base import files
 from rosml.base.errors import RosmlError
@@ -64,128 +65,119 @@ def _gone(name: str, why: str) -> Input:
 
 _RECURSIVE = "take every file of that name in the repository and its upstream sources"
 
-TABLE = (
-    Input("base-image", "the image to build on; without a registry, one of the local registry or of Docker Hub"),
-    Input("command", "what the run image starts, as a shell reads it"),
-    Input("target", "images to build, separated by commas: run, dev", "run,dev"),
-    Input("platform", "platforms, separated by commas, such as linux/arm64; this machine's own if left out"),
-    Input("image-name", "name of the run image; the folder's name if left out", in_repository=UNPUSHED),
-    Input("image-tag", "its tag", "latest", in_repository=UNPUSHED),
-    Input("dev-image-name", "name of the dev image; that of the run image if left out", in_repository=UNPUSHED),
-    Input("dev-image-tag", "its tag; that of the run image with -dev if left out", in_repository=UNPUSHED),
-    Input(
-        "enable-slim",
-        "also build a slim image to run: on a base image without compilers and headers",
-        "false",
-        flag=True,
-    ),
-    Input(
-        "slim-base-image", "its base image; the one with -run in its name that belongs to the base image if left out"
-    ),
-    Input("slim-image-name", "name of the slim image; that of the run image if left out", in_repository=UNPUSHED),
-    Input("slim-image-tag", "its tag; that of the run image with -slim if left out", in_repository=UNPUSHED),
-    Input("push", "push the images to the registry that their names begin with", "false", flag=True, in_repository=NO),
-    Input(
-        "enable-push-as-latest",
-        "also give the tags latest, latest-dev and latest-slim",
-        "false",
-        flag=True,
-        in_repository=UNPUSHED,
-    ),
-    Input(
-        "ros-distro",
-        "the ROS distribution, if the base image does not say it; on Debian's ROS 1, the one that conditions in package.xml compare with",
-    ),
-    Input(
-        "ros-component",
-        "what is installed if the base image has no ROS: core, base and others of its distribution",
-        "core",
-    ),
-    Input(
-        "disable-ros-installation",
-        "install no ROS on a base image that seems to have none, such as one with a ROS built from its sources",
-        "false",
-        flag=True,
-    ),
-    Input("rmw-implementation", "the middleware, such as rmw_cyclonedds_cpp: installs it and sets the variable"),
-    Input("tests", "run the tests of your packages, and make no image if one fails", "true", flag=True),
-    Input(
-        "downstream-workspace",
-        "a .repos file with packages that use yours: they are built and tested with yours, and are in no image",
-    ),
-    Input("cmake-args", "arguments of CMake for all packages", "-DCMAKE_BUILD_TYPE=Release"),
-    Input("colcon-args", "arguments of colcon build, such as --executor sequential"),
-    Input(
-        "parallel-jobs",
+
+def _text(help: str, default: str = "", in_repository: str = YES) -> Any:
+    """A field with a text. The arguments are those of `Input`."""
+    return field(default=default, metadata={"help": help, "in_repository": in_repository})
+
+
+def _flag(help: str, default: bool = False, in_repository: str = YES) -> Any:
+    """A field that is true or false."""
+    return field(default=default, metadata={"help": help, "in_repository": in_repository})
+
+
+@dataclass(frozen=True, kw_only=True)
+class Values:
+    """What a user says about an app: a field for each input, in the order in which they are documented."""
+
+    base_image: str = _text("the image to build on; without a registry, one of the local registry or of Docker Hub")
+    command: str = _text("what the run image starts, as a shell reads it")
+    target: str = _text("images to build, separated by commas: run, dev", "run,dev")
+    platform: str = _text("platforms, separated by commas, such as linux/arm64; this machine's own if left out")
+    image_name: str = _text("name of the run image; the folder's name if left out", in_repository=UNPUSHED)
+    image_tag: str = _text("its tag", "latest", in_repository=UNPUSHED)
+    dev_image_name: str = _text("name of the dev image; that of the run image if left out", in_repository=UNPUSHED)
+    dev_image_tag: str = _text("its tag; that of the run image with -dev if left out", in_repository=UNPUSHED)
+    enable_slim: bool = _flag("also build a slim image to run: on a base image without compilers and headers")
+    slim_base_image: str = _text(
+        "its base image; the one with -run in its name that belongs to the base image if left out"
+    )
+    slim_image_name: str = _text("name of the slim image; that of the run image if left out", in_repository=UNPUSHED)
+    slim_image_tag: str = _text("its tag; that of the run image with -slim if left out", in_repository=UNPUSHED)
+    push: bool = _flag("push the images to the registry that their names begin with", in_repository=NO)
+    enable_push_as_latest: bool = _flag("also give the tags latest, latest-dev and latest-slim", in_repository=UNPUSHED)
+    ros_distro: str = _text(
+        "the ROS distribution, if the base image does not say it; on Debian's ROS 1, the one that conditions in package.xml compare with"
+    )
+    ros_component: str = _text(
+        "what is installed if the base image has no ROS: core, base and others of its distribution", "core"
+    )
+    disable_ros_installation: bool = _flag(
+        "install no ROS on a base image that seems to have none, such as one with a ROS built from its sources"
+    )
+    rmw_implementation: str = _text("the middleware, such as rmw_cyclonedds_cpp: installs it and sets the variable")
+    tests: bool = _flag("run the tests of your packages, and make no image if one fails", True)
+    downstream_workspace: str = _text(
+        "a .repos file with packages that use yours: they are built and tested with yours, and are in no image"
+    )
+    cmake_args: str = _text("arguments of CMake for all packages", "-DCMAKE_BUILD_TYPE=Release")
+    colcon_args: str = _text("arguments of colcon build, such as --executor sequential")
+    parallel_jobs: str = _text(
         "how many compilers run at the same time; if left out, as many as cores, and fewer if the builder has less than 2 GB"
-        " of memory for each",
-    ),
-    Input(
-        "cache",
+        " of memory for each"
+    )
+    cache: str = _text(
         "repository in a registry that keeps finished stages, for machines that have none; such as ghcr.io/me/robot-cache",
         in_repository=NO,
-    ),
-    Input("skip-keys", "keys of rosdep that are left out, separated by blanks or commas"),
-    Input(
-        "rosdep-index",
+    )
+    skip_keys: str = _text("keys of rosdep that are left out, separated by blanks or commas")
+    rosdep_index: str = _text(
         "rosdep's lists: of a registry, such as ghcr.io/me/rosml/rosdep:latest, or of a checkout of ros/rosdistro; the newest"
         " beside the base image if left out",
         in_repository=NO,
-    ),
-    Input(
-        "sbom",
-        "attach an SBOM and a list of files to the images to run; in a registry, not in Docker",
-        "true",
-        flag=True,
-    ),
-    Input("lock-file", "what the images are built from, if it is there; --lock writes it", "containerize.lock"),
-    Input("additional-debs-file", "packages for apt, one a line", "docker/additional-debs.txt"),
-    Input("enable-recursive-additional-debs", _RECURSIVE, "false", flag=True),
-    Input("additional-pip-file", "requirements for pip, one a line", "docker/additional-pip-requirements.txt"),
-    Input("enable-recursive-additional-pip", _RECURSIVE, "false", flag=True),
-    Input("additional-files-dir", "folder that becomes /docker-ros/additional-files", "docker/additional-files"),
-    Input(
-        "before-dependency-identification-script",
+    )
+    sbom: bool = _flag("attach an SBOM and a list of files to the images to run; in a registry, not in Docker", True)
+    lock_file: str = _text("what the images are built from, if it is there; --lock writes it", "containerize.lock")
+    additional_debs_file: str = _text("packages for apt, one a line", "docker/additional-debs.txt")
+    enable_recursive_additional_debs: bool = _flag(_RECURSIVE)
+    additional_pip_file: str = _text("requirements for pip, one a line", "docker/additional-pip-requirements.txt")
+    enable_recursive_additional_pip: bool = _flag(_RECURSIVE)
+    additional_files_dir: str = _text("folder that becomes /docker-ros/additional-files", "docker/additional-files")
+    before_dependency_identification_script: str = _text(
         "script that may change the sources before their dependencies are read",
         "docker/before_dependency_identification.sh",
-    ),
-    Input(
-        "before-dependency-installation-script",
-        "script that runs before dependencies are installed",
-        "docker/before_dependency_installation.sh",
-    ),
-    Input("enable-recursive-before-dependency-installation-script", _RECURSIVE, "false", flag=True),
-    Input(
-        "after-dependency-installation-script",
-        "script that runs after dependencies are installed",
-        "docker/custom.sh",
-    ),
-    Input("enable-recursive-after-dependency-installation-script", _RECURSIVE, "false", flag=True),
-    Input("blacklisted-packages-file", "names of ROS packages to leave out", "docker/blacklisted-packages.txt"),
-    Input("enable-recursive-blacklisted-packages", _RECURSIVE, "false", flag=True),
-    Input("enable-recursive-vcs-import", "import every .repos file, also of what was imported", "true", flag=True),
-    Input("vcs-import-file", "the .repos file, if not every one is imported", ".repos"),
-    Input(
-        "allow-file-urls",
-        "let your .repos files name repositories of this machine, such as file:///srv/git/driver",
-        "false",
-        flag=True,
-        in_repository=NO,
-    ),
-    Input(
-        "allow-mirror-password",
+    )
+    before_dependency_installation_script: str = _text(
+        "script that runs before dependencies are installed", "docker/before_dependency_installation.sh"
+    )
+    enable_recursive_before_dependency_installation_script: bool = _flag(_RECURSIVE)
+    after_dependency_installation_script: str = _text(
+        "script that runs after dependencies are installed", "docker/custom.sh"
+    )
+    enable_recursive_after_dependency_installation_script: bool = _flag(_RECURSIVE)
+    blacklisted_packages_file: str = _text("names of ROS packages to leave out", "docker/blacklisted-packages.txt")
+    enable_recursive_blacklisted_packages: bool = _flag(_RECURSIVE)
+    enable_recursive_vcs_import: bool = _flag("import every .repos file, also of what was imported", True)
+    vcs_import_file: str = _text("the .repos file, if not every one is imported", ".repos")
+    allow_file_urls: bool = _flag(
+        "let your .repos files name repositories of this machine, such as file:///srv/git/driver", in_repository=NO
+    )
+    allow_mirror_password: bool = _flag(
         "let steps that run code of the repository have the password in the address of your apt mirror",
-        "false",
-        flag=True,
         in_repository=NO,
-    ),
-    Input(
-        "git-https-server", "server of private repositories, without https://", "github.com", in_repository=WITH_SECRET
-    ),
-    Input("git-https-user", "user on it"),
-    Input("git-https-password", "password or token on it; name it in the environment, not on the command line"),
-    Input("git-ssh-private-key", "key for private repositories over ssh; name it in the environment"),
-    Input("git-ssh-known-host-keys", "what ssh-keyscan says of their servers", in_repository=WITH_SECRET),
+    )
+    git_https_server: str = _text(
+        "server of private repositories, without https://", "github.com", in_repository=WITH_SECRET
+    )
+    git_https_user: str = _text("user on it")
+    git_https_password: str = _text("password or token on it; name it in the environment, not on the command line")
+    git_ssh_private_key: str = _text("key for private repositories over ssh; name it in the environment")
+    git_ssh_known_host_keys: str = _text("what ssh-keyscan says of their servers", in_repository=WITH_SECRET)
+
+    def named(self, name: str) -> str:
+        """An input by its name, such as `dev-image-tag`, as the user writes it."""
+        value = getattr(self, name.replace("-", "_"))
+        return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def _input(item: Field[Any]) -> Input:
+    flag = isinstance(item.default, bool)
+    default = str(item.default).lower() if flag else str(item.default)
+    return Input(item.name.replace("_", "-"), default=default, flag=flag, **item.metadata)
+
+
+TABLE = (
+    *map(_input, fields(Values)),
     _gone("custom-script-file", "it is after-dependency-installation-script"),
     _gone("slim-build-args", "no program is watched to find out what an image needs"),
     _gone("additional-slim-build-args", "no program is watched to find out what an image needs"),
@@ -230,8 +222,8 @@ def default(name: str) -> str:
     return next(item.default for item in TABLE if item.name == name)
 
 
-def values(given: Mapping[str, str | None], folder: Path, environment: Mapping[str, str]) -> dict[str, str]:
-    """The value of each input, by name.
+def values(given: Mapping[str, str | None], folder: Path, environment: Mapping[str, str]) -> Values:
+    """What a user says.
 
     Args:
         given: on the command line; None where it says nothing.
@@ -248,7 +240,7 @@ def values(given: Mapping[str, str | None], folder: Path, environment: Mapping[s
     )  # whoever types one of them means the other one's default
     of_repository = _said(_of_industrial_ci(environment, variables) | variables, both)
     of_person = _said(environment, both) | line
-    found = {}
+    found: dict[str, str] = {}
     for item in TABLE:
         if item.gone:
             continue
@@ -261,7 +253,9 @@ def values(given: Mapping[str, str | None], folder: Path, environment: Mapping[s
         found[item.name] = value
     for name in (name for name in of_repository if name not in of_person):
         _require_allowed(name, found, of_person, folder / FILE, variables)
-    return found
+    flags = {item.name for item in TABLE if item.flag}
+    said: dict[str, Any] = {name: text == "true" if name in flags else text for name, text in found.items()}
+    return Values(**{name.replace("-", "_"): value for name, value in said.items()})
 
 
 def _said(variables: Mapping[str, str], image: bool) -> dict[str, str]:

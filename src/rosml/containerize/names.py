@@ -6,9 +6,9 @@ import functools
 import re
 import shutil
 import subprocess
-from collections.abc import Mapping
 
 from rosml.base.errors import RosmlError
+from rosml.containerize.inputs import Values
 from rosml.images.builds.base_images import native_architecture
 from rosml.machine.services import NAMESPACE, Services
 from rosml.registry import oci
@@ -34,24 +34,24 @@ class Names:
         RosmlError: a value is wrong, or the images have no place to go to (exit code 2).
     """
 
-    def __init__(self, values: Mapping[str, str], folder: str, services: Services) -> None:
+    def __init__(self, values: Values, folder: str, services: Services) -> None:
         self._values, self._registry = values, services.registry
-        self.app = _name(values["image-name"] or folder.lower())
-        self.targets = _targets(values["target"])
-        if values["enable-slim"] == "true" and "run" in self.targets:
+        self.app = _name(values.image_name or folder.lower())
+        self.targets = _targets(values.target)
+        if values.enable_slim and "run" in self.targets:
             self.targets += (SLIM,)
-        self.platforms = listed_platforms(values["platform"])
+        self.platforms = listed_platforms(values.platform)
         has_docker = services.builder_kind != "buildkitd" and shutil.which("docker") is not None
-        self.loads = values["push"] == "false" and (has_docker or not services.registry)
+        self.loads = not values.push and (has_docker or not services.registry)
         self._require_place()
 
     def reference(self, target: str) -> str:
         """The full name of an image, with its tag."""
         values = self._values
-        name, tag = self.app, values["image-tag"]
+        name, tag = self.app, values.image_tag
         if target != "run":
-            name = _name(values[f"{target}-image-name"]) if values[f"{target}-image-name"] else name
-            tag = values[f"{target}-image-tag"] or f"{tag}-{target}"
+            name = _name(values.named(f"{target}-image-name")) if values.named(f"{target}-image-name") else name
+            tag = values.named(f"{target}-image-tag") or f"{tag}-{target}"
         if not re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}", tag):
             raise RosmlError(f"{tag!r} is no tag of an image", "take letters, digits, points and hyphens", exit_code=2)
         local = f"{self._registry}/" if self._registry and not self.loads and not oci.has_registry(name) else ""
@@ -60,7 +60,7 @@ class Names:
     def tags(self, target: str) -> list[str]:
         """All full names that an image gets."""
         found = [self.reference(target)]
-        if self._values["enable-push-as-latest"] == "true":
+        if self._values.enable_push_as_latest:
             latest = "latest" if target == "run" else f"latest-{target}"
             found.append(f"{found[0].rpartition(':')[0]}:{latest}")
         return list(dict.fromkeys(found))
@@ -79,7 +79,7 @@ class Names:
 
     def _require_place(self) -> None:
         names = [self.reference(target).rpartition(":")[0] for target in self.targets]
-        if self._values["push"] == "true":
+        if self._values.push:
             for name in names:
                 if not oci.has_registry(name):
                     raise RosmlError(f"{name} names no registry", "name one, such as ghcr.io/me/robot", exit_code=2)

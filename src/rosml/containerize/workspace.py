@@ -15,6 +15,7 @@ from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.problems import near
 from rosml.containerize import inputs, within
+from rosml.containerize.inputs import Values
 from rosml.containerize.left_out import LeftOut
 from rosml.containerize.store import is_pointer
 from rosml.containerize.within import SECRET
@@ -228,9 +229,7 @@ def _require_named(name: str, value: str, folder: Path, kind: str) -> None:
         raise RosmlError(f"{name}: there is no {kind} {value} in {folder}", "check its name", exit_code=2)
 
 
-def write_requests(
-    values: Mapping[str, str], folder: Path, upstream: Path, environment: Mapping[str, str], out: Path
-) -> None:
+def write_requests(values: Values, folder: Path, upstream: Path, environment: Mapping[str, str], out: Path) -> None:
     """Writes down what the build does besides: packages, scripts, and packages to leave out. A file for each; empty where
     the repository has none.
 
@@ -242,20 +241,20 @@ def write_requests(
     roots = (folder, upstream)
 
     def said(name: str, recursive: str = "") -> str:
-        every = bool(recursive) and values[recursive] == "true"
-        if not values[name]:
+        every = bool(recursive) and values.named(recursive) == "true"
+        if not values.named(name):
             return ""
         if not every:
-            _require_named(name, values[name], folder, "file")
-        return inputs.text_of(folder, values[name], every, roots)
+            _require_named(name, values.named(name), folder, "file")
+        return inputs.text_of(folder, values.named(name), every, roots)
 
     debs = inputs.lines_of(said("additional-debs-file", "enable-recursive-additional-debs"))
-    if values["rmw-implementation"] and environment.get("ROS_VERSION") != "1":
-        distribution = values["ros-distro"] or environment.get("ROS_DISTRO", "")
-        debs.append(f"ros-{distribution}-{values['rmw-implementation'].replace('_', '-')}")
+    if values.rmw_implementation and environment.get("ROS_VERSION") != "1":
+        distribution = values.ros_distro or environment.get("ROS_DISTRO", "")
+        debs.append(f"ros-{distribution}-{values.rmw_implementation.replace('_', '-')}")
     for name in debs:
         if not re.fullmatch(r"[a-z0-9][a-z0-9.+-]*(:[a-z0-9-]+)?(=\S+)?", name):
-            where = values["additional-debs-file"]
+            where = values.additional_debs_file
             raise RosmlError(f"{where}: {name!r} is no package of apt", "write one a line: name or name=version", 2)
     texts = {
         "apt": "".join(f"{line}\n" for line in debs),

@@ -132,12 +132,12 @@ class App:
 
     failed = ""
 
-    def __init__(self, folder: Path, values: Mapping[str, str], _: object, services: Services, __: object) -> None:
+    def __init__(self, folder: Path, values: inputs.Values, _: object, services: Services, __: object) -> None:
         self.values, self.services = values, services
         self.report = services.state / "report"
 
     def build(self) -> Built:
-        platforms = self.values["platform"].split(",")
+        platforms = self.values.platform.split(",")
         for platform in platforms:
             folder = self.report if len(platforms) == 1 else self.report / platform.replace("/", "_")
             (folder / "results/robot").mkdir(parents=True)
@@ -145,10 +145,10 @@ class App:
         if self.failed:
             raise RosmlError(self.failed, "correct them")
         built = Built("base")
-        for target in self.values["target"].split(","):
+        for target in self.values.target.split(","):
             before = "" if target == "run" else f"{target}-"
-            tag, name = self.values[f"{before}image-tag"], self.values[f"{before}image-name"]
-            digest = put(self.services, f"{name or self.values['image-name']}:{tag}")
+            tag, name = self.values.named(f"{before}image-tag"), self.values.named(f"{before}image-name")
+            digest = put(self.services, f"{name or self.values.image_name}:{tag}")
             built.images.append(Made(target, f"{name}:{tag}", digest))
         return built
 

@@ -15,20 +15,20 @@ from rosml.containerize import inputs
 def test_the_command_line_wins_over_the_environment_and_that_over_the_file(tmp_path: Path) -> None:
     (tmp_path / ".env").write_text("BASE_IMAGE=file\nCOMMAND=file\nIMAGE_TAG=file\n")
     found = inputs.values({"base-image": "line"}, tmp_path, {"BASE_IMAGE": "variable", "COMMAND": "variable"})
-    assert (found["base-image"], found["command"], found["image-tag"]) == ("line", "variable", "file")
-    assert found["cmake-args"] == "-DCMAKE_BUILD_TYPE=Release"
+    assert (found.base_image, found.command, found.image_tag) == ("line", "variable", "file")
+    assert found.cmake_args == "-DCMAKE_BUILD_TYPE=Release"
 
 
 def test_an_empty_value_counts_on_the_command_line_alone(tmp_path: Path) -> None:
     (tmp_path / ".env").write_text("CMAKE_ARGS=-DX=1\nIMAGE_TAG=\nIMAGE=robot:v1\n")
-    assert inputs.values({"cmake-args": ""}, tmp_path, {})["cmake-args"] == ""
-    assert inputs.values({}, tmp_path, {"CMAKE_ARGS": ""})["cmake-args"] == "-DX=1"
-    assert inputs.values({"image-name": ""}, tmp_path, {})["image-name"] == ""
+    assert inputs.values({"cmake-args": ""}, tmp_path, {}).cmake_args == ""
+    assert inputs.values({}, tmp_path, {"CMAKE_ARGS": ""}).cmake_args == "-DX=1"
+    assert inputs.values({"image-name": ""}, tmp_path, {}).image_name == ""
 
 
 @pytest.mark.parametrize("value", ["-DA=1 -DB='a;b'", '-DA="a b|c"', r"-DA=a\;b", "-DA=${HOME}", "-DA='x'\n-DB=y", ""])
 def test_arguments_of_cmake_are_a_shells_words(value: str, tmp_path: Path) -> None:
-    assert inputs.values({"cmake-args": value}, tmp_path, {})["cmake-args"] == value
+    assert inputs.values({"cmake-args": value}, tmp_path, {}).cmake_args == value
 
 
 @pytest.mark.parametrize(
@@ -65,19 +65,19 @@ def test_a_file_of_variables_may_begin_with_a_byte_order_mark(tmp_path: Path) ->
 def test_image_and_tag_may_be_one_variable(tmp_path: Path) -> None:
     """As docker-ros' local script has them."""
     found = inputs.values({}, tmp_path, {"IMAGE": "127.0.0.1:5000/me/robot:v1"})
-    assert (found["image-name"], found["image-tag"]) == ("127.0.0.1:5000/me/robot", "v1")
+    assert (found.image_name, found.image_tag) == ("127.0.0.1:5000/me/robot", "v1")
     found = inputs.values({}, tmp_path, {"IMAGE": "127.0.0.1:5000/me/robot"})
-    assert (found["image-name"], found["image-tag"]) == ("127.0.0.1:5000/me/robot", "latest")
+    assert (found.image_name, found.image_tag) == ("127.0.0.1:5000/me/robot", "latest")
     found = inputs.values({"image-name": "mine"}, tmp_path, {"IMAGE": "robot:v1"})
-    assert (found["image-name"], found["image-tag"]) == ("mine", "latest")
+    assert (found.image_name, found.image_tag) == ("mine", "latest")
 
 
 def test_the_environment_wins_over_image_in_the_file(tmp_path: Path) -> None:
     (tmp_path / ".env").write_text("IMAGE=theirs:v1\n")
     found = inputs.values({}, tmp_path, {"IMAGE_NAME": "mine"})
-    assert (found["image-name"], found["image-tag"]) == ("mine", "v1")
-    assert inputs.values({}, tmp_path, {"IMAGE": "mine:v2"})["image-tag"] == "v2"
-    assert inputs.values({}, tmp_path, {})["image-name"] == "theirs"
+    assert (found.image_name, found.image_tag) == ("mine", "v1")
+    assert inputs.values({}, tmp_path, {"IMAGE": "mine:v2"}).image_tag == "v2"
+    assert inputs.values({}, tmp_path, {}).image_name == "theirs"
 
 
 PASSWORD, KEY = {"GIT_HTTPS_PASSWORD": "secret"}, {"GIT_SSH_PRIVATE_KEY": "key"}
@@ -134,7 +134,7 @@ def test_what_a_repository_may_say_counts(
     file = inputs.read_env(tmp_path / ".env")
     for item in inputs.TABLE:
         told = given.get(item.name) or environment.get(item.variable) or file.get(item.variable)
-        assert not told or item.gone or found[item.name] == told
+        assert not told or item.gone or found.named(item.name) == told
 
 
 @pytest.mark.parametrize(
@@ -193,7 +193,7 @@ def test_what_a_shell_would_be_needed_for_is_refused(text: str, says: str, tmp_p
 
 
 def test_a_flag_is_true_or_false(tmp_path: Path) -> None:
-    assert inputs.values({}, tmp_path, {"TESTS": "False"})["tests"] == "false"
+    assert inputs.values({}, tmp_path, {"TESTS": "False"}).tests is False
     with pytest.raises(RosmlError, match="tests is true or false, not 'no'"):
         inputs.values({}, tmp_path, {"TESTS": "no"})
 
@@ -207,11 +207,11 @@ def test_names_that_lost_their_meaning_are_answered(tmp_path: Path) -> None:
 
 def test_variables_of_industrial_ci_count_where_it_is_on(tmp_path: Path) -> None:
     (tmp_path / ".env").write_text("ROSDEP_SKIP_KEYS='a b'\nNOT_TEST_BUILD=true\n")
-    for on, expected in (("true", ("a b", "false")), ("", ("", "true"))):
+    for on, expected in (("true", ("a b", False)), ("", ("", True))):
         found = inputs.values({}, tmp_path, {"ENABLE_INDUSTRIAL_CI": on})
-        assert (found["skip-keys"], found["tests"]) == expected
+        assert (found.skip_keys, found.tests) == expected
     own = {"ENABLE_INDUSTRIAL_CI": "true", "SKIP_KEYS": "c", "TESTS": "true"}
-    assert inputs.values({}, tmp_path, own)["skip-keys"] == "c" and inputs.values({}, tmp_path, own)["tests"] == "true"
+    assert inputs.values({}, tmp_path, own).skip_keys == "c" and inputs.values({}, tmp_path, own).tests
     [said] = inputs.answers(tmp_path, own)
     assert said.startswith("ENABLE_INDUSTRIAL_CI is not used: tests run here without it; its ROSDEP_SKIP_KEYS")
 

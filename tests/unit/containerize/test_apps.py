@@ -770,7 +770,7 @@ def test_a_lock_file_is_written_then_followed(
     assert again.locked == ""
 
     put(services, "small:1", platform, ROS_DISTRO="jazzy")
-    slim = values | {"enable-slim": "true", "slim-base-image": f"{services.registry}/small:1"}
+    slim = dataclasses.replace(values, enable_slim=True, slim_base_image=f"{services.registry}/small:1")
     with pytest.raises(RosmlError, match="the lock file has no slim image"):
         build.App(repository, slim, {}, services, said.append).build()
 
@@ -778,7 +778,7 @@ def test_a_lock_file_is_written_then_followed(
     build.App(repository, values, {}, services, said.append, renew=True).build()
     assert any("is no lock file" in text for text in said) and lock.read(file, repository), "what is damaged is mended"
 
-    values["base-image"] = "ros:other"
+    values = dataclasses.replace(values, base_image="ros:other")
     with pytest.raises(RosmlError, match="the lock file is of ros:jazzy, and not of ros:other"):
         build.App(repository, values, {}, services, said.append).build()
 
@@ -1291,9 +1291,10 @@ def test_images_go_to_docker_where_there_is_one(
     found = names.Names(values, "robot", users)
     assert found.loads and found.reference("run") == "ghcr.io/me/robot:latest"
     with pytest.raises(RosmlError, match="Docker holds images of one platform"):
-        names.Names({**values, "platform": "amd64,arm64"}, "robot", users)
+        names.Names(dataclasses.replace(values, platform="amd64,arm64"), "robot", users)
     with pytest.raises(RosmlError, match="robot names no registry"):
         nowhere = dataclasses.replace(users, registry="")
-        names.Names({**values, "image-name": "robot", "push": "true"}, "robot", nowhere)
+        names.Names(dataclasses.replace(values, image_name="robot", push=True), "robot", nowhere)
     monkeypatch.setattr(shutil, "which", lambda name: None)
-    assert names.Names({**values, "image-name": "robot"}, "robot", users).reference("run").startswith(services.registry)
+    own = names.Names(dataclasses.replace(values, image_name="robot"), "robot", users)
+    assert own.reference("run").startswith(services.registry)

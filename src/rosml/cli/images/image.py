@@ -111,11 +111,12 @@ def _on(
         RosmlError: the image is not there or has ROS, nothing fits, or a step failed.
     """
     from rosml.containerize import adopt, base
+    from rosml.containerize.inputs import Values
     from rosml.images.builds.push import COMPRESSION
     from rosml.registry import oci
 
     found = base.find(name, services, (platform,))
-    values = {"ros-distro": image.distribution, "ros-component": image.component, "disable-ros-installation": "false"}
+    values = Values(ros_distro=image.distribution, ros_component=image.component)
     onto = adopt.with_ros(found, services, values, (platform,), say, image_set)
     if not onto.adopted:
         has = found.environment.get("ROS_DISTRO") or "in /opt/ros"
