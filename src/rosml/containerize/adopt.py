@@ -48,14 +48,15 @@ def with_ros(
     if found.ros:
         if values.ros_distro:
             return base
-        text = f"{base.name} has {' and '.join(found.ros)} in /opt/ros, and does not say which ROS it is"
-        raise RosmlError(text, f"add --ros-distro {found.ros[0]}", exit_code=2)
+        named = [name for name in found.ros if name != system.OTHER]
+        text = f"{base.name} has {' and '.join(named) or 'another ROS'} in /opt/ros, and does not say which ROS it is"
+        raise RosmlError(text, f"add --ros-distro {(named or ['NAME'])[0]}", exit_code=2)
     architectures = [platform.split("/")[1] for platform in platforms]
-    named = values.ros_distro
-    image = system.choose(image_set, found, base.name, named, values.ros_component, architectures)
+    wanted = values.ros_distro
+    image = system.choose(image_set, found, base.name, wanted, values.ros_component, architectures)
     lasting = image_set.matrix.distributions[image.distribution].lts
     kind = "the newest long-term release" if lasting else "the first choice"
-    why = "" if named else f", {kind} for {found.title or found.id}; --ros-distro names another"
+    why = "" if wanted else f", {kind} for {found.title or found.id}; --ros-distro names another"
     say(f"it has no ROS: {image.distribution}-{image.component} is installed on it{why}")
     if base.entrypoint:
         words = adopted.called(base.entrypoint)
@@ -66,7 +67,9 @@ def with_ros(
         say(f"its entrypoint {said}: {found_words}")
     sync = variables.sync_date(services, image_set, image.distribution, say)
     own = base_images.reference(services, image_set.matrix.operating_systems, image.os) if image.wheels else ""
-    onto = Adopted(base.reference, image_set, image, base.environment, base.user, base.entrypoint, sync or "", own)
+    onto = Adopted(
+        base.reference, image_set, image, base.environment, base.user, base.entrypoint, base.shell, sync or "", own
+    )
     ours = {"ROS_DISTRO": image.ros_distro, "ROS_VERSION": str(image.ros)}
     return replace(base, environment={**base.environment, **ours}, adopted=onto)
 

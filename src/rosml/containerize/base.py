@@ -31,7 +31,7 @@ class Base:
     Attributes:
         name: as people write it, with its registry and tag. digest: of its index, or of its manifest.
         environment: its variables, of the first platform that was asked for. labels: those of its configuration.
-        user, entrypoint: as whom it starts, and what before a command.
+        user, entrypoint: as whom it starts, and what before a command. shell: of RUN in Dockerfiles; empty if it says none.
         local: whether it is in the user's Docker, and in no registry that answers.
         adopted: what is installed on it, if it has no ROS.
     """
@@ -42,6 +42,7 @@ class Base:
     labels: Mapping[str, str] = field(default_factory=dict)
     user: str = ""
     entrypoint: tuple[str, ...] = ()
+    shell: tuple[str, ...] = ()
     local: bool = False
     adopted: Adopted | None = None
 
@@ -168,7 +169,7 @@ def _base(name: str, digest: str, settings: Settings | None, local: bool = False
     if entrypoint and "/" in entrypoint[0]:  # it may be meant from the folder in which the image starts
         place = posixpath.normpath(posixpath.join(said.WorkingDir or "/", entrypoint[0]))
         entrypoint = (place, *entrypoint[1:])
-    return Base(name, digest, variables, said.Labels or {}, said.User or "", entrypoint, local)
+    return Base(name, digest, variables, said.Labels or {}, said.User or "", entrypoint, tuple(said.Shell or ()), local)
 
 
 def _read(registry: oci.Registry, place: oci.Reference, found: oci.Manifest, platforms: tuple[str, ...]) -> Base:

@@ -98,6 +98,7 @@ class Settings(_Shape):
     Labels: dict[str, str] | None = None
     User: str | None = None
     Entrypoint: list[str] | None = None
+    Shell: list[str] | None = None
     WorkingDir: str | None = None
 
 

@@ -21,13 +21,14 @@ from pydantic import TypeAdapter, ValidationError
 
 from rosml import ROOT
 from rosml.base import files
+from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.images.bake import targets
 from rosml.images.bake.inputs import Inputs
 from rosml.images.bake.targets import NoInput, Overridable, Value
 from rosml.images.image_set import labels
 from rosml.images.image_set.model import Image, ImageSet
-from rosml.images.image_set.system import TOOLS, System, system
+from rosml.images.image_set.system import OTHER, TOOLS, System, system
 from rosml.machine import buildx, exported
 from rosml.machine.services import Services
 from rosml.registry import oci
@@ -43,6 +44,11 @@ MOVED = "/usr/local/lib/rosml/entrypoint.sh"
 
 _KEPT = ("LANG", "PYTHONIOENCODING", "NVIDIA_VISIBLE_DEVICES", "NVIDIA_DRIVER_CAPABILITIES")
 """Variables that our images set, and that stay as the image has them if it sets them."""
+
+_OTHERWISE = re.compile(
+    r"BASH_ENV|ENV|CDPATH|HOME|TMPDIR|LANG|LANGUAGE|(LC|LD|PYTHON)_?[A-Z0-9_]+|PIP_(REQUIRE_VIRTUALENV|TARGET|PREFIX|USER)"
+)
+"""Variables by which programs of our steps would read, load or write something else. They are empty for the steps."""
 
 _INITS = ("tini", "tini-static", "docker-init", "dumb-init", "catatonit")
 
@@ -60,7 +66,7 @@ class Adopted:
     Attributes:
         reference: by its digest, or of the user's Docker.
         image_set: all that the matrix describes. image: the ROS image of it whose ROS the other one gets.
-        environment, user, entrypoint: of its config.
+        environment, user, entrypoint, shell: of its config.
         sync: of when ROS's apt repository is; empty if no repository of ROS's own has the packages.
         system: the image of the row's own operating system, if steps take a tool from it.
     """
@@ -71,6 +77,7 @@ class Adopted:
     environment: Mapping[str, str] = field(default_factory=dict)
     user: str = ""
     entrypoint: Sequence[str] = ()
+    shell: Sequence[str] = ()
     sync: str = ""
     system: str = ""
 
@@ -108,6 +115,9 @@ def look(services: Services, reference: str, platform: str, ros: Iterable[str]) 
 
 _SYSTEM = TypeAdapter(System)
 
+_LINK = "failed to calculate checksum of ref"
+"""What the builder says of a link that leads nowhere."""
+
 
 def _look(services: Services, reference: str, platform: str, state: Path, ros: Iterable[str]) -> System:
     archive = state / "system.tar"
@@ -118,6 +128,7 @@ def _look(services: Services, reference: str, platform: str, state: Path, ros: I
     for name in ros:
         place = f"/op[t]/ro[s]/{name[:-1]}[{name[-1]}]"
         copies.append(f"{place}/setup.bas[h] {place}/instal[l]/setup.bas[h] /opt/ros/{name}/")
+    copies.append("/op[t]/ro[s]/*/setup.bas[h] /op[t]/ro[s]/*/instal[l]/setup.bas[h] /opt/ros/")  # of whatever name
     target = {
         "context": str(empty(state)),
         "dockerfile-inline": "\n".join(["FROM scratch", *(f"COPY --from=os {copy}" for copy in copies), ""]),
@@ -128,16 +139,29 @@ def _look(services: Services, reference: str, platform: str, state: Path, ros: I
     file = state / "system.json"
     files.write(file, json.dumps({"target": {"system": target}}, indent=2) + "\n")
     archive.unlink(missing_ok=True)
-    buildx.run(services, buildx.Bake("system", f"system-{state.name[:12]}", file))
+    remedy = "name another base image"
+    try:
+        buildx.run(services, buildx.Bake("system", f"system-{state.name[:12]}", file))
+    except RosmlError as error:
+        if _LINK not in error.message:
+            raise
+        files_read = "os-release, apt-get, bash or a setup.bash below /opt/ros"
+        raise RosmlError(
+            f"{reference} cannot be looked at: {files_read} is a link that leads nowhere", remedy
+        ) from None
     folder = state / "system"
-    exported.unpack(archive, folder, limits=_FACTS)
+    try:
+        exported.unpack(archive, folder, limits=_FACTS)
+    except RosmlError as error:
+        raise RosmlError(f"{reference} cannot be looked at: {error.message}", remedy) from None
     releases = (folder / name for name in ("etc/os-release", "usr/lib/os-release"))
     archive.unlink()
     text = next((path.read_text(errors="replace") for path in releases if path.is_file()), "")
     found = {path.parent.name for path in (folder / "opt/ros").glob("*/setup.bash")}
+    other = {OTHER} if (folder / "opt/ros/setup.bash").is_file() else set()
     tools = {tool for tool in TOOLS if (folder / "bin" / tool).is_file()}
     shutil.rmtree(folder)
-    return system(text, found, tools)
+    return system(text, found or other, tools)
 
 
 def stage(services: Services, adopted: Adopted) -> Path:
@@ -185,7 +209,7 @@ def base_targets(
     found: dict[str, dict[str, Any]] = {
         first: {
             **inline,
-            "dockerfile-inline": f"FROM os\nUSER root\nENV PATH={BIN}:$PATH\n",
+            "dockerfile-inline": "\n".join(["FROM os", "USER root", *_plain(adopted), f"ENV PATH={BIN}:$PATH", ""]),
             "contexts": {"os": f"docker-image://{adopted.reference}"},
         }
     }
@@ -210,7 +234,7 @@ def base_targets(
             "contexts": contexts,
             "args": arguments | ({"ADOPTED": "true"} if target.stage == "base" else {}),
         }
-    kept = {key: value for key, value in adopted.environment.items() if key in _KEPT}
+    kept = {key: value for key, value in adopted.environment.items() if key in _KEPT or _OTHERWISE.fullmatch(key)}
     found[name] = {
         **inline,
         "dockerfile-inline": _last(adopted, kept),
@@ -219,6 +243,14 @@ def base_targets(
         "args": {f"KEPT_{key}": value for key, value in kept.items()},
     }
     return found
+
+
+def _plain(adopted: Adopted) -> list[str]:
+    """Lines by which steps run as on our own images, whatever the image says of shells and programs."""
+    lines = [
+        f"ENV {key}={'/root' if key == 'HOME' else ''}" for key in adopted.environment if _OTHERWISE.fullmatch(key)
+    ]
+    return ['SHELL ["/bin/sh", "-c"]', *lines] if adopted.shell else lines
 
 
 _OWN = re.compile(r"(NVIDIA_)?(CUDA|CUDNN|PYTORCH|TORCH|TENSORFLOW)_VERSION")
@@ -239,6 +271,8 @@ def _last(adopted: Adopted, kept: Iterable[str]) -> str:
     lines = ["FROM ros"]
     for key in kept:
         lines += [f"ARG KEPT_{key}", f"ENV {key}=${{KEPT_{key}}}"]
+    if adopted.shell:
+        lines.append(f"SHELL {json.dumps(adopted.shell)}")
     if adopted.user:
         lines.append(f"USER {adopted.user}")
     own = called(adopted.entrypoint)

@@ -16,6 +16,9 @@ from rosml.images.matrix.model import Distribution, Matrix
 DEBIAN, CALLED = "Debian", "noetic"
 """What Debian's own ROS 1 calls itself, and the release that manifests mean: it has the packages of that one."""
 
+OTHER = "*"
+"""A ROS that the matrix does not have, such as melodic."""
+
 _LINE = re.compile(r"""(ID|VERSION_ID|VERSION_CODENAME|PRETTY_NAME)=(["']?)([^"'\\$`]*)\2""")
 """What is read of os-release: https://www.freedesktop.org/software/systemd/man/latest/os-release.html"""
 
@@ -27,7 +30,7 @@ class System:
     Attributes:
         id: such as `ubuntu`. version, codename: such as `24.04` and `noble`; empty if it has none.
         title: for people, such as `Ubuntu 24.04.3 LTS`.
-        ros: ROS distributions below /opt/ros.
+        ros: ROS distributions below /opt/ros; OTHER if there are others alone.
         tools: programs that ROS cannot be installed without, and that it has: `apt-get`, `bash`.
     """
 
