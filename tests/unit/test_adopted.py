@@ -83,3 +83,13 @@ def test_steps_run_as_on_our_own_images(tmp_path: Path) -> None:
     ]
     assert 'SHELL ["conda", "run", "/bin/bash", "-c"]\n' in last["dockerfile-inline"]
     assert last["args"] == {f"KEPT_{name}": value for name, value in environment.items() if name != "SDK"}
+
+
+def test_what_an_image_claims_to_be_of_ours(tmp_path: Path) -> None:
+    """Its labels say nothing to `rosml join`, which would look for an image without compilers, or take it for an app."""
+    image_set = load.load(ROOT / "matrix.yaml")
+    claims = {"io.rosml.runtime": "core-run", "io.rosml.app": "run", "io.rosml.python": "3.8", "maintainer": "me"}
+    onto = Adopted("vendor@sha256:1", image_set, image_set.by_target["ros1-bookworm-core"], labels=claims)
+    found = adopted.base_targets(onto, "base", {}, tmp_path, tmp_path)["base"]["labels"]
+    wanted = ("io.rosml.runtime", "io.rosml.app", "io.rosml.python", "maintainer")
+    assert [found.get(name) for name in wanted] == ["", "", "3.11", None]

@@ -68,7 +68,16 @@ def with_ros(
     sync = variables.sync_date(services, image_set, image.distribution, say)
     own = base_images.reference(services, image_set.matrix.operating_systems, image.os) if image.wheels else ""
     onto = Adopted(
-        base.reference, image_set, image, base.environment, base.user, base.entrypoint, base.shell, sync or "", own
+        base.reference,
+        image_set,
+        image,
+        base.environment,
+        base.user,
+        base.entrypoint,
+        base.shell,
+        base.labels,
+        sync or "",
+        own,
     )
     ours = {"ROS_DISTRO": image.ros_distro, "ROS_VERSION": str(image.ros)}
     return replace(base, environment={**base.environment, **ours}, adopted=onto)

@@ -66,7 +66,7 @@ class Adopted:
     Attributes:
         reference: by its digest, or of the user's Docker.
         image_set: all that the matrix describes. image: the ROS image of it whose ROS the other one gets.
-        environment, user, entrypoint, shell: of its config.
+        environment, user, entrypoint, shell, labels: of its config.
         sync: of when ROS's apt repository is; empty if no repository of ROS's own has the packages.
         system: the image of the row's own operating system, if steps take a tool from it.
     """
@@ -78,6 +78,7 @@ class Adopted:
     user: str = ""
     entrypoint: Sequence[str] = ()
     shell: Sequence[str] = ()
+    labels: Mapping[str, str] = field(default_factory=dict)
     sync: str = ""
     system: str = ""
 
@@ -257,13 +258,14 @@ _OWN = re.compile(r"(NVIDIA_)?(CUDA|CUDNN|PYTORCH|TORCH|TENSORFLOW)_VERSION")
 """Variables by which images say that they have CUDA or a framework."""
 
 
-def _labels(adopted: Adopted, ours: Mapping[str, Value]) -> dict[str, str]:
-    """What `rosml join` asks an image for, and no claim about what is somebody else's."""
+def _labels(adopted: Adopted, row: Mapping[str, Value]) -> dict[str, str]:
+    """What `rosml join` asks an image for, and no claim about what is somebody else's: a label cannot be taken away, but be empty."""
     found = {
-        name: str(value) for name, value in ours.items() if name.startswith(labels.PREFIX) and isinstance(value, str)
+        name: str(value) for name, value in row.items() if name.startswith(labels.PREFIX) and isinstance(value, str)
     }
     own = " ".join(name for name in sorted(adopted.environment) if _OWN.fullmatch(name))
-    return {name: value for name, value in {**found, labels.OWN: own}.items() if value and name != labels.RUNTIME}
+    ours = {name: value for name, value in {**found, labels.OWN: own}.items() if value and name != labels.RUNTIME}
+    return dict.fromkeys((name for name in adopted.labels if name.startswith(labels.PREFIX)), "") | ours
 
 
 def _last(adopted: Adopted, kept: Iterable[str]) -> str:

@@ -144,7 +144,7 @@ def _require_ros(ros: Source) -> None:
     if stack := ros.labels.get(_STACK):
         carried = f"framework {ros.labels.get(_FRAMEWORK)} of stack {stack}"
         plain = f"the ROS image below it, ros:{names.main_tag(ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT])}"
-        if labels.APP in ros.labels:
+        if ros.labels.get(labels.APP):
             plain = "an image of the app without a framework"
         raise RosmlError(f"{ros.name} has {carried} already", f"take {plain}", exit_code=2)
     if own := ros.labels.get(labels.OWN):
@@ -245,7 +245,7 @@ def _brought(parts: Sequence[Source]) -> tuple[Brought, ...]:
 
 def _labels(ros: Source, framework: str, stack: str, brought: Sequence[Brought]) -> dict[str, str]:
     named = labels.named(ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT], ros.labels[_ROS], framework, stack, brought)
-    if labels.APP in ros.labels:
+    if ros.labels.get(labels.APP):
         named[labels.TITLE] = ros.labels.get(labels.TITLE, "")
     counted = {labels.PREFIX + item.name: item.version for item in brought}
     return {**ros.labels, **named, _FRAMEWORK: framework, _STACK: stack, **counted}
