@@ -309,6 +309,8 @@ def failure(bake: Bake, progress: BuildProgress, log: Path, code: int) -> RosmlE
 def _remedy(bake: Bake, progress: BuildProgress, step: Step | None) -> str:
     """What helps against the last line whose reason is known; empty if there is none. A build that goes on after an error,
     such as a download that is tried again, did not fail because of it."""
+    if step and "] ONBUILD " in step.name:
+        return "every build on the base image runs this, and the files it is for are not here: name one without ONBUILD"
     said = [(line, _OF_THE_BUILDER) for line in (*progress.other, step.error if step else "")]
     printed = list(step.tail) if step else []
     if printed and _OWN_WORDS.match(printed[-1]):

@@ -325,6 +325,14 @@ def test_what_somebody_elses_code_prints_is_no_reason_of_ours(tmp_path: Path, ba
     assert "free some disk space" in builder.failure(foreign, ours, tmp_path / "x.log", 1).remedy
 
 
+def test_what_a_base_image_has_every_build_on_it_run(tmp_path: Path, bake: Bake) -> None:
+    """Its commands look for files of other builds, and may print what ours do."""
+    progress = BuildProgress()
+    error = 'failed to calculate checksum of ref x::y: "/requirements.txt": not found'
+    progress.feed(vertex("[base 1/3] ONBUILD COPY requirements.txt /", completed=f"{DAY}12Z", error=error))
+    assert "name one without ONBUILD" in builder.failure(bake, progress, tmp_path / "x.log", 1).remedy
+
+
 def test_a_script_of_ours_that_knows_the_reason_has_the_last_word(tmp_path: Path, bake: Bake) -> None:
     """Before that, a script of a repository may have printed whatever it likes."""
     said = "error: the script before the installation of dependencies ended with 1; the lines above say why"
