@@ -155,8 +155,9 @@ def _look(services: Services, reference: str, platform: str, state: Path, ros: I
         exported.unpack(archive, folder, limits=_FACTS)
     except RosmlError as error:
         raise RosmlError(f"{reference} cannot be looked at: {error.message}", remedy) from None
+    finally:
+        archive.unlink(missing_ok=True)  # it may be large
     releases = (folder / name for name in ("etc/os-release", "usr/lib/os-release"))
-    archive.unlink()
     text = next((path.read_text(errors="replace") for path in releases if path.is_file()), "")
     found = {path.parent.name for path in (folder / "opt/ros").glob("*/setup.bash")}
     other = {OTHER} if (folder / "opt/ros/setup.bash").is_file() else set()
