@@ -76,6 +76,7 @@ def with_ros(
         base.entrypoint,
         base.shell,
         base.labels,
+        found.carries,
         sync or "",
         own,
     )

@@ -12,7 +12,7 @@ import re
 import shutil
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path, PurePosixPath
 from typing import Any
@@ -67,6 +67,7 @@ class Adopted:
         reference: by its digest, or of the user's Docker.
         image_set: all that the matrix describes. image: the ROS image of it whose ROS the other one gets.
         environment, user, entrypoint, shell, labels: of its config.
+        carries: CUDA and frameworks that it has.
         sync: of when ROS's apt repository is; empty if no repository of ROS's own has the packages.
         system: the image of the row's own operating system, if steps take a tool from it.
     """
@@ -79,6 +80,7 @@ class Adopted:
     entrypoint: Sequence[str] = ()
     shell: Sequence[str] = ()
     labels: Mapping[str, str] = field(default_factory=dict)
+    carries: Sequence[str] = ()
     sync: str = ""
     system: str = ""
 
@@ -88,6 +90,14 @@ class Adopted:
         inputs = Inputs(ROOT, self.image_set)
         found = [inputs.digest(self.image.target, architecture) for architecture in self.image.architectures]
         return hashlib.sha256(oci.encoded({"inputs": found, "sync": self.sync})).hexdigest()
+
+
+_CARRIES = {
+    "cuda": "/us[r]/loca[l]/cud[a]/version.jso[n] /us[r]/loca[l]/cuda-*/version.jso[n]",
+    "torch": "/us[r]/loca[l]/li[b]/python3*/*-packages/torc[h]/version.p[y] /us[r]/li[b]/python3/*-packages/torc[h]/version.p[y]",
+    "tensorflow": "/us[r]/loca[l]/li[b]/python3*/*-packages/tensorflo[w]/__init__.p[y]",
+}
+"""Files by which CUDA and frameworks show."""
 
 
 def look(services: Services, reference: str, platform: str, ros: Iterable[str]) -> System:
@@ -100,7 +110,7 @@ def look(services: Services, reference: str, platform: str, ros: Iterable[str]) 
     Raises:
         RosmlError: the image cannot be had.
     """
-    asked = {"reference": reference, "platform": platform, "ros": sorted(set(ros))}
+    asked = {"reference": reference, "platform": platform, "ros": sorted(set(ros)), "carries": sorted(_CARRIES)}
     state = services.state / "adopted" / hashlib.sha256(oci.encoded(asked)).hexdigest()
     known = state / "known.json"
     with turn(state / "lock", lambda: None):
@@ -130,6 +140,7 @@ def _look(services: Services, reference: str, platform: str, state: Path, ros: I
         place = f"/op[t]/ro[s]/{name[:-1]}[{name[-1]}]"
         copies.append(f"{place}/setup.bas[h] {place}/instal[l]/setup.bas[h] /opt/ros/{name}/")
     copies.append("/op[t]/ro[s]/*/setup.bas[h] /op[t]/ro[s]/*/instal[l]/setup.bas[h] /opt/ros/")  # of whatever name
+    copies += [f"{places} /carries/{name}/" for name, places in _CARRIES.items()]
     target = {
         "context": str(empty(state)),
         "dockerfile-inline": "\n".join(["FROM scratch", *(f"COPY --from=os {copy}" for copy in copies), ""]),
@@ -162,8 +173,9 @@ def _look(services: Services, reference: str, platform: str, state: Path, ros: I
     found = {path.parent.name for path in (folder / "opt/ros").glob("*/setup.bash")}
     other = {OTHER} if (folder / "opt/ros/setup.bash").is_file() else set()
     tools = {tool for tool in TOOLS if (folder / "bin" / tool).is_file()}
+    carries = sorted({path.parent.name for path in (folder / "carries").glob("*/*") if path.is_file()})
     shutil.rmtree(folder)
-    return system(text, found or other, tools)
+    return replace(system(text, found or other, tools), carries=tuple(carries))
 
 
 def stage(services: Services, adopted: Adopted) -> Path:
@@ -264,7 +276,7 @@ def _labels(adopted: Adopted, row: Mapping[str, Value]) -> dict[str, str]:
     found = {
         name: str(value) for name, value in row.items() if name.startswith(labels.PREFIX) and isinstance(value, str)
     }
-    own = " ".join(name for name in sorted(adopted.environment) if _OWN.fullmatch(name))
+    own = " ".join([*adopted.carries, *(name for name in sorted(adopted.environment) if _OWN.fullmatch(name))])
     ours = {name: value for name, value in {**found, labels.OWN: own}.items() if value and name != labels.RUNTIME}
     return dict.fromkeys((name for name in adopted.labels if name.startswith(labels.PREFIX)), "") | ours
 

@@ -39,7 +39,7 @@ RMW = f"{PREFIX}rmw"
 """The label of an image whose ROS 2 takes another RMW implementation than Fast DDS's if nobody names one."""
 
 OWN = f"{PREFIX}own"
-"""The label of an image of somebody else, with ROS on it, that has CUDA or a framework of its own: the variables that say so."""
+"""The label of an image of somebody else, with ROS on it, that has CUDA or a framework of its own: what, and the variables that say so."""
 
 RELEASE = f"{PREFIX}release"
 """The label of a part that says what it is a release of."""

@@ -32,6 +32,7 @@ class System:
         title: for people, such as `Ubuntu 24.04.3 LTS`.
         ros: ROS distributions below /opt/ros; OTHER if there are others alone.
         tools: programs that ROS cannot be installed without, and that it has: `apt-get`, `bash`.
+        carries: CUDA and frameworks that it has, such as `torch`.
     """
 
     id: str = ""
@@ -40,6 +41,7 @@ class System:
     title: str = ""
     ros: tuple[str, ...] = ()
     tools: frozenset[str] = frozenset()
+    carries: tuple[str, ...] = ()
 
 
 TOOLS = ("apt-get", "bash")

@@ -134,7 +134,7 @@ def join(ros: Source, parts: Sequence[Source]) -> Joined:
 
 
 def _require_ros(ros: Source) -> None:
-    if _PART in ros.labels:
+    if ros.labels.get(_PART):
         text = f"{ros.name} is a part, and the first image has to be a ROS image"
         raise RosmlError(text, "name the ROS image first, then the parts", exit_code=2)
     for label in (_DISTRIBUTION, _COMPONENT, _PYTHON, _ROS):
