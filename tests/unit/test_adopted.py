@@ -98,7 +98,7 @@ def test_what_an_image_claims_to_be_of_ours(tmp_path: Path) -> None:
 
 def test_a_framework_that_no_variable_names(services: Services, monkeypatch: pytest.MonkeyPatch) -> None:
     """`rosml join` asks the label: two releases of torch in one folder would work with neither."""
-    leaves(monkeypatch, "carries/torch/version.py", "carries/cuda/version.json")
+    leaves(monkeypatch, "carries/torch/__init__.py", "carries/cuda/version.json")
     base = adopt.with_ros(Base("vendor:1", "sha256:1", {}), services, VALUES, ("linux/amd64",), print)
     assert base.adopted
     found = adopted.base_targets(base.adopted, "base", {}, services.state, services.state)

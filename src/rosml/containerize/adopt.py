@@ -44,7 +44,8 @@ def with_ros(
         return base
     image_set = image_set or load(ROOT / "matrix.yaml")
     known = {facts.ros_distro or name for name, facts in image_set.matrix.distributions.items()}
-    found = adopted.look(services, base.reference, platforms[0], known)
+    frameworks = {item.name for image in image_set.images for item in image.brought}
+    found = adopted.look(services, base.reference, platforms[0], known, frameworks)
     if found.ros:
         if values.ros_distro:
             return base

@@ -92,25 +92,19 @@ class Adopted:
         return hashlib.sha256(oci.encoded({"inputs": found, "sync": self.sync})).hexdigest()
 
 
-_CARRIES = {
-    "cuda": "/us[r]/loca[l]/cud[a]/version.jso[n] /us[r]/loca[l]/cuda-*/version.jso[n]",
-    "torch": "/us[r]/loca[l]/li[b]/python3*/*-packages/torc[h]/version.p[y] /us[r]/li[b]/python3/*-packages/torc[h]/version.p[y]",
-    "tensorflow": "/us[r]/loca[l]/li[b]/python3*/*-packages/tensorflo[w]/__init__.p[y]",
-}
-"""Files by which CUDA and frameworks show."""
-
-
-def look(services: Services, reference: str, platform: str, ros: Iterable[str]) -> System:
+def look(
+    services: Services, reference: str, platform: str, ros: Iterable[str], frameworks: Iterable[str] = ()
+) -> System:
     """What an image is. The builder copies a few files out of it, and runs nothing. Once is enough for a digest.
 
     Args:
         reference: as the builder takes it. platform: which of its images.
-        ros: the distributions to look for in /opt/ros.
+        ros: the distributions to look for in /opt/ros. frameworks: Python packages to look for.
 
     Raises:
         RosmlError: the image cannot be had.
     """
-    asked = {"reference": reference, "platform": platform, "ros": sorted(set(ros)), "carries": sorted(_CARRIES)}
+    asked = {"reference": reference, "platform": platform, "ros": sorted(set(ros)), "for": sorted(set(frameworks))}
     state = services.state / "adopted" / hashlib.sha256(oci.encoded(asked)).hexdigest()
     known = state / "known.json"
     with turn(state / "lock", lambda: None):
@@ -119,7 +113,7 @@ def look(services: Services, reference: str, platform: str, ros: Iterable[str]) 
                 return _SYSTEM.validate_json(known.read_bytes())
             except ValidationError:
                 pass  # of another version of this program
-        found = _look(services, reference, platform, state, sorted(set(ros)))
+        found = _look(services, reference, platform, state, sorted(set(ros)), sorted(set(frameworks)))
         files.write(known, _SYSTEM.dump_json(found).decode())
     return found
 
@@ -130,7 +124,9 @@ _LINK = "failed to calculate checksum of ref"
 """What the builder says of a link that leads nowhere."""
 
 
-def _look(services: Services, reference: str, platform: str, state: Path, ros: Iterable[str]) -> System:
+def _look(
+    services: Services, reference: str, platform: str, state: Path, ros: Iterable[str], frameworks: Iterable[str]
+) -> System:
     archive = state / "system.tar"
     # Each part of a path is a pattern: it may match nothing. Links are followed.
     copies = ["/et[c]/os-releas[e] /etc/", "/us[r]/li[b]/os-releas[e] /usr/lib/"]
@@ -140,7 +136,10 @@ def _look(services: Services, reference: str, platform: str, state: Path, ros: I
         place = f"/op[t]/ro[s]/{name[:-1]}[{name[-1]}]"
         copies.append(f"{place}/setup.bas[h] {place}/instal[l]/setup.bas[h] /opt/ros/{name}/")
     copies.append("/op[t]/ro[s]/*/setup.bas[h] /op[t]/ro[s]/*/instal[l]/setup.bas[h] /opt/ros/")  # of whatever name
-    copies += [f"{places} /carries/{name}/" for name, places in _CARRIES.items()]
+    copies.append("/us[r]/loca[l]/cud[a]/version.jso[n] /us[r]/loca[l]/cuda-*/version.jso[n] /carries/cuda/")
+    for name in frameworks:  # where pip and apt put them
+        package = f"python3*/*-packages/{name}/__init__.p[y]"
+        copies.append(f"/us[r]/loca[l]/li[b]/{package} /us[r]/li[b]/{package} /carries/{name}/")
     target = {
         "context": str(empty(state)),
         "dockerfile-inline": "\n".join(["FROM scratch", *(f"COPY --from=os {copy}" for copy in copies), ""]),
