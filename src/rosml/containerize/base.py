@@ -11,12 +11,15 @@ from dataclasses import dataclass, field
 
 from pydantic import BaseModel, TypeAdapter
 
+from rosml import ROOT
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import unknown
 from rosml.containerize import lock
+from rosml.images.builds import base_images
 from rosml.images.builds.adopted import Adopted
 from rosml.images.image_set.labels import PREFIX, RUNTIME, VERSION
+from rosml.images.image_set.load import load
 from rosml.images.matrix.names import DATED, main_tag
 from rosml.machine.services import NAMESPACE, Services
 from rosml.registry import oci
@@ -96,6 +99,8 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
                 near = unknown("tag", place.reference, registry.tags(place.repository)).partition("; ")[2]
     if services.builder_kind != "buildkitd" and (found := _in_docker(text, digest)):
         return found
+    if refused and services.bases and (found := _made_here(names[-1], services, platforms, digest)):
+        return found
     if refused:
         if len(names) == 1:
             raise refused
@@ -109,6 +114,20 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
         f"{near} 'rosml list' has all names; 'rosml image TARGET' builds one; 'docker login' for a private one".strip(),
         exit_code=2,
     )
+
+
+def _made_here(name: str, services: Services, platforms: tuple[str, ...], digest: str) -> Base | None:
+    """An operating system's image that this machine makes if Docker Hub does not answer; the builder takes it for that one."""
+    systems = load(ROOT / "matrix.yaml").matrix.operating_systems
+    system = next((key for key, facts in systems.items() if facts.image == name), "")
+    if not system:
+        return None
+    architecture = platforms[0].split("/")[1] if platforms else ""
+    place = oci.parse(base_images.reference(services, systems, system, architecture))
+    with oci.Registries(services.ca_bundle) as registries:
+        registry = registries(services.registry if place.host == DOCKER_HUB else place.host)
+        manifest = registry.manifest(place.repository, digest or place.reference)
+        return _read(registry, oci.parse(name), manifest, platforms) if manifest else None
 
 
 def runtime(base: Base) -> str:

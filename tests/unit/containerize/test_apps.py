@@ -119,6 +119,29 @@ def test_a_base_image_is_read_and_held_by_its_digest(services: Services) -> None
     assert "rosml list" in caught.value.remedy and "did you mean 'jazzy'?" in caught.value.remedy
 
 
+def test_debians_image_if_docker_hub_does_not_answer(
+    services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The builder has it from the local registry, and people call it as ever."""
+    monkeypatch.setenv("HTTPS_PROXY", "http://127.0.0.1:1")
+    monkeypatch.setattr(time, "sleep", lambda _seconds: None)
+    monkeypatch.delenv("OS_BOOKWORM", raising=False)
+    digest = put(services, "library/debian:bookworm", "linux/amd64")
+    made = tmp_path / "bases"
+    made.write_text(f'#!/bin/sh\necho \'{{"reference": "docker.io/library/debian:bookworm@{digest}"}}\'\n')
+    made.chmod(0o755)
+    behind = dataclasses.replace(services, bases=(str(made),))
+    for pinned in ("", digest):
+        found = base.find("debian:bookworm", behind, ("linux/amd64",), pinned)
+        assert (found.name, found.reference) == (
+            "docker.io/library/debian:bookworm",
+            f"docker.io/library/debian@{digest}",
+        )
+    for name, machine in (("debian:bookwrom", behind), ("debian:bookworm", services)):
+        with pytest.raises(RosmlError, match=f"there is no image {name} in the local registry, and docker.io: "):
+            base.find(name, machine, ("linux/amd64",))
+
+
 OURS = {"io.rosml.distribution": "jazzy", "io.rosml.runtime": "base-run"}
 STACK = {**OURS, "io.rosml.stack": "cpu"}
 SPELLED = {**STACK, "io.rosml.component": "base", "org.opencontainers.image.version": "jazzy-base-cpu-tf2.20.0"}
