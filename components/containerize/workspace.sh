@@ -27,6 +27,10 @@ while IFS= read -r place; do
 done <<<"$listed"
 arguments=()
 eval "arguments=(${CMAKE_ARGS:-})"
+# CMake writes the path of Python into nodes and tests, and a slim base image has no link of an image on which rosml installed ROS.
+if [[ -e /usr/local/lib/rosml/bin/python3 ]]; then
+  arguments=(--no-warn-unused-cli -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython{,3}_EXECUTABLE=/usr/bin/python3 "${arguments[@]}")
+fi
 own=()
 eval "own=(${COLCON_ARGS:-})"
 limit_jobs "$(wc -l <<<"$listed")"

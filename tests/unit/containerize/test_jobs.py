@@ -105,11 +105,7 @@ esac
 def test_a_build_says_why_it_failed_if_it_knows(line: str, says: str, tmp_path: Path) -> None:
     """And it ends as colcon did."""
     executable(tmp_path / "colcon", COLCON.format(line=f"'{line}'"))
-    script = (STEPS / "workspace.sh").read_text().replace("/run/sources/.", f"{tmp_path}/src/.")
-    for old, new in (('$(dirname "${BASH_SOURCE[0]}")', str(STEPS)), ("=/tmp/log", f"={tmp_path}/log")):
-        assert old in script
-        script = script.replace(old, new)
-    (tmp_path / "src").mkdir()
+    script = workspace(tmp_path)
     env = {"PATH": f"{tmp_path}:{os.environ['PATH']}", "WORKSPACE": str(tmp_path / "ws"), "MAKEFLAGS": ""}
     env |= {"COLCON_ARGS": "--executor sequential", "CMAKE_ARGS": "-DA='b c'"}
     (tmp_path / "ws/src/target").mkdir(parents=True)
@@ -123,3 +119,32 @@ def test_a_build_says_why_it_failed_if_it_knows(line: str, says: str, tmp_path: 
     last = done.stderr.splitlines()[-1:]
     assert says in "".join(last) and bool(last) == bool(says)
     assert says != "memory may have run out" or last[0].startswith(f"error: a program was killed ({line}); ")
+
+
+def test_what_cmake_writes_names_the_systems_python(tmp_path: Path) -> None:
+    """On an image on which rosml installed ROS, another path to it is first; other images do not have that one."""
+    executable(tmp_path / "colcon", COLCON.format(line="Killed"))
+    executable(tmp_path / "python3", "")
+    env = {"PATH": f"{tmp_path}:{os.environ['PATH']}", "WORKSPACE": str(tmp_path / "ws"), "CMAKE_ARGS": "-DA=b"}
+    script = workspace(tmp_path)
+    for there, says in ((True, "-DPython3_EXECUTABLE=/usr/bin/python3 -DA=b"), (False, "--cmake-args -DA=b")):
+        (tmp_path / "ws/calls").unlink(missing_ok=True)
+        if not there:
+            (tmp_path / "python3").unlink()
+        subprocess.run(["bash", "-c", script, "workspace.sh", "target"], env=env, capture_output=True, check=False)
+        assert says in (tmp_path / "ws/calls").read_text()
+
+
+def workspace(folder: Path) -> str:
+    """The script that builds packages, of folders of a test; sources are in one of them."""
+    script = (STEPS / "workspace.sh").read_text()
+    for old, new in (
+        ("/run/sources/.", f"{folder}/src/."),
+        ('$(dirname "${BASH_SOURCE[0]}")', str(STEPS)),
+        ("=/tmp/log", f"={folder}/log"),
+        ("/usr/local/lib/rosml/bin/", f"{folder}/"),
+    ):
+        assert old in script
+        script = script.replace(old, new)
+    (folder / "src").mkdir()
+    return script
