@@ -48,7 +48,11 @@ for file in /etc/bash.bashrc /root/.bashrc; do
 done
 
 # A login shell that is not interactive reads neither, such as bash -lc of docker exec. Other shells than bash cannot source it.
-echo "if [ -n \"\${BASH_VERSION-}\" ]; then . $share/shell.bash; fi" >/etc/profile.d/rosml.sh
+{
+  # /etc/profile has set PATH: without the folder in front, another Python of the image would come first.
+  if [[ -n ${ADOPTED:-} ]]; then echo "PATH=/usr/local/lib/rosml/bin:\$PATH"; fi
+  echo "if [ -n \"\${BASH_VERSION-}\" ]; then . $share/shell.bash; fi"
+} >/etc/profile.d/rosml.sh
 
 # What the banner says; a part adds its own versions.
 mkdir -p "$share/versions.d"

@@ -80,6 +80,7 @@ def test_what_an_image_has_stays(services: Services, beside: Services, vendor: s
         f"""FROM {found["run"]["reference"]}
 RUN {entrypoint} bash -c 'test "$SDK $(id -u) $(command -v rospack)" = "ready 1000 /usr/bin/rospack" && \\
       python3 -c "import rospy, sys; assert sys.executable == \\"/usr/local/lib/rosml/bin/python3\\", sys.executable"' && \\
+    bash -lc 'python3 -c "import rospy"' && \\
     python3 -m pip config list | grep -F "timeout='77'" && python3 -m pip config list | grep rosml/constraints && \\
     /usr/local/lib/rosml/entrypoint.sh /tini -s -- /entrypoint.sh bash -c 'test "$SDK" = ready && rospack find roscpp'
 RUN bash -c '(timeout 20 {entrypoint} bash -c "exec bash -c \\"$DEFAULT_CMD\\"" & \\
