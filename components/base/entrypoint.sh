@@ -215,7 +215,10 @@ fi
 unset _rosml_parent
 if [[ $EUID -eq 0 && -n $DOCKER_UID$DOCKER_GID && (-z $DOCKER_UID || -z $DOCKER_GID) ]]; then
   echo "entrypoint: DOCKER_UID and DOCKER_GID only work together; running as root" >&2
-elif [[ $EUID -ne 0 && ! -w ${HOME:-/} && -w /tmp ]]; then
+elif [[ $EUID -ne 0 && -n ${DOCKER_UID-} && $DOCKER_UID != "$EUID" ]]; then
+  echo "entrypoint: DOCKER_UID has no effect, since the container started as uid $EUID; docker run --user root makes it count" >&2
+fi
+if [[ $EUID -ne 0 && ! -w ${HOME:-/} && -w /tmp ]]; then
   # A user without an entry (--user 12345:0) has / for a home, where ROS cannot write its logs.
   export HOME=/tmp
 fi
