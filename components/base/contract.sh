@@ -38,8 +38,16 @@ if [[ -z ${ADOPTED:-} ]] && owner=$(getent passwd 1000); then userdel --remove "
 # For the group 0 too, to which arbitrary users belong (--user 12345:0, OpenShift).
 install --directory --mode=775 /docker-ros/ws
 
-# The user that the entrypoint makes is in the group sudo and has no password.
-echo '%sudo ALL=(ALL:ALL) NOPASSWD: ALL' >/etc/sudoers.d/rosml
+# The user that the entrypoint makes is in the group sudo and has no password. Users of somebody else's image need theirs as before.
+own=
+if [[ -n ${ADOPTED:-} ]]; then
+  gid=$(getent group sudo | cut -d: -f3)
+  own=$({
+    getent group sudo | cut -d: -f4 | tr , '\n'
+    awk -F: -v gid="$gid" '$4 == gid {print $1}' /etc/passwd
+  } | sed -nE 's/^[a-z_][a-z0-9_-]*$/, !&/p' | tr -d '\n')
+fi
+echo "%sudo$own ALL=(ALL:ALL) NOPASSWD: ALL" >/etc/sudoers.d/rosml
 chmod 440 /etc/sudoers.d/rosml
 
 # /etc/bash.bashrc is for every user, also one without a home (--user 12345:0).

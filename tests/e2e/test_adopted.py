@@ -23,7 +23,7 @@ from tests.e2e.test_containerize import config, containerize, made, ran
 HERE = base_images.native_architecture()
 
 VENDOR = """FROM {0} AS vendor
-RUN useradd --uid 1000 --create-home vendor && mkdir -p /root/.cache /tmp/sdk && touch /root/.cache/model /tmp/sdk/licence /var/log/sdk.log
+RUN useradd --uid 1000 --create-home --groups sudo vendor && mkdir -p /root/.cache /tmp/sdk && touch /root/.cache/model /tmp/sdk/licence /var/log/sdk.log
 # A Python before the system's: whoever starts it fails.
 RUN printf '#!/bin/sh\\necho "the other Python was started" >&2; exit 3\\n' >/usr/local/bin/python3 && chmod 755 /usr/local/bin/python3 && \\
     printf '[global]\\ntimeout = 77\\n' >/etc/pip.conf && \\
@@ -80,7 +80,7 @@ def test_what_an_image_has_stays(services: Services, beside: Services, vendor: s
         f"""FROM {found["run"]["reference"]}
 RUN {entrypoint} bash -c 'test "$SDK $(id -u) $(command -v rospack)" = "ready 1000 /usr/bin/rospack" && \\
       python3 -c "import rospy, sys; assert sys.executable == \\"/usr/local/lib/rosml/bin/python3\\", sys.executable"' && \\
-    bash -lc 'python3 -c "import rospy"' && \\
+    bash -lc 'python3 -c "import rospy"' && ! sudo -n true && \\
     python3 -m pip config list | grep -F "timeout='77'" && python3 -m pip config list | grep rosml/constraints && \\
     /usr/local/lib/rosml/entrypoint.sh /tini -s -- /entrypoint.sh bash -c 'test "$SDK" = ready && rospack find roscpp'
 RUN bash -c '(timeout 20 {entrypoint} bash -c "exec bash -c \\"$DEFAULT_CMD\\"" & \\
@@ -88,7 +88,8 @@ RUN bash -c '(timeout 20 {entrypoint} bash -c "exec bash -c \\"$DEFAULT_CMD\\"" 
     grep -E "east|north|west|south" /tmp/said
 USER root
 RUN test -e /root/.cache/model -a -e /tmp/sdk/licence -a -e /var/log/sdk.log -a ! -e /var/log/dpkg.log && \\
-    DOCKER_UID=1000 DOCKER_GID=1000 {entrypoint} bash -c 'test "$(id -un) $SDK" = "vendor ready"'
+    DOCKER_UID=1000 DOCKER_GID=1000 {entrypoint} bash -c 'test "$(id -un) $SDK" = "vendor ready"' && \\
+    DOCKER_UID=1234 DOCKER_GID=1234 {entrypoint} sudo -n true
 """
     )
     build_folder(services, tmp_path / "chk")
@@ -116,7 +117,8 @@ def test_a_base_of_it_alone(services: Services, vendor: str, tmp_path: Path) -> 
     done = run(*command, f"{vendor}:vendor")
     assert done.code == 0, done.err
     made = json.loads(done.out)
-    assert made["reference"] == f"{vendor}:vendor-ros1-bookworm-core"
+    host, _, path = vendor.partition("/")
+    assert made["reference"] == f"{host}/{NAMESPACE}/on/{path}:vendor-ros1-bookworm-core"
     labels = config(services, made["reference"])["config"]["Labels"]
     assert labels["org.opencontainers.image.base.name"] == f"{vendor}:vendor" and labels["io.rosml.python"] == "3.11"
     assert "io.rosml.runtime" not in labels, "what runs on it is none of ours"

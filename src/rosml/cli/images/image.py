@@ -23,6 +23,9 @@ if TYPE_CHECKING:
     from rosml.images.image_set.model import Image, ImageSet
     from rosml.machine.services import Services
 
+LONGEST_TAG = 128
+"""Characters, by the OCI distribution specification."""
+
 
 @click.command("image", short_help="Builds and tests an image on this machine.", cls=Command, kept=KEPT)
 @click.argument("target", default="", type=completion.Name("targets"))
@@ -123,7 +126,10 @@ def _on(
         raise RosmlError(f"{found.name} has ROS already: {has}", "build on it as it is", exit_code=2)
     place = oci.parse(found.name)
     tag = re.sub(r"^sha256:(.{12}).*", r"\1", place.reference)
-    reference = f"{services.registry}/{namespace}/{place.repository.rpartition('/')[2]}:{tag}-{image.target}"
+    if len(tag) + 1 + len(image.target) > LONGEST_TAG:
+        tag = found.digest[7:19]
+    # With its whole path: two owners have images of one name, and `records` is one of ours.
+    reference = f"{services.registry}/{namespace}/on/{place.repository}:{tag}-{image.target}"
     output = f"type=image,push=true,{COMPRESSION}"
     digest = adopt.make(onto, services, os.environ, (platform,), reference, output)
     return {"target": image.target, "on": found.reference, "reference": reference, "digest": digest}

@@ -12,17 +12,18 @@ import pytest
 from registry_stand_in import StandIn
 
 from rosml import ROOT
-from rosml.apps import adopt
-from rosml.apps.base import Base
 from rosml.base.errors import RosmlError
-from rosml.build import adopted
-from rosml.build.adopted import Adopted
-from rosml.images import load
+from rosml.containerize import adopt
+from rosml.containerize.base import Base
+from rosml.containerize.inputs import Values
+from rosml.images.builds import adopted
+from rosml.images.builds.adopted import Adopted
+from rosml.images.image_set import load
 from rosml.machine import buildx
 from rosml.machine.services import Services
 
 RELEASE = "ID=debian\nVERSION_CODENAME=bookworm\n"
-VALUES = {"ros-distro": "", "ros-component": "core", "disable-ros-installation": "false"}
+VALUES = Values()
 
 
 @pytest.fixture
