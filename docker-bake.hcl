@@ -122,7 +122,7 @@ function "dependency" {
 
 # ---- What others inherit, and operating systems ---------------------------------------------------------------------
 
-target "_common" {
+target "_every" {
   args = {
     SOURCE_DATE_EPOCH = SOURCE_DATE_EPOCH
     HTTP_PROXY        = HTTP_PROXY == "" ? null : HTTP_PROXY
@@ -139,14 +139,14 @@ target "_common" {
 }
 
 target "contents" {
-  inherits    = ["_common"]
+  inherits    = ["_every"]
   description = "the packages and files of the image that its context `described` is"
   target      = "contents"
   contexts    = { os = OS_BOOKWORM }
 }
 
 target "_os-ubuntu-20-04" {
-  inherits  = ["_common"]
+  inherits  = ["_every"]
   target    = "base"
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_UBUNTU_20_04 }
@@ -154,7 +154,7 @@ target "_os-ubuntu-20-04" {
 }
 
 target "_os-ubuntu-20-04-run" {
-  inherits  = ["_common"]
+  inherits  = ["_every"]
   target    = "base"
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_UBUNTU_20_04 }
@@ -165,7 +165,7 @@ target "_os-ubuntu-20-04-run" {
 }
 
 target "_os-ubuntu-22-04" {
-  inherits  = ["_common"]
+  inherits  = ["_every"]
   target    = "base"
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_UBUNTU_22_04 }
@@ -173,7 +173,7 @@ target "_os-ubuntu-22-04" {
 }
 
 target "_os-ubuntu-22-04-run" {
-  inherits  = ["_common"]
+  inherits  = ["_every"]
   target    = "base"
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_UBUNTU_22_04 }
@@ -184,7 +184,7 @@ target "_os-ubuntu-22-04-run" {
 }
 
 target "_os-ubuntu-24-04" {
-  inherits  = ["_common"]
+  inherits  = ["_every"]
   target    = "base"
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_UBUNTU_24_04 }
@@ -192,7 +192,7 @@ target "_os-ubuntu-24-04" {
 }
 
 target "_os-ubuntu-24-04-run" {
-  inherits  = ["_common"]
+  inherits  = ["_every"]
   target    = "base"
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_UBUNTU_24_04 }
@@ -203,7 +203,7 @@ target "_os-ubuntu-24-04-run" {
 }
 
 target "_os-ubuntu-26-04" {
-  inherits  = ["_common"]
+  inherits  = ["_every"]
   target    = "base"
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_UBUNTU_26_04 }
@@ -211,7 +211,7 @@ target "_os-ubuntu-26-04" {
 }
 
 target "_os-ubuntu-26-04-run" {
-  inherits  = ["_common"]
+  inherits  = ["_every"]
   target    = "base"
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_UBUNTU_26_04 }
@@ -222,7 +222,7 @@ target "_os-ubuntu-26-04-run" {
 }
 
 target "_os-bookworm" {
-  inherits  = ["_common"]
+  inherits  = ["_every"]
   target    = "base"
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_BOOKWORM }
@@ -230,7 +230,7 @@ target "_os-bookworm" {
 }
 
 target "_os-bookworm-run" {
-  inherits  = ["_common"]
+  inherits  = ["_every"]
   target    = "base"
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_BOOKWORM }
@@ -241,7 +241,7 @@ target "_os-bookworm-run" {
 }
 
 target "_os-trixie" {
-  inherits  = ["_common"]
+  inherits  = ["_every"]
   target    = "base"
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_TRIXIE }
@@ -249,7 +249,7 @@ target "_os-trixie" {
 }
 
 target "_os-trixie-run" {
-  inherits  = ["_common"]
+  inherits  = ["_every"]
   target    = "base"
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_TRIXIE }
@@ -260,7 +260,7 @@ target "_os-trixie-run" {
 }
 
 target "_image" {
-  inherits = ["_common"]
+  inherits = ["_every"]
   labels = {
     "org.opencontainers.image.licenses" = "Apache-2.0"
     "org.opencontainers.image.revision" = REVISION == "" ? null : REVISION
@@ -271,7 +271,7 @@ target "_image" {
 # ---- Parts: the files below /out, and the part as an image of its own -----------------------------------------------
 
 target "_files" {
-  inherits = ["_common"]
+  inherits = ["_every"]
   target   = "part-files"
 }
 

@@ -6,7 +6,7 @@
 # ---- What others inherit, and operating systems ---------------------------------------------------------------------
 
 target "_test" {
-  inherits = ["_common"]
+  inherits = ["_every"]
   target   = "test"
   contexts = { os = OS_BOOKWORM }
   output   = ["type=cacheonly"]

@@ -200,12 +200,12 @@ class _Targets:
 
     def _families(self) -> None:
         images, parts = self._image_set.images, self._image_set.parts
-        self._family("_common", [], [*self._said])
-        self._family("_files", ["_common"], [names.files_target(part.name) for part in parts])
+        self._family("_every", [], [*self._said])
+        self._family("_files", ["_every"], [names.files_target(part.name) for part in parts])
         for part in parts:
             self._above[part.target] = [names.files_target(part.name)]
-        self._family("_image", ["_common"], [image.target for image in images])
-        self._family("_test", ["_common"], self.tests)
+        self._family("_image", ["_every"], [image.target for image in images])
+        self._family("_test", ["_every"], self.tests)
         for row, members in _by(images, lambda image: image.distribution).items():
             self._family(f"_{row}", ["_image"], [image.target for image in members])
             self._family(f"_{row}-ros", [f"_{row}"], [image.target for image in members if not image.stack])
@@ -255,7 +255,7 @@ class _Targets:
     def _sections(self) -> Iterator[tuple[str, list[str]]]:
         images = self._image_set.images
         systems = [names.os_target(image.os, runs) for image in images for runs in (False, True)]
-        everything = ["_common", targets.CONTENTS, *dict.fromkeys(systems), "_image", "_test"]
+        everything = ["_every", targets.CONTENTS, *dict.fromkeys(systems), "_image", "_test"]
         yield "What others inherit, and operating systems", [name for name in everything if name in self._said]
         both = [[names.files_target(part.name), part.target] for part in self._image_set.parts]
         yield (

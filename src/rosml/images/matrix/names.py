@@ -15,7 +15,7 @@ ROS = "ros"
 """Stands for a part in the locks of distributions that come from wheels: those are named like stacks, which they share
 no name with."""
 
-RESERVED_GROUPS = ("all", "common", "default", "files", "image", "latest", "parts", "test", "tests")
+RESERVED_GROUPS = ("all", "default", "every", "files", "image", "latest", "parts", "test", "tests")
 """Groups, tags and targets that others inherit, which do not come from an axis of the matrix."""
 
 
