@@ -56,16 +56,18 @@ def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
     """Every generated file with its content; nothing but the bake file where that is to be written elsewhere."""
     from rosml.images.bake import bake_file, inputs
 
-    inputs.Inputs(ROOT, image_set).check()
+    known = inputs.Inputs(ROOT, image_set)
+    known.check()
+    bake_files = bake_file.render(image_set, known.targets)
     if output:
-        return {output: bake_file.render(image_set)[bake_file.NAME]}
+        return {output: bake_files[bake_file.NAME]}
     from rosml.containerize import ci_files, page
     from rosml.images.catalogue import readme
     from rosml.images.catalogue.model import Published
     from rosml.images.matrix import schema
 
     return {
-        **{ROOT / name: content for name, content in bake_file.render(image_set).items()},
+        **{ROOT / name: content for name, content in bake_files.items()},
         ROOT / "matrix.schema.json": schema.render(),
         ROOT / "catalogue.schema.json": schema.render(Published, "src/rosml/images/catalogue/model.py", read=True),
         ROOT / "README.md": readme.render(files.text(ROOT / "README.md"), image_set),

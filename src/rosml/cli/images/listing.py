@@ -25,7 +25,6 @@ def main(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
       rosml list ros1-trixie tensorflow --json
     """
     from rosml.cli.images import tables
-    from rosml.images.bake.inputs import Inputs
     from rosml.images.image_set import load, selection
 
     image_set = load.load(matrix, ROOT)
@@ -33,6 +32,8 @@ def main(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
     if not images:
         terminal.echo(selection.none_in(groups), err=True)
     if as_json:
+        from rosml.images.bake.inputs import Inputs
+
         inputs = Inputs(ROOT, image_set)
         inputs.check()
         terminal.echo(tables.images_as_json(inputs, images), nl=False)

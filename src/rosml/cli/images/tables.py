@@ -9,18 +9,18 @@ from typing import TYPE_CHECKING
 
 from rosml.base import ci, terminal
 from rosml.base.problems import counted, some
-from rosml.images.bake.diff import Difference, how_many, rows
-from rosml.images.bake.inputs import Inputs
 from rosml.images.image_set import missing
 from rosml.images.image_set.facts import facts
 from rosml.images.image_set.model import Image
-from rosml.images.publish.plan_file import Shard
-from rosml.images.publish.status import STATES, Cause, ImageStatus, age
-from rosml.images.scan.judge import Run
-from rosml.images.scan.sarif import COLUMNS, finding_rows, summary
 
-if TYPE_CHECKING:
+if TYPE_CHECKING:  # a table of images needs none of them
     from rich.text import Text
+
+    from rosml.images.bake.diff import Difference
+    from rosml.images.bake.inputs import Inputs
+    from rosml.images.publish.plan_file import Shard
+    from rosml.images.publish.status import Cause, ImageStatus
+    from rosml.images.scan.judge import Run
 
 MANY = 12
 """From more names on, they are folded in a summary."""
@@ -54,6 +54,8 @@ def print_difference(difference: Difference) -> None:
     out, columns = terminal.console(), ("what", "why", "which")
     if difference.registry:
         out.print(f"registry: {' → '.join(difference.registry)}; all names change")
+    from rosml.images.bake.diff import how_many, rows
+
     show(columns, rows(difference), wrapped=columns)
     counts = [how_many(difference, name) for name in ("added", "removed", "changed")]
     out.print(", ".join([*counts, f"{difference.same} same"]), style="dim")
@@ -106,6 +108,8 @@ def shard_rows(shards: Iterable[Shard]) -> list[tuple[str, ...]]:
 def print_scan(run: Run) -> None:
     """Prints a run: each image's line and its findings that stop it or are ignored, the worst first; what is wrong with the
     policy's entries, and the run's outcome."""
+    from rosml.images.scan.sarif import COLUMNS, finding_rows, summary
+
     said: set[str] = set()
     for image in run.images:
         terminal.echo(summary(image))
@@ -125,6 +129,8 @@ def print_scan(run: Run) -> None:
 
 def print_status(found: list[ImageStatus], causes: Sequence[Cause], ahead: Mapping[str, int]) -> None:
     """A line for each image, a block for each cause, and how many images there are of each state."""
+    from rosml.images.publish.status import STATES, age
+
     rows = (
         (it.target, coloured(it.state, STATES[it.state]), age(it.age), ", ".join(it.platforms), it.reason)
         for it in found
@@ -143,6 +149,8 @@ def print_status(found: list[ImageStatus], causes: Sequence[Cause], ahead: Mappi
 
 def _counts(found: Sequence[ImageStatus]) -> str:
     """How many images there are of each state."""
+    from rosml.images.publish.status import STATES
+
     counts = Counter(item.state for item in found)
     text = ", ".join(f"{counts[name]} {name}" for name in STATES if counts[name])
     return f"{counted(len(found), 'image')}: {text}"

@@ -19,18 +19,21 @@ from rosml.images.matrix.model import Matrix
 NAME, TESTS = "docker-bake.hcl", "docker-bake.tests.hcl"
 
 
-def render(image_set: ImageSet) -> dict[str, str]:
+def render(image_set: ImageSet, found: Mapping[str, Target] | None = None) -> dict[str, str]:
     """Both files by their names: images and parts, and what goes with it, the structure tests of each image.
 
     They depend on nothing but the image set. Tests are apart because the time that buildx takes for a file grows with the square
     of its targets.
+
+    Args:
+        found: all targets, for who has them already.
     """
-    found = _Targets(image_set)
-    images, tests = found.needed(found.others), found.needed(found.tests)
+    every = _Targets(image_set, found)
+    images, tests = every.needed(every.others), every.needed(every.tests)
     head = _HEADER_OF_TESTS.format(target=image_set.matrix.default.group[0])
     return {
-        NAME: "\n".join([*_head(image_set.matrix), *found.blocks(images), *_groups(image_set, False)]),
-        TESTS: "\n".join([head, *found.blocks(tests - images), *_groups(image_set, True)]),
+        NAME: "\n".join([*_head(image_set.matrix), *every.blocks(images), *_groups(image_set, False)]),
+        TESTS: "\n".join([head, *every.blocks(tests - images), *_groups(image_set, True)]),
     }
 
 
@@ -189,8 +192,8 @@ def _value(value: Value, unknown: str) -> str:
 class _Targets:
     """Targets as blocks of HCL. What all of some have in common is a target of its own, which these inherit."""
 
-    def __init__(self, image_set: ImageSet) -> None:
-        self._image_set, self._found = image_set, targets.of(image_set)
+    def __init__(self, image_set: ImageSet, found: Mapping[str, Target] | None = None) -> None:
+        self._image_set, self._found = image_set, found or targets.of(image_set)
         self.tests = [image.test_target for image in image_set.images]
         self.others = self._found.keys() - {*self.tests}
         self._said = {name: _said(target) for name, target in self._found.items()}

@@ -38,7 +38,7 @@ class Inputs:
     def __init__(self, root: Path, image_set: ImageSet) -> None:
         self.root = root
         self.image_set = image_set
-        self._targets = targets.of(image_set)
+        self.targets = targets.of(image_set)
         file = root / "Dockerfile"
         self._ignored = _rules(root / ".dockerignore")
         self._stages = dockerfile.parse(files.text(file) if file.is_file() else "")
@@ -50,7 +50,7 @@ class Inputs:
         """The inputs of a bake target by readable names; `target x` stands for the inputs of the target x."""
         key = (target, architecture)
         if key not in self._known:
-            found = self._targets[target]
+            found = self.targets[target]
             arguments = _facts(found.arguments, f"{target}, argument")
             inputs = {"platform": self.image_set.matrix.architectures[architecture].platform}
             contexts = self._contexts(target, architecture)
@@ -153,7 +153,7 @@ class Inputs:
     def _contexts(self, target: str, architecture: str) -> dict[str, dict[str, str]]:
         """The inputs behind each of a target's named contexts: another target, or a base image."""
         found: dict[str, dict[str, str]] = {}
-        for name, value in self._targets[target].contexts.items():
+        for name, value in self.targets[target].contexts.items():
             if isinstance(value, Dependency):
                 found[name] = {TARGET + value.target: self.digest(value.target, architecture)}
             else:
