@@ -203,7 +203,7 @@ def test_a_machine_that_has_nothing_builds_nothing_twice(
     again = app.build()
     assert {image.target: image.digest for image in again.images}["run"] == first["run"]["digest"]
     assert f"nothing to build: {cache} has it" in said
-    assert again.tests.count == 2 and again.packages == ["compass"]
+    assert again.tests.count == 2 and again.outcome.packages == ["compass"]
     logs = [services.state / f"log/containerize-{NAMESPACE}+cached@latest-{target}.log" for target in ("run", "dev")]
     assert not [line for log in logs for line in log.read_text().splitlines() if "RUN" in line], "no step at all"
 

@@ -25,6 +25,7 @@ from rosml.containerize.git import Access
 from rosml.containerize.inputs import Values
 from rosml.containerize.left_out import LeftOut
 from rosml.containerize.names import SLIM, Names
+from rosml.containerize.outcome import Outcome
 from rosml.images.image_set.system import CALLED, DEBIAN
 from rosml.machine import buildx, git
 from rosml.machine.services import Services
@@ -55,19 +56,9 @@ class Built:
     Attributes:
         base: the base image by its digest.
         images: what was made.
-        packages: ROS packages of the app. keys: what each key of rosdep became.
-        installed: packages of the operating system that the run image has beyond its base.
-        changed: files of the base image that these packages change.
-        replaced: packages and files of the base image that they replace or remove; if there are some, the run image does not
-            share its layers with the base image alone.
-        slim_replaced: the same of the slim image and its base; None if there is no slim image.
-        outside: what the packages installed outside of the install space, which is in no image.
-        lost, slim_lost: what files of the install space need, the build had and the run image or the slim image lacks.
-        absent: what they need, and neither an image nor the build has.
-        forgotten: launch files and programs, as `PACKAGE NAME`, that are not installed, with a place of each. unstarted: what of that
-            the command starts.
+        outcome: what another build from the same would come to.
+        unstarted: what of `outcome.forgotten` the command starts.
         upstream: repositories that were imported. downstream: those of the downstream workspace.
-        added: the packages of apt and pip that were added, with their versions, as `lock.Packages` has them.
         lock: what the images were built from, as a lock file says it. locked: the lock file, if it was written.
         described: images that have an SBOM and a list of files beside them in the registry.
         tests: of the packages. slim_tests: the same, as they ran in the slim image. downstream_tests: of packages that use them.
@@ -77,21 +68,10 @@ class Built:
 
     base: str
     images: list[Made] = field(default_factory=list)
-    packages: list[str] = field(default_factory=list)
-    keys: dict[str, Any] = field(default_factory=dict)
-    installed: list[str] = field(default_factory=list)
-    changed: list[str] = field(default_factory=list)
-    replaced: list[str] = field(default_factory=list)
-    slim_replaced: list[str] | None = None
-    outside: list[str] = field(default_factory=list)
-    lost: list[str] = field(default_factory=list)
-    slim_lost: list[str] = field(default_factory=list)
-    absent: list[str] = field(default_factory=list)
-    forgotten: dict[str, str] = field(default_factory=dict)
+    outcome: Outcome = field(default_factory=Outcome)
     unstarted: list[str] = field(default_factory=list)
     upstream: list[sources.Repository] = field(default_factory=list)
     downstream: list[sources.Repository] = field(default_factory=list)
-    added: dict[str, Any] = field(default_factory=dict)
     lock: lock.Lock | None = None
     locked: str = ""
     described: list[str] = field(default_factory=list)
@@ -103,32 +83,19 @@ class Built:
 
     def to_json(self) -> dict[str, Any]:
         """For `--json`."""
-        return asdict(self) | {"lock": self.lock.model_dump() if self.lock else None}
-
-    def facts(self) -> dict[str, Any]:
-        """What another build from the same would come to, for `take`."""
-        names = ("packages", "keys", "installed", "changed", "replaced", "outside", "slim_replaced", "added")
-        found = {name: getattr(self, name) for name in (*names, "lost", "slim_lost", "absent", "forgotten")}
-        return found | {"tests": [self.tests.count, self.tests.skipped]}
-
-    def take(self, facts: Mapping[str, Any]) -> None:
-        """Takes what an earlier build from the same came to."""
-        self.packages, self.keys = facts["packages"], facts["keys"]
-        self.installed, self.changed, self.replaced = facts["installed"], facts["changed"], facts["replaced"]
-        self.outside, self.slim_replaced, self.added = facts["outside"], facts["slim_replaced"], facts["added"]
-        self.lost, self.slim_lost, self.absent = facts["lost"], facts["slim_lost"], facts["absent"]
-        self.forgotten = facts["forgotten"]
-        self.tests = junit.Tests(*facts["tests"])
+        facts = asdict(self) | {"lock": self.lock.model_dump() if self.lock else None}
+        del facts["outcome"]
+        return facts | self.outcome.model_dump()
 
     def summary(self) -> Iterator[tuple[str, str]]:
         """What people are told at the end: what about, and a sentence."""
         yield (
             "app",
-            f"{_count(len(self.packages), 'ROS package')}, {_count(len(self.installed), 'package')} of apt added",
+            f"{_count(len(self.outcome.packages), 'ROS package')}, {_count(len(self.outcome.installed), 'package')} of apt added",
         )
         for which, replaced in (
-            ("the base image", self.replaced),
-            ("the base image of the slim one", self.slim_replaced),
+            ("the base image", self.outcome.replaced),
+            ("the base image of the slim one", self.outcome.slim_replaced),
         ):
             if replaced:
                 names = ", ".join(replaced[:3]) + (" …" if len(replaced) > 3 else "")
@@ -136,13 +103,15 @@ class Built:
                     "",
                     f"not joined to {which}, of which its packages change {_count(len(replaced), 'thing')}: {names}",
                 )
-        if self.outside:
-            names = ", ".join(f"/{name}" for name in self.outside[:3]) + (" …" if len(self.outside) > 3 else "")
+        if self.outcome.outside:
+            names = ", ".join(f"/{name}" for name in self.outcome.outside[:3]) + (
+                " …" if len(self.outcome.outside) > 3 else ""
+            )
             yield "", f"installed outside of the install space, and in no image: {names}"
         for which, found in (
-            ("the run image lacks what the build has", self.lost),
-            ("the slim image lacks what the build has", self.slim_lost),
-            ("neither the build nor an image has", self.absent),
+            ("the run image lacks what the build has", self.outcome.lost),
+            ("the slim image lacks what the build has", self.outcome.slim_lost),
+            ("neither the build nor an image has", self.outcome.absent),
             ("the command starts what is in no image", self.unstarted),
         ):
             if found:
@@ -260,22 +229,23 @@ class App:
         said: report.Said | None = None
         known: dict[str, str] = {}
         kept: dict[str, str] = {}
-        facts = None
+        earlier = None
         named = bool(self._values.rosdep_index)
         if named or not cache:
             inputs = self._with_lists(inputs, locked)
         if cache:
             keys = self._keys(inputs)
-            known, facts = cache.found(keys), cache.report(keys)
+            known, earlier = cache.found(keys), cache.report(keys)
             if {*inputs.stages} - known.keys():
-                facts = None
+                earlier = None
             if not named and IDENTIFIED not in known:  # it is what reads them
                 inputs = self._with_lists(inputs, locked)
             kept = {stage: cache.reference(tag) for stage, tag in keys.stages.items() if stage not in known}
         arguments = (inputs, self._names, self._services, [*self._environment], left, known, kept)
-        if facts:
+        if earlier:
             self._say(f"nothing to build: {self._values.cache} has it")
-            built.take(facts)
+            count, skipped = earlier.tests
+            built.outcome, built.tests = earlier.outcome, junit.Tests(count, skipped)
         else:
             shutil.rmtree(self.report, ignore_errors=True)
             for archive in left.values():
@@ -288,9 +258,13 @@ class App:
                 self._test(left[bake_file.RESULTS], built)
                 self._require_complete(built)
             if cache:
-                cache.keep(keys, built.facts(), said.details())
+                cache.keep(keys, built.outcome, built.tests, said.details())
         self._require_started(built)
-        unlinked = [target for target, replaced in (("run", built.replaced), (SLIM, built.slim_replaced)) if replaced]
+        unlinked = [
+            target
+            for target, replaced in (("run", built.outcome.replaced), (SLIM, built.outcome.slim_replaced))
+            if replaced
+        ]
         made = self._locked(inputs, built)
         if locked and not locked.lacks(self._names.platforms):
             made = locked  # it may have more: of another platform, or of a slim image
@@ -405,7 +379,8 @@ class App:
             rosdep_index=rosdep,
             repositories=_pins(built.upstream),
             downstream=_pins(built.downstream),
-            **built.added,
+            apt=built.outcome.added.apt,
+            pip=built.outcome.added.pip,
         )
 
     def _slim(self, base: bases.Base, locked: lock.Lock | None) -> bases.Base | None:
@@ -596,7 +571,10 @@ class App:
         Raises:
             RosmlError: something is lost; no image is made.
         """
-        for which, lost in (("run", built.lost if "run" in self._names.targets else []), (SLIM, built.slim_lost)):
+        for which, lost in (
+            ("run", built.outcome.lost if "run" in self._names.targets else []),
+            (SLIM, built.outcome.slim_lost),
+        ):
             if lost:
                 raise RosmlError(
                     f"the {which} image would lack what the tests had; no image was made{_lines(lost)}",
@@ -612,7 +590,7 @@ class App:
         """
         if not {"run", SLIM} & {*self._names.targets}:
             return
-        built.unstarted = unstarted(self._values.command, built.forgotten)
+        built.unstarted = unstarted(self._values.command, built.outcome.forgotten)
         if built.unstarted and self._values.tests:
             raise RosmlError(
                 f"the command starts what is not installed; no image was made{_lines(built.unstarted)}",
@@ -628,7 +606,7 @@ class App:
         """
         reports = f"\n  reports: {self.report}"
         ran = built.tests.count and not built.tests.failures
-        if built.slim_replaced is not None and ran and not built.slim_tests.count:
+        if built.outcome.slim_replaced is not None and ran and not built.slim_tests.count:
             text = f"none of {built.tests.count} tests ran in the slim image; no image was made"
             raise RosmlError(text, "leave the slim image out, --no-enable-slim, or report this")
         for tests, where, remedy in (
@@ -661,7 +639,7 @@ def unstarted(command: str, forgotten: Mapping[str, str]) -> list[str]:
     """What a command starts of a package that does not install it.
 
     Args:
-        forgotten: as in `Built`.
+        forgotten: as in `Outcome`.
     """
     asked = dict.fromkeys(f"{package} {name}" for _, package, name in STARTS.findall(command))
     return [
@@ -679,17 +657,22 @@ def _take(built: Built, said: report.Said, slim: bool) -> None:
     """Takes what rosml's own steps said. `slim`: of the slim image as well."""
     dependencies, apps = said.dependencies(), said.apps()
     slim_apps = said.slim_apps() if slim else []
-    built.packages = [*dependencies.packages]
-    _require_built(built.packages, apps)
-    built.keys = dependencies.model_dump()["keys"]
-    built.installed, built.changed, built.outside = apps[0].packages, apps[0].changed, apps[0].outside
-    built.lost = sorted({line for app in apps for line in app.lost})
-    built.slim_lost = sorted({line for app in slim_apps for line in app.lost}.difference(built.lost))
-    built.absent = sorted({line for app in (*apps, *slim_apps) for line in app.absent})
-    built.forgotten = {key: place for app in apps for key, place in app.forgotten.items()}
-    built.replaced = _replaced(apps)
-    built.slim_replaced = _replaced(slim_apps) if slim else None
-    built.added = lock.added(app.model_dump() for app in (*apps, *slim_apps)).model_dump()
+    _require_built([*dependencies.packages], apps)
+    lost = {line for app in apps for line in app.lost}
+    built.outcome = Outcome(
+        packages=[*dependencies.packages],
+        keys=dependencies.keys,
+        installed=apps[0].packages,
+        changed=apps[0].changed,
+        replaced=_replaced(apps),
+        slim_replaced=_replaced(slim_apps) if slim else None,
+        outside=apps[0].outside,
+        lost=sorted(lost),
+        slim_lost=sorted({line for app in slim_apps for line in app.lost} - lost),
+        absent=sorted({line for app in (*apps, *slim_apps) for line in app.absent}),
+        forgotten={key: place for app in apps for key, place in app.forgotten.items()},
+        added=lock.added(app.model_dump() for app in (*apps, *slim_apps)),
+    )
 
 
 def _require_built(packages: Sequence[str], apps: Iterable[report.Facts]) -> None:

@@ -7,6 +7,7 @@ stage. What a build came to is kept beside them, as soon as its tests have passe
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import json
 import os
@@ -20,8 +21,8 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
-from rosml.containerize import lock
-from rosml.containerize.report import Answer
+from rosml.containerize.junit import Tests
+from rosml.containerize.outcome import Outcome
 from rosml.containerize.within import SECRET
 from rosml.registry import oci
 from rosml.registry.documents import Descriptor
@@ -37,9 +38,6 @@ ADOPTED = "adopted"
 
 REPORT = "report"
 """The tag of what a build came to begins with this."""
-
-FORMAT = 4
-"""Of reports. Another number makes those that are in registries no reports: change it with their fields."""
 
 _TYPE = "application/vnd.rosml.app.report.v1+json"
 _DETAIL = "application/octet-stream"
@@ -135,24 +133,25 @@ def _digest(*parts: object) -> str:
     return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()[:32]
 
 
-class _Report(BaseModel):
-    """A report, as `Built.facts` gives it."""
+class Report(BaseModel):
+    """What a build came to, as it is kept.
+
+    Attributes:
+        form: digest of the fields that there are: a release of rosml with others passes it over.
+        tests: how many there are, and how many of them were skipped.
+    """
 
     model_config = ConfigDict(strict=True, extra="forbid")
 
-    packages: list[str]
-    keys: dict[str, list[Answer]]
-    installed: list[str]
-    changed: list[str]
-    replaced: list[str]
-    outside: list[str]
-    lost: list[str]
-    slim_lost: list[str]
-    absent: list[str]
-    forgotten: dict[str, str]
+    form: str
+    outcome: Outcome
     tests: list[int] = Field(min_length=2, max_length=2)
-    slim_replaced: list[str] | None
-    added: lock.Packages
+
+
+@functools.cache
+def form() -> str:
+    """The form of reports, now."""
+    return _digest(Report.model_json_schema())
 
 
 class Cache:
@@ -191,16 +190,15 @@ class Cache:
                 there[stage] = f"{self._place.host}/{self._place.repository}@{digest}"
         return there
 
-    def report(self, keys: Keys) -> dict[str, Any] | None:
+    def report(self, keys: Keys) -> Report | None:
         """What a build from the same came to. None if none passed, or if what is there cannot be read or has another form."""
         try:
             layers = self._layers(keys)
             if not layers:
                 return None
             content = untrusted.json_object(self._registry.part(self._place.repository, layers[0])) or {}
-            if content.pop("format", None) != FORMAT:
-                return None
-            return _Report.model_validate(content).model_dump()
+            found = Report.model_validate(content)
+            return found if found.form == form() else None
         except (RosmlError, ValueError):
             return None
 
@@ -223,16 +221,17 @@ class Cache:
         manifest = self._registry.manifest(self._place.repository, _tag(keys))
         return manifest.layers if manifest and manifest.artifact_type == _TYPE else []
 
-    def keep(self, keys: Keys, report: Mapping[str, Any], details: Mapping[str, bytes]) -> None:
+    def keep(self, keys: Keys, outcome: Outcome, tests: Tests, details: Mapping[str, bytes]) -> None:
         """Keeps what a build came to.
 
         Args:
-            details: what it said besides, by name.
+            tests: which passed. details: what it said besides, by name.
 
         Raises:
             RosmlError: the registry refuses.
         """
-        content = oci.encoded({**report, "format": FORMAT})
+        report = Report(form=form(), outcome=outcome, tests=[tests.count, tests.skipped])
+        content = oci.encoded(report.model_dump())
         manifest = oci.artifact(_TYPE, content, "application/json")
         for name, data in details.items():
             manifest["layers"].append(oci.descriptor(_DETAIL, data) | {"annotations": {_TITLE: name}})

@@ -13,18 +13,28 @@ import pytest
 from registry_stand_in import StandIn
 
 from rosml.base.errors import RosmlError
-from rosml.containerize import junit
-from rosml.containerize.build import Built
-from rosml.containerize.cache import FORMAT, Cache, Keys, keys
+from rosml.containerize.cache import Cache, Keys, Report, form, keys
+from rosml.containerize.junit import Tests
+from rosml.containerize.lock import Packages
+from rosml.containerize.outcome import Outcome
+from rosml.containerize.report import Answer
 from rosml.registry import oci
 
 KEYS = Keys("e", "u", "a", False)
 
-KNOWN: dict[str, Any] = {
-    "keys": {"roscpp": [{"installer": "apt", "names": ["libroscpp-dev"]}]},
-    "added": {"apt": {"amd64": {"libroscpp-dev": "1.16.0+ds-4"}}, "pip": {}},
-}
-REPORT = Built("base", packages=["robot"], tests=junit.Tests(3, 1), **KNOWN).facts()
+OUTCOME = Outcome(
+    packages=["robot"],
+    keys={"roscpp": [Answer(installer="apt", names=["libroscpp-dev"])]},
+    added=Packages(apt={"amd64": {"libroscpp-dev": "1.16.0+ds-4"}}),
+)
+TESTS = Tests(3, 1)
+REPORT = Report(form=form(), outcome=OUTCOME, tests=[3, 1])
+
+
+def altered(outcome: dict[str, Any] | None = None, **others: Any) -> bytes:
+    """A report with other values."""
+    said = REPORT.model_dump()
+    return oci.encoded(said | {"outcome": said["outcome"] | (outcome or {})} | others)
 
 
 @pytest.fixture
@@ -107,7 +117,7 @@ def test_gits_folder_of_sources_does_not_count(folder: Path) -> None:
 def test_a_report_is_found_again(stand_in: StandIn) -> None:
     with Cache(f"{stand_in.address}/me/robot-cache", "") as cache:
         assert (cache.found(KEYS), cache.report(KEYS)) == ({}, None)
-        cache.keep(KEYS, REPORT, {"run/linux/amd64/files.gz": b"some", "slim/linux/amd64/files.gz": b"others"})
+        cache.keep(KEYS, OUTCOME, TESTS, {"run/linux/amd64/files.gz": b"some", "slim/linux/amd64/files.gz": b"others"})
         assert cache.report(KEYS) == REPORT
         assert cache.detail(KEYS, "slim/linux/amd64/files.gz") == b"others"
         with pytest.raises(RosmlError, match="has no other"):
@@ -124,19 +134,20 @@ ROBOT = "me/robot-cache"
     [
         b"no JSON",
         b"[]",
-        oci.encoded({**REPORT, "format": FORMAT + 1}),
-        oci.encoded(REPORT),
-        oci.encoded({"format": FORMAT, "packages": []}),
-        oci.encoded({**REPORT, "format": FORMAT, "tests": ["3", 1]}),
-        oci.encoded({**REPORT, "format": FORMAT, "tests": [3]}),
-        oci.encoded({**REPORT, "format": FORMAT, "packages": None}),
-        oci.encoded({**REPORT, "format": FORMAT, "keys": {"roscpp": ["libroscpp-dev"]}}),
-        oci.encoded({**REPORT, "format": FORMAT, "added": {"apt": {"amd64": {"libfoo": "1 ; true"}}, "pip": {}}}),
+        altered(form="other"),
+        altered(more=1),
+        oci.encoded({"form": form(), "tests": [3, 1]}),
+        altered(tests=["3", 1]),
+        altered(tests=[3]),
+        altered({"packages": None}),
+        altered({"new": []}),
+        altered({"keys": {"roscpp": ["libroscpp-dev"]}}),
+        altered({"added": {"apt": {"amd64": {"libfoo": "1 ; true"}}, "pip": {}}}),
     ],
 )
 def test_a_damaged_report_is_none(content: bytes, stand_in: StandIn) -> None:
     with Cache(f"{stand_in.address}/{ROBOT}", "") as cache:
-        cache.keep(KEYS, REPORT, {})
+        cache.keep(KEYS, OUTCOME, TESTS, {})
         [tag] = stand_in.tags[ROBOT]
         manifest = json.loads(stand_in.manifests[ROBOT, stand_in.tags[ROBOT][tag]][1])
         stand_in.blobs[ROBOT, oci.digest_of(content)] = content
@@ -156,7 +167,7 @@ def test_a_damaged_report_is_none(content: bytes, stand_in: StandIn) -> None:
 )
 def test_another_manifest_is_no_report(manifest: dict[str, Any], stand_in: StandIn) -> None:
     with Cache(f"{stand_in.address}/{ROBOT}", "") as cache:
-        cache.keep(KEYS, REPORT, {})
+        cache.keep(KEYS, OUTCOME, TESTS, {})
         [tag] = stand_in.tags[ROBOT]
         with oci.Registry(stand_in.address) as client:
             client.put_manifest(ROBOT, tag, manifest, manifest["mediaType"])
