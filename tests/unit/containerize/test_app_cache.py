@@ -13,8 +13,8 @@ import pytest
 from registry_stand_in import StandIn
 
 from rosml.base.errors import RosmlError
+from rosml.containerize import junit
 from rosml.containerize.cache import Cache, Keys, Report, form, keys
-from rosml.containerize.junit import Tests
 from rosml.containerize.lock import Packages
 from rosml.containerize.outcome import Outcome
 from rosml.containerize.report import Answer
@@ -27,7 +27,7 @@ OUTCOME = Outcome(
     keys={"roscpp": [Answer(installer="apt", names=["libroscpp-dev"])]},
     added=Packages(apt={"amd64": {"libroscpp-dev": "1.16.0+ds-4"}}),
 )
-TESTS = Tests(3, 1)
+TESTS = junit.Tests(3, 1)
 REPORT = Report(form=form(), outcome=OUTCOME, tests=[3, 1])
 
 
