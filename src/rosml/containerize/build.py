@@ -217,6 +217,11 @@ class App:
         if self._renew and built.lock:
             self._write_lock(built.lock)
             built.locked = str(self._lock_file)
+            if base.adopted:
+                text = (
+                    "it has no versions of the ROS that was installed on the base image: keep that image with --cache"
+                )
+                self._say(f"{self._lock_file}: {text}")
         built.seconds = time.monotonic() - started
         return built
 
@@ -244,8 +249,7 @@ class App:
         arguments = (inputs, self._names, self._services, [*self._environment], left, known, kept)
         if earlier:
             self._say(f"nothing to build: {self._values.cache} has it")
-            count, skipped = earlier.tests
-            built.outcome, built.tests = earlier.outcome, junit.Tests(count, skipped)
+            built.outcome, built.tests = earlier.outcome, earlier.passed
         else:
             shutil.rmtree(self.report, ignore_errors=True)
             for archive in left.values():

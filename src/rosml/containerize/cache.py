@@ -147,6 +147,12 @@ class Report(BaseModel):
     outcome: Outcome
     tests: list[int] = Field(min_length=2, max_length=2)
 
+    @property
+    def passed(self) -> Tests:
+        """The tests, of which none failed."""
+        count, skipped = self.tests
+        return Tests(count, skipped)
+
 
 @functools.cache
 def form() -> str:

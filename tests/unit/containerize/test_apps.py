@@ -1026,6 +1026,8 @@ def test_ros_is_installed_on_a_base_that_has_none(
     monkeypatch.setattr(variables, "sync_date", lambda *_: "2026-11-27T21:14:09Z")
     app(repository, services, **given).build()
     assert json.loads(file.read_text())["target"]["keep-base"]["output"][0] != kept, "ROS has other packages"
+    build.App(repository, found_values, {}, services, said.append, renew=True).build()
+    assert "it has no versions of the ROS that was installed" in said[-1]
 
 
 @pytest.mark.parametrize("user", ["a\nRUN touch /x", "-x", "$HOME", "a:b:c", "a b"])
