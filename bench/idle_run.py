@@ -27,6 +27,7 @@ from rosml.images.publish.steps import STEPS
 from rosml.images.records.store import DATE, INDEX, READERS, Entry, Records
 from rosml.machine.services import Services
 from rosml.registry import oci
+from rosml.registry.client import Registry
 
 LAYER = b"a layer"
 
@@ -89,7 +90,7 @@ def measure(services: Services, image_set: ImageSet, prefix: str, date: str, say
     return IdleRun(len(run.plan.items), tags, seconds, uploaded, done)
 
 
-def _survey(services: Services, image_set: ImageSet, client: oci.Registry, prefix: str, date: str) -> Plan:
+def _survey(services: Services, image_set: ImageSet, client: Registry, prefix: str, date: str) -> Plan:
     """For all architectures: nothing is left to another machine."""
     architectures = tuple(image_set.matrix.architectures)
     return planning.survey(services, image_set, client, prefix, (), architectures, date=date)
@@ -117,7 +118,7 @@ class Place:
     """
 
     plan: Plan
-    client: oci.Registry
+    client: Registry
     prefix: str
 
     @cached_property

@@ -28,7 +28,8 @@ from rosml.images.join import file_lists
 from rosml.images.join.joiner import Joiner
 from rosml.images.publish import plan
 from rosml.images.publish.pipeline import Pipeline
-from rosml.registry import oci
+from rosml.registry import oci, references
+from rosml.registry.client import Registry
 
 TAGS = (10, 20, 40)
 
@@ -82,7 +83,7 @@ def measure(
         RosmlError: a build failed, or the registry does not answer.
     """
     services, image_set = here.services, here.image_set
-    client = oci.Registry(services.registry, ca_bundle=services.ca_bundle)
+    client = Registry(services.registry, ca_bundle=services.ca_bundle)
     date = now()
     place = f"{NAMESPACE}/night-{secrets.token_hex(4)}"
     again = idle_run.measure(services, image_set, place, date, here.say)
@@ -97,7 +98,7 @@ def measure(
     needs = found.by_key[image.target, architecture].needs
     scanned = [run.scanned_part(target, architecture) for target in needs]
     night = scan.measure(here, run.shelf, scanned)
-    ros, *parts = (oci.Reference(services.registry, part.repository, part.digest) for part in scanned)
+    ros, *parts = (references.Reference(services.registry, part.repository, part.digest) for part in scanned)
     rows = []
     for number in sizes:
         here.say(f"{number} tags, joined in the registry")
@@ -126,7 +127,7 @@ class _Made:
     client: Temporary
     run: str
 
-    def ros(self, ros: oci.Reference, index: int) -> oci.Reference:
+    def ros(self, ros: references.Reference, index: int) -> references.Reference:
         """A ROS image with a config of its own over the layers of another, and with that one's list of files."""
         found = self.client.manifest(ros.repository, ros.reference)
         if found is None:

@@ -10,13 +10,14 @@ from typing import Any
 import httpx
 
 from rosml.base.errors import RosmlError
-from rosml.registry import oci
+from rosml.registry import oci, references
+from rosml.registry.client import Registry
 
 REMOVERS = 16
 """How many manifests are removed at a time."""
 
 
-class Temporary(oci.Registry):
+class Temporary(Registry):
     """A client that removes at the end of its `with` every tag and manifest that it put, whatever ended it.
 
     Only for what nobody else puts: a manifest that was there before goes as well. Blobs stay until somebody collects them.
@@ -45,6 +46,6 @@ class Temporary(oci.Registry):
     ) -> tuple[str, httpx.Headers]:
         data = content if isinstance(content, bytes) else oci.encoded(content)
         self._manifests.add((repository, oci.digest_of(data)))  # before it is sent: nobody knows where that ends
-        if reference and not oci.is_digest(reference):
+        if reference and not references.is_digest(reference):
             self._tags.add((repository, reference))
         return super().send_manifest(repository, reference, data, media_type)

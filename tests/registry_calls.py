@@ -12,7 +12,7 @@ import pytest
 
 from rosml.base.errors import RosmlError
 from rosml.registry import oci
-from rosml.registry.oci import Registry
+from rosml.registry.client import Registry
 
 KIND, OTHER = "application/vnd.example.one", "application/vnd.example.two"
 NOWHERE = f"sha256:{'0' * 64}"

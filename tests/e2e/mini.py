@@ -31,6 +31,7 @@ from rosml.images.records.tag_moves import UNDO
 from rosml.machine import regctl
 from rosml.machine.services import Services
 from rosml.registry import oci
+from rosml.registry.client import Registry
 from tests.e2e.conftest import CHECKOUT, Run, run
 from tests.e2e.images import ca_secret
 
@@ -196,9 +197,9 @@ class Mini:
         path = "/nowhere" if poisoned else "/etc/os-release"
         (self.folder / f"tests/structure/{name}.yaml").write_text(TEST.format(path=path))
 
-    def client(self) -> oci.Registry:
+    def client(self) -> Registry:
         """The registry."""
-        return oci.Registry(self.services.registry)
+        return Registry(self.services.registry)
 
     def tags(self) -> dict[str, str]:
         """Every tag of every image and part, and where it points."""
@@ -276,7 +277,7 @@ def base(services: Services, image_set: ImageSet) -> tuple[str, str]:
     recipe = BASE.format(os=base_images.reference(services, image_set.matrix.operating_systems, "bookworm"))
     content = recipe.encode() + b"".join((ROOT / name).read_bytes() for name in USED)
     repository = f"rosml-test/{hashlib.sha256(content).hexdigest()[:12]}/debian"
-    client = oci.Registry(services.registry)
+    client = Registry(services.registry)
     with turn(ROOT / ".state/base/mini.lock", lambda: None):
         if not client.head(repository, "bookworm"):
             build_base(services, recipe, f"{services.registry}/{repository}:bookworm")

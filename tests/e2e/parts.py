@@ -14,7 +14,7 @@ from rosml.images.join import file_lists
 from rosml.images.matrix import rules
 from rosml.images.matrix.model import ANY_PYTHON, PartEntry
 from rosml.registry import oci
-from rosml.registry.oci import Registry
+from rosml.registry.client import Registry
 
 CREATED = "2026-01-01T00:00:00Z"
 PLATFORMS = ("linux/amd64",)

@@ -18,7 +18,7 @@ from rosml.images.publish.sign import Signer, SignerFailed
 from rosml.images.records import store
 from rosml.images.records.store import INDEX, Records
 from rosml.machine.services import Services
-from rosml.registry import oci
+from rosml.registry.client import Registry
 from tests.e2e import mini as minis
 from tests.e2e import secure
 from tests.e2e.conftest import LOG, run
@@ -70,7 +70,7 @@ def test_entries_and_provenance(mini: Mini) -> None:
         own = [size for name, size in sizes if name == kind]
         LOG.info("%s: %d, of %d bytes on average", kind, len(own), sum(own) / len(own))
 
-    with oci.Registry(mini.services.registry) as counting:
+    with Registry(mini.services.registry) as counting:
         services = Services.load(mini.folder)
         plan = planning.survey(
             services, mini.image_set, counting, mini.prefix, [ONLY[1]], (NATIVE,), date="2027-01-01T00:00:00Z"

@@ -27,7 +27,8 @@ from rosml.base.errors import RosmlError
 from rosml.containerize import build, inputs
 from rosml.machine import regctl
 from rosml.machine.services import Services
-from rosml.registry import oci
+from rosml.registry import oci, references
+from rosml.registry.client import Registry
 from tests.e2e.conftest import NAMESPACE, Run, run
 from tests.e2e.images import Publish
 from tests.e2e.images import build as build_folder
@@ -96,8 +97,8 @@ def ran(services: Services, name: str) -> set[str]:
 
 
 def config(services: Services, reference: str) -> dict[str, Any]:
-    place = oci.parse(reference)
-    with oci.Registry(services.registry) as registry:
+    place = references.parse(reference)
+    with Registry(services.registry) as registry:
         manifest = registry.manifest(place.repository, place.reference)
         assert manifest
         return registry.json_blob(place.repository, manifest.content["config"]["digest"])
@@ -105,9 +106,9 @@ def config(services: Services, reference: str) -> dict[str, Any]:
 
 def attached(services: Services, image: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
     """The SBOM of an image for one platform, and the list of its files as it is kept."""
-    repository = oci.parse(image["reference"]).repository
+    repository = references.parse(image["reference"]).repository
     found = []
-    with oci.Registry(services.registry) as registry:
+    with Registry(services.registry) as registry:
         for artifact_type in ("application/vnd.cyclonedx+json", "application/vnd.rosml.files.v1"):
             [entry] = registry.referrers(repository, image["digest"], artifact_type)
             manifest = registry.manifest(repository, entry["digest"])
@@ -212,7 +213,7 @@ def test_a_machine_that_has_nothing_builds_nothing_twice(
         app.build()
     assert "Compass.Quarters" in caught.value.message
     assert ran(services, name) == {"sources", "built", "tested", "app-files"}, "no apt, no identification, no upstream"
-    with oci.Registry(services.registry) as registry:
+    with Registry(services.registry) as registry:
         assert registry.head(name, "latest") == first["run"]["digest"], "the tag stays where it was"
 
     untested = build.App(
@@ -328,7 +329,7 @@ def test_a_call_that_is_killed_is_finished_by_the_next(published: Publish, servi
             killed += 1
             (os.killpg if number % 2 else os.kill)(process.pid, signal.SIGKILL)
             process.wait()
-        with oci.Registry(services.registry) as registry:
+        with Registry(services.registry) as registry:
             for tag in tags:
                 manifest = registry.manifest(name, tag)
                 assert manifest

@@ -20,6 +20,7 @@ from rosml.images.join import joiner as joining
 from rosml.machine import regctl
 from rosml.machine.services import Services
 from rosml.registry import oci
+from rosml.registry.client import Registry
 from tests.e2e import mini as minis
 from tests.e2e.conftest import LOG, NAMESPACE, Published, Run, run
 from tests.e2e.images import build, push_part
@@ -55,7 +56,7 @@ def parts(mini: Mini) -> list[str]:
     return [f"{mini.registry}/part:{name}" for name in PARTS]
 
 
-def config(client: oci.Registry, repository: str, reference: str) -> tuple[list[str], dict[str, Any]]:
+def config(client: Registry, repository: str, reference: str) -> tuple[list[str], dict[str, Any]]:
     """Layers and config of an image for one platform, through its index."""
     found = client.manifest(repository, reference)
     assert found
@@ -180,7 +181,7 @@ def test_a_real_one_runs(
 ) -> None:
     """ROS and TensorFlow as they are: the layers of the built image, and a program that uses both."""
     image, ros = published("ros1-bookworm-core-tensorflow-cpu"), published("ros1-bookworm-core")
-    client = oci.Registry(services.registry)
+    client = Registry(services.registry)
     place = f"{services.registry}/{NAMESPACE}"
     images = {"ros": ros.result["manifest"]}
     for name in image.image.parts:

@@ -22,7 +22,7 @@ from rosml.images.matrix.source import read
 from rosml.images.records import store
 from rosml.machine import regctl
 from rosml.machine.services import Services
-from rosml.registry import oci
+from rosml.registry.client import Registry
 from tests import walk
 from tests.e2e.apt_stand_in import Image, Keys, Repository, Server, package
 from tests.e2e.conftest import NAMESPACE, Run, run
@@ -93,7 +93,7 @@ def test_the_page_is_followed_to_an_image(
     argv = [sys.executable, "src", "publish", "build", "--only", target, "--registry", place, "--json"]
     done = run(*argv, cwd=checkout, env={"ROS_APT_MIRROR": server.url})
     assert done.code == 0, done.err
-    with oci.Registry(services.registry) as registry:
+    with Registry(services.registry) as registry:
         entry = store.Records(registry, f"{NAMESPACE}-archive").read(target, NATIVE)
     assert entry and entry.upstream.startswith(f"{WHEN}, debian bookworm ")
     config = regctl.image_config(services, f"{place}/ros@{entry.digest}", PLATFORM)["config"]

@@ -28,6 +28,7 @@ from rosml.images.records.tag_moves import UNDO
 from rosml.images.scan import sbom
 from rosml.machine.services import Services
 from rosml.registry import oci
+from rosml.registry.client import Registry
 from tests.e2e import mini as minis
 from tests.e2e import secure
 from tests.e2e.conftest import Run, run
@@ -193,12 +194,12 @@ def stored(folder: Path) -> int:
 
 
 @pytest.fixture(scope="module")
-def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[oci.Registry]:
+def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Registry]:
     folder = tmp_path_factory.mktemp("calls") / "registry"
-    with secure.plain(folder, deletes=True) as address, oci.Registry(address) as found:
+    with secure.plain(folder, deletes=True) as address, Registry(address) as found:
         yield found
 
 
 @pytest.mark.parametrize("name", CALLS)
-def test_the_real_registry_does_what_its_imitations_do(client: oci.Registry, name: str) -> None:
+def test_the_real_registry_does_what_its_imitations_do(client: Registry, name: str) -> None:
     CALLS[name](client, f"calls/{name.replace('_', '-')}")

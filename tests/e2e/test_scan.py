@@ -23,7 +23,7 @@ from rosml.images.scan import judge, locked, policy, sbom
 from rosml.images.scan.judge import Outcome, Part
 from rosml.images.scan.trivy import Database, Result, ScannerFailed, Trivy
 from rosml.machine.services import Services
-from rosml.registry import oci
+from rosml.registry.client import Registry
 from tests.e2e.conftest import LOG, NAMESPACE, Published
 from tests.e2e.mini import NATIVE
 from tests.e2e.vulnerabilities import UPDATED, installed, put, put_database, rules_with, write_database
@@ -38,7 +38,7 @@ def trivy(tmp_path_factory: pytest.TempPathFactory, services: Services) -> Trivy
 
 @pytest.fixture(scope="module")
 def registry(services: Services) -> Any:
-    return oci.Registry(services.registry)
+    return Registry(services.registry)
 
 
 @pytest.fixture(scope="module")

@@ -19,6 +19,7 @@ from rosml.images.scan.trivy import ScannerFailed, Trivy
 from rosml.machine import trust
 from rosml.machine.services import Services
 from rosml.registry import oci
+from rosml.registry.client import Registry
 from tests.e2e import secure
 from tests.e2e.conftest import LOG
 from tests.e2e.mini import NATIVE
@@ -62,8 +63,8 @@ class Place:
     services: Services
     docker: Path
 
-    def client(self) -> oci.Registry:
-        return oci.Registry(self.secure.host)
+    def client(self) -> Registry:
+        return Registry(self.secure.host)
 
     def trivy(self, folder: Path) -> Trivy:
         return installed(folder, trust.trusting(self.services))

@@ -18,7 +18,8 @@ from rosml.images.records.store import Records
 from rosml.machine import regctl as images
 from rosml.machine.services import Services
 from rosml.machine.setup.registry import regctl_config
-from rosml.registry import certificates, credentials, oci
+from rosml.registry import certificates, credentials
+from rosml.registry.client import Registry
 from tests.e2e import mini as minis
 from tests.e2e import secure
 from tests.e2e.builders import builder
@@ -51,8 +52,8 @@ class Company(Mini):
     def elsewhere(self) -> Company:
         return Company(**{**vars(self), "prefix": super().elsewhere().prefix})
 
-    def client(self) -> oci.Registry:
-        return oci.Registry(self.secure.host)
+    def client(self) -> Registry:
+        return Registry(self.secure.host)
 
     def login(self, **config: object) -> None:
         """Leaves Docker's config file as a way to log in does."""
@@ -286,7 +287,7 @@ def test_a_bundle_for_everything(
     with builder(name, tmp_path / name, services, env={"SSL_CERT_FILE": str(bundle)}):
         outcome = company.publish("build", "--only", "ros1-bookworm-core", "--json")
     assert outcome.code == 0, outcome.err
-    book = Records(oci.Registry(host, ca_bundle=str(bundle)), company.prefix)
+    book = Records(Registry(host, ca_bundle=str(bundle)), company.prefix)
     entry = book.read("ros1-bookworm-core", NATIVE)
     assert entry
     layers = images.layers(Services.load(machine), f"{host}/{company.prefix}/ros@{entry.digest}")

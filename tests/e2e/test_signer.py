@@ -13,6 +13,7 @@ from rosml import ROOT
 from rosml.images.publish.sign import Signer, SignerFailed
 from rosml.machine import trust
 from rosml.registry import oci
+from rosml.registry.client import Registry
 from tests.e2e import secure
 from tests.e2e.secure import PASSWORD, Secure
 
@@ -40,7 +41,7 @@ def place(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.Mo
     with secure.used(tmp_path, request.param == "tokens", monkeypatch) as (found, services, _docker):
         key = secure.signing_key(tmp_path / "test")
         index = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": []}
-        digest = oci.Registry(found.host).put_manifest("images/small", "latest", index, oci.INDEX)
+        digest = Registry(found.host).put_manifest("images/small", "latest", index, oci.INDEX)
         reference = f"{found.host}/images/small@{digest}"
         yield Place(found, reference, {**trust.trusting(services), **key})
 

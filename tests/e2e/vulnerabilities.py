@@ -24,7 +24,7 @@ from rosml.images.scan import policy
 from rosml.images.scan.trivy import ScannerFailed, Trivy
 from rosml.machine.setup.installer import Installer
 from rosml.machine.setup.state import State
-from rosml.registry import oci
+from rosml.registry.client import Registry
 
 UPDATED = datetime.now(UTC).replace(microsecond=0) - timedelta(hours=1)
 
@@ -74,13 +74,13 @@ def write_database(folder: Path, updated: datetime = UPDATED) -> None:
     subprocess.run([str(program), str(folder)], input=json.dumps(asked), text=True, check=True)
 
 
-def put(registry: oci.Registry, repository: str, reference: str, content: dict[str, Any]) -> str:
+def put(registry: Registry, repository: str, reference: str, content: dict[str, Any]) -> str:
     """Uploads a manifest; gives its digest."""
     digest: str = registry.put_manifest(repository, reference, content, content["mediaType"])
     return digest
 
 
-def put_database(registry: oci.Registry, repository: str, folder: Path) -> None:
+def put_database(registry: Registry, repository: str, folder: Path) -> None:
     """Uploads a database as trivy publishes its own, into an empty folder first."""
     write_database(folder)
     packed = io.BytesIO()

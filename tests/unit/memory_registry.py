@@ -1,4 +1,4 @@
-"""A registry in memory with the interface of `oci.Registry`, and a publishing run whose maker makes images of a few bytes each."""
+"""A registry in memory with the interface of `Registry`, and a publishing run whose maker makes images of a few bytes each."""
 
 from __future__ import annotations
 
@@ -28,7 +28,8 @@ from rosml.images.records import store, tag_moves
 from rosml.images.scan import sbom
 from rosml.machine.services import Services
 from rosml.registry import oci
-from rosml.registry.oci import Manifest, Registry
+from rosml.registry.client import BLOB_BYTES, Registry
+from rosml.registry.oci import Manifest
 
 HOST = "registry.example"
 PREFIX = "rosml"
@@ -119,7 +120,7 @@ class MemoryRegistry(Registry):
         found = self.manifest(repository, reference)
         return found.digest if found else ""
 
-    def blob(self, repository: str, digest: str, limit: int = oci.BLOB_BYTES) -> bytes:
+    def blob(self, repository: str, digest: str, limit: int = BLOB_BYTES) -> bytes:
         self._read()
         if digest not in self.blobs.get(repository, {}):
             raise RosmlError(f"{repository}: there is no blob {digest}", "check the reference that leads there")

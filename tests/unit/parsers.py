@@ -46,7 +46,7 @@ from rosml.images.records import store, tag_moves
 from rosml.images.scan import judge, policy, trivy
 from rosml.images.scan.sbom import Sbom
 from rosml.machine.services import Services
-from rosml.registry import oci
+from rosml.registry import references
 from rosml.registry.documents import Descriptor
 from rosml.run import check, compose, consent, defaults, engine, export, places
 from rosml.run.context import Context, Engine, Host, Image, Person
@@ -355,7 +355,7 @@ def layer_of(document: bytes, folder: Path) -> object:
     registry = Sent()
     registry.document = document
     facts = Descriptor(mediaType="application/vnd.oci.image.layer.v1.tar+gzip", digest=DIGEST, size=len(document))
-    texts, _ = apt_sources.read_layer(registry, oci.Reference("registry.test", "base", "1"), facts)
+    texts, _ = apt_sources.read_layer(registry, references.Reference("registry.test", "base", "1"), facts)
     return apt_sources.parse(texts, "base")
 
 

@@ -14,7 +14,7 @@ from rosml.base.errors import RosmlError
 from rosml.cli import checkout
 
 if TYPE_CHECKING:
-    from rosml.registry import oci
+    from rosml.registry.client import Registry
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -57,7 +57,7 @@ def unnamed(error: RosmlError) -> RosmlError:
     return RosmlError("no registry is named", f"{remedy}; or, {checkout.own_command(near)}" if near else remedy)
 
 
-def place_of(named: str, root: Path) -> tuple[oci.Registry, str]:
+def place_of(named: str, root: Path) -> tuple[Registry, str]:
     """A registry, and the path of its repositories: what commands need that build nothing. The services of a checkout are
     looked up only where none is named.
 
@@ -65,7 +65,7 @@ def place_of(named: str, root: Path) -> tuple[oci.Registry, str]:
         RosmlError: none is named, and there is no local one.
     """
     from rosml.machine.services import Services
-    from rosml.registry import oci
+    from rosml.registry.client import Registry
     from rosml.registry.repositories import destination
 
     ca_bundle = os.environ.get("SSL_CERT_FILE", "")
@@ -76,4 +76,4 @@ def place_of(named: str, root: Path) -> tuple[oci.Registry, str]:
         except RosmlError as error:
             raise unnamed(error) from None
     place = destination(named)
-    return oci.Registry(place.host, ca_bundle=ca_bundle), place.prefix
+    return Registry(place.host, ca_bundle=ca_bundle), place.prefix

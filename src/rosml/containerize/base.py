@@ -22,7 +22,8 @@ from rosml.images.image_set.labels import PREFIX, RUNTIME, VERSION
 from rosml.images.image_set.load import load
 from rosml.images.matrix.names import DATED, main_tag
 from rosml.machine.services import NAMESPACE, Services
-from rosml.registry import oci
+from rosml.registry import oci, references
+from rosml.registry.client import Registries, Registry
 from rosml.registry.credentials import DOCKER_HUB
 from rosml.registry.documents import Config, Platform, Settings
 
@@ -65,11 +66,11 @@ class Base:
 def candidates(text: str, services: Services) -> tuple[str, ...]:
     """Complete references that a user may mean, the likeliest first."""
     text = text.removeprefix(f"{DOCKER_HUB}/")
-    if oci.has_registry(text):
+    if references.has_registry(text):
         return (text,)
     # An app there is found by its whole name alone: otherwise it could take the place of any image of Docker Hub.
     local = (f"{services.registry}/{NAMESPACE}/{text}",) if services.registry else ()
-    return (*local, oci.complete(text))
+    return (*local, references.complete(text))
 
 
 def find(text: str, services: Services, platforms: tuple[str, ...], digest: str = "") -> Base:
@@ -84,9 +85,9 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
     names = candidates(text, services)
     refused: RosmlError | None = None
     near = ""
-    with oci.Registries(services.ca_bundle) as registries:
+    with Registries(services.ca_bundle) as registries:
         for name in names:
-            place = oci.parse(name)
+            place = references.parse(name)
             registry = registries(place.host)
             try:
                 manifest = registry.manifest(place.repository, digest or place.reference)
@@ -123,11 +124,11 @@ def _made_here(name: str, services: Services, platforms: tuple[str, ...], digest
     if not system:
         return None
     architecture = platforms[0].split("/")[1] if platforms else ""
-    place = oci.parse(base_images.reference(services, systems, system, architecture))
-    with oci.Registries(services.ca_bundle) as registries:
+    place = references.parse(base_images.reference(services, systems, system, architecture))
+    with Registries(services.ca_bundle) as registries:
         registry = registries(services.registry if place.host == DOCKER_HUB else place.host)
         manifest = registry.manifest(place.repository, digest or place.reference)
-        return _read(registry, oci.parse(name), manifest, platforms) if manifest else None
+        return _read(registry, references.parse(name), manifest, platforms) if manifest else None
 
 
 def runtime(base: Base) -> str:
@@ -191,7 +192,7 @@ def _base(name: str, digest: str, settings: Settings | None, local: bool = False
     return Base(name, digest, variables, said.Labels or {}, said.User or "", entrypoint, tuple(said.Shell or ()), local)
 
 
-def _read(registry: oci.Registry, place: oci.Reference, found: oci.Manifest, platforms: tuple[str, ...]) -> Base:
+def _read(registry: Registry, place: references.Reference, found: oci.Manifest, platforms: tuple[str, ...]) -> Base:
     manifests = {} if found.is_index else {"": found}
     for entry in found.members:
         facts = entry.platform or Platform()
@@ -211,14 +212,14 @@ def _read(registry: oci.Registry, place: oci.Reference, found: oci.Manifest, pla
     return _base(str(place), found.digest, config.facts.config)
 
 
-def require_kept(registries: oci.Registries, references: Iterable[str], platforms: tuple[str, ...]) -> None:
+def require_kept(registries: Registries, named: Iterable[str], platforms: tuple[str, ...]) -> None:
     """Checks that tags lose no platform by an image for some.
 
     Raises:
         RosmlError: the image of one is for others as well (exit code 2), or a registry does not answer.
     """
-    for reference in references:
-        place = oci.parse(reference)
+    for reference in named:
+        place = references.parse(reference)
         registry = registries(place.host)
         found = registry.manifest(place.repository, place.reference)
         there = _platforms(registry, place, found) if found else []
@@ -233,7 +234,7 @@ def require_kept(registries: oci.Registries, references: Iterable[str], platform
             )
 
 
-def _platforms(registry: oci.Registry, place: oci.Reference, found: oci.Manifest) -> list[str]:
+def _platforms(registry: Registry, place: references.Reference, found: oci.Manifest) -> list[str]:
     """What an image is for; nothing if it is none."""
     facts: list[Platform | Config] = [entry.platform for entry in found.members if entry.platform]
     if not found.is_index:

@@ -29,7 +29,8 @@ from rosml.containerize.outcome import Outcome
 from rosml.images.image_set.system import CALLED, DEBIAN
 from rosml.machine import buildx, git
 from rosml.machine.services import Services
-from rosml.registry import oci
+from rosml.registry import references
+from rosml.registry.client import Registries
 
 _LACKING = re.compile(
     r"Unable to locate package ([a-z0-9][a-z0-9.+-]*)|Package '([^' ]+)' has no installation candidate"
@@ -198,7 +199,7 @@ class App:
         self._say(f"base image {base.name}")
         base = adopt.with_ros(base, self._services, self._values, self._names.platforms, self._say)
         if not self._names.loads:
-            with oci.Registries(self._services.ca_bundle) as registries:
+            with Registries(self._services.ca_bundle) as registries:
                 tags = [tag for target in self._names.targets for tag in self._names.tags(target)]
                 bases.require_kept(registries, tags, self._names.platforms)
         if locked:
@@ -342,11 +343,11 @@ class App:
             for repository in built.upstream
             for name in workspace.names(self._state / "manifests" / "upstream" / repository.path)
         }
-        with oci.Registries(self._services.ca_bundle) as registries:
+        with Registries(self._services.ca_bundle) as registries:
             for image in built.images:
                 if image.target not in report.DESCRIBED:
                     continue
-                place = oci.parse(image.reference)
+                place = references.parse(image.reference)
 
                 def said(platform: str, kind: str, target: str = image.target) -> bytes:
                     return load(f"{target}/{platform}/{kind}")

@@ -24,7 +24,8 @@ from rosml.base.errors import RosmlError
 from rosml.containerize.junit import Tests
 from rosml.containerize.outcome import Outcome
 from rosml.containerize.within import SECRET
-from rosml.registry import oci
+from rosml.registry import oci, references
+from rosml.registry.client import Registry
 from rosml.registry.documents import Descriptor
 
 IDENTIFIED = "identified"
@@ -171,12 +172,12 @@ class Cache:
     """
 
     def __init__(self, name: str, ca_bundle: str) -> None:
-        self._place = oci.parse(name)
+        self._place = references.parse(name)
         if not name.endswith(self._place.repository):
             raise RosmlError(
                 f"cache: {name} has a tag", "name a repository alone, such as ghcr.io/me/cache", exit_code=2
             )
-        self._registry = oci.Registry(self._place.host, ca_bundle=ca_bundle)
+        self._registry = Registry(self._place.host, ca_bundle=ca_bundle)
 
     def __enter__(self) -> Cache:
         return self

@@ -27,7 +27,8 @@ from rosml.containerize.lock import Digest
 from rosml.containerize.names import SLIM, listed, listed_platforms
 from rosml.containerize.report import KINDS, TARGET
 from rosml.machine.services import Services
-from rosml.registry import oci
+from rosml.registry import oci, references
+from rosml.registry.client import Registries
 from rosml.registry.credentials import DOCKER_HUB
 
 FILE = "images.json"
@@ -186,7 +187,7 @@ class Job:
             enable_push_as_latest=False,
         )
         if values.push:  # all tags, before the first one moves
-            with oci.Registries(services.ca_bundle) as registries:
+            with Registries(services.ca_bundle) as registries:
                 for target in {*listed(values.target)} | ({SLIM} if values.enable_slim else set()):
                     found = [f"{self._names[target]}:{tag}{end}" for tag in wanted.get(target, ())]
                     bases.require_kept(registries, found, platforms)
@@ -203,7 +204,7 @@ class Job:
             for image in built.images
         ]
         if values.push:
-            with oci.Registries(services.ca_bundle) as registries:
+            with Registries(services.ca_bundle) as registries:
                 for image in made:
                     _move(registries, image, 1)
         return made
@@ -221,7 +222,7 @@ class Job:
         jobs = [Job(replace(self._values, platform=name), {}, self._what, self._say).name for name in self._platforms]
         return [image for name in dict.fromkeys((self.name, *jobs)) for image in _read(folder / name / FILE)]
 
-    def index(self, folder: Path, registries: oci.Registries) -> list[Image]:
+    def index(self, folder: Path, registries: Registries) -> list[Image]:
         """Makes an index of the images that jobs for one platform each pushed, and moves the tags to it: all of them, when all
         images are there. Nothing is made of images that were not pushed.
 
@@ -258,7 +259,7 @@ class Job:
 def _complete(name: str) -> str:
     """A name of an image as registries know it; without one of them, it is Docker Hub's, as for docker."""
     name = name.lower()
-    return name if not name or oci.has_registry(name) else f"{DOCKER_HUB}/{name}"
+    return name if not name or references.has_registry(name) else f"{DOCKER_HUB}/{name}"
 
 
 def _keep(report: Path, out: Path) -> None:
@@ -272,10 +273,10 @@ def _keep(report: Path, out: Path) -> None:
                 shutil.copytree(folder / name, out / f"{folder.name}{end}", symlinks=True)
 
 
-def _join(members: list[Image], registries: oci.Registries) -> Image:
+def _join(members: list[Image], registries: Registries) -> Image:
     """The index of images for one platform each; without a tag."""
     first, entries = members[0], []
-    place = oci.parse(first.reference)
+    place = references.parse(first.reference)
     registry = registries(place.host)
     for image in members:
         manifest = registry.manifest(place.repository, image.digest)
@@ -290,9 +291,9 @@ def _join(members: list[Image], registries: oci.Registries) -> Image:
     return Image(first.target, first.name, first.tags, "", platforms, digest)
 
 
-def _move(registries: oci.Registries, image: Image, first: int) -> None:
+def _move(registries: Registries, image: Image, first: int) -> None:
     """Moves tags of an image to its digest: all, but for some first ones that are there."""
-    place = oci.parse(image.reference)
+    place = references.parse(image.reference)
     for tag in image.tags[first:]:
         registries(place.host).tag(place.repository, image.digest, tag + image.end)
 

@@ -15,7 +15,7 @@ from rosml.images.join import file_lists
 from rosml.images.join.layers import platform
 from rosml.images.scan import packages
 from rosml.images.scan.sbom import FORMAT, MEDIA_TYPE
-from rosml.registry import oci
+from rosml.registry.client import Registry
 
 KINDS = (PACKAGES, FILES)
 
@@ -56,7 +56,7 @@ def _public(url: str) -> str:
 
 
 def attach(
-    registry: oci.Registry,
+    registry: Registry,
     repository: str,
     digest: str,
     load: Callable[[str, str], bytes],
@@ -87,7 +87,7 @@ def attach(
             registry.attach(repository, subject, MEDIA_TYPE, data, MEDIA_TYPE, FORMAT)
 
 
-def _has_sbom(registry: oci.Registry, repository: str, digest: str) -> bool:
+def _has_sbom(registry: Registry, repository: str, digest: str) -> bool:
     """Whether an SBOM of ours is attached; others may attach theirs."""
     for entry in registry.referrers(repository, digest, MEDIA_TYPE):
         manifest = registry.manifest(repository, entry["digest"])

@@ -11,7 +11,7 @@ from rosml.base.errors import RosmlError
 from rosml.containerize.inputs import Values
 from rosml.images.builds.base_images import native_architecture
 from rosml.machine.services import NAMESPACE, Services
-from rosml.registry import oci
+from rosml.registry import references
 
 TARGETS = ("run", "dev")
 """Images that an app can have: to run it, and to work on it."""
@@ -54,7 +54,7 @@ class Names:
             tag = values.named(f"{target}-image-tag") or f"{tag}-{target}"
         if not re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}", tag):
             raise RosmlError(f"{tag!r} is no tag of an image", "take letters, digits, points and hyphens", exit_code=2)
-        local = f"{self._registry}/" if self._registry and not self.loads and not oci.has_registry(name) else ""
+        local = f"{self._registry}/" if self._registry and not self.loads and not references.has_registry(name) else ""
         return f"{local}{name}:{tag}"
 
     def tags(self, target: str) -> list[str]:
@@ -81,7 +81,7 @@ class Names:
         names = [self.reference(target).rpartition(":")[0] for target in self.targets]
         if self._values.push:
             for name in names:
-                if not oci.has_registry(name):
+                if not references.has_registry(name):
                     raise RosmlError(f"{name} names no registry", "name one, such as ghcr.io/me/robot", exit_code=2)
         elif self.loads and len(self.platforms) > 1:
             raise RosmlError("Docker holds images of one platform", "name one platform, or add --push", exit_code=2)
@@ -118,8 +118,8 @@ def listed_platforms(text: str) -> tuple[str, ...]:
 
 def _name(text: str) -> str:
     """A name of an image without its tag, as registries take it."""
-    host, path = text.split("/", 1) if oci.has_registry(text) else ("localhost", text)
-    if not oci.is_place(host, path):
+    host, path = text.split("/", 1) if references.has_registry(text) else ("localhost", text)
+    if not references.is_place(host, path):
         text = f"{text!r} is no name of an image"
         remedy = "add --image-name: small letters and digits, with single points, hyphens and slashes between them"
         raise RosmlError(text, remedy, exit_code=2)

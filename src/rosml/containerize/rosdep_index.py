@@ -22,7 +22,8 @@ from rosml.containerize import base as bases
 from rosml.containerize import git, lock, within
 from rosml.images.image_set.labels import PREFIX
 from rosml.machine.services import Services
-from rosml.registry import oci
+from rosml.registry import references
+from rosml.registry.client import Registries, Registry
 
 NAME = "rosdep"
 """The repository, beside those of images."""
@@ -136,7 +137,7 @@ def packed(checkout: Path) -> bytes:
     return buffer.getvalue()
 
 
-def publish(checkout: Path, registry: oci.Registry, repository: str, tags: tuple[str, ...]) -> str:
+def publish(checkout: Path, registry: Registry, repository: str, tags: tuple[str, ...]) -> str:
     """Puts the lists of a checkout under some tags; gives their digest.
 
     Raises:
@@ -188,8 +189,8 @@ class Finder:
             names = (f"{base.repository.rpartition('/')[0]}/{NAME}:latest",)
         if pin and (known := self._cached(pin)).is_dir():
             return known, pin
-        with oci.Registries(self._services.ca_bundle) as registries:
-            for place in map(oci.parse, names):
+        with Registries(self._services.ca_bundle) as registries:
+            for place in map(references.parse, names):
                 wanted = place._replace(reference=pin or place.reference)
                 try:
                     found = self._fetched(registries(place.host), wanted)
@@ -209,7 +210,7 @@ class Finder:
     def _cached(self, digest: str) -> Path:
         return self._services.state / "cache" / NAME / digest.replace(":", "-")
 
-    def _fetched(self, registry: oci.Registry, place: oci.Reference) -> tuple[Path, str] | None:
+    def _fetched(self, registry: Registry, place: references.Reference) -> tuple[Path, str] | None:
         """What is at a place, unpacked; None if there is nothing. What an earlier call fetched is not fetched again."""
         manifest = registry.manifest(place.repository, place.reference)
         if manifest is None:

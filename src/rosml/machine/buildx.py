@@ -20,7 +20,8 @@ from rosml.base.file_lock import turn
 from rosml.machine import trust
 from rosml.machine.progress import TAIL_LINES, BuildProgress, Step
 from rosml.machine.services import Services
-from rosml.registry import failures, oci
+from rosml.registry import failures, references
+from rosml.registry.client import Registry
 
 _LOGIN = "docker login, with an account that may push there; then run it again"
 _REFUSED = (
@@ -240,8 +241,8 @@ def _pause(services: Services, error: Unanswered, attempt: int) -> float | None:
         return failures.pause(failures.Refused(error), attempt)
     if status == 403:
         try:
-            place = oci.parse(error.pushing)
-            with oci.Registry(place.host, ca_bundle=services.ca_bundle) as client:
+            place = references.parse(error.pushing)
+            with Registry(place.host, ca_bundle=services.ca_bundle) as client:
                 client.may_push(place.repository)
         except RosmlError:
             return None

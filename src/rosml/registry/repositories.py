@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
-from rosml.registry import oci
+from rosml.registry import oci, references
+from rosml.registry.client import Registry
 
 
 def repository_path(prefix: str, repository: str) -> str:
@@ -28,7 +29,7 @@ def destination(text: str) -> Destination:
         RosmlError: it names none (exit code 2).
     """
     host, _, prefix = text.rstrip("/").partition("/")
-    if not oci.is_place(host, prefix):
+    if not references.is_place(host, prefix):
         text = f"{text!r} is no place for images"
         raise RosmlError(text, "name a registry and a path in it, such as ghcr.io/me/rosml", exit_code=2)
     return Destination(host, prefix)
@@ -38,7 +39,7 @@ MADE = "application/vnd.rosml.repository.v1"
 """The type of the artifact by which a repository is made. It has no tag."""
 
 
-def make(registry: oci.Registry, repository: str) -> bool:
+def make(registry: Registry, repository: str) -> bool:
     """Has a registry make a repository, by an artifact of some bytes, if it did not do so before.
 
     Registries such as ghcr.io make a repository when somebody pushes into it first, and refuse others who push there meanwhile.

@@ -17,7 +17,7 @@ from bench.second_image import NAMESPACE, Comparison, Side
 from rosml.images.builds import base_images, package_state
 from rosml.images.builds.maker import Checked, Made, Maker
 from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
-from rosml.registry import oci
+from rosml.registry.client import Registry
 from rosml.registry.repositories import repository_path
 from tests.e2e import parts
 
@@ -40,7 +40,7 @@ SBOM = f"sha256:{'5' * 64}"
 class Builder(Maker):
     """Puts images of some bytes where a builder would push real ones."""
 
-    registry: oci.Registry
+    registry: Registry
 
     def build_part(self, part: Part, architecture: str) -> Made:
         tiny = parts.part(part.kind, part.stack, "3.12", {"cuda": "12.8.90", "torch": "2.10.0"})
@@ -63,7 +63,7 @@ class Builder(Maker):
 
 def measured(here: Here) -> many_tags.Grown:
     """What `make bench` measures, with few tags."""
-    maker = Builder(oci.Registry(here.services.registry))
+    maker = Builder(Registry(here.services.registry))
     return many_tags.measure(here, TARGET, USUAL, (2, 3), maker)
 
 

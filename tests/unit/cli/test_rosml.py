@@ -27,7 +27,7 @@ from rosml.base import environment
 from rosml.cli import checkout, main
 from rosml.cli.images import publish
 from rosml.images.image_set import load
-from rosml.registry.oci import Registry
+from rosml.registry.client import Registry
 from tests.e2e import parts
 
 IMAGES = load.load(ROOT / "matrix.yaml").images

@@ -19,6 +19,7 @@ from rosml.containerize.lock import Packages
 from rosml.containerize.outcome import Outcome
 from rosml.containerize.report import Answer
 from rosml.registry import oci
+from rosml.registry.client import Registry
 
 KEYS = Keys("e", "u", "a", False)
 
@@ -152,7 +153,7 @@ def test_a_damaged_report_is_none(content: bytes, stand_in: StandIn) -> None:
         manifest = json.loads(stand_in.manifests[ROBOT, stand_in.tags[ROBOT][tag]][1])
         stand_in.blobs[ROBOT, oci.digest_of(content)] = content
         manifest["layers"] = [oci.descriptor("application/json", content)]
-        with oci.Registry(stand_in.address) as client:
+        with Registry(stand_in.address) as client:
             client.put_manifest(ROBOT, tag, manifest)
         assert cache.report(KEYS) is None
 
@@ -169,7 +170,7 @@ def test_another_manifest_is_no_report(manifest: dict[str, Any], stand_in: Stand
     with Cache(f"{stand_in.address}/{ROBOT}", "") as cache:
         cache.keep(KEYS, OUTCOME, TESTS, {})
         [tag] = stand_in.tags[ROBOT]
-        with oci.Registry(stand_in.address) as client:
+        with Registry(stand_in.address) as client:
             client.put_manifest(ROBOT, tag, manifest, manifest["mediaType"])
         assert cache.report(KEYS) is None
 

@@ -20,7 +20,8 @@ from rosml.containerize import base, build, ci, ci_inputs, inputs
 from rosml.containerize.build import Built, Made
 from rosml.machine import buildx
 from rosml.machine.services import Services
-from rosml.registry import oci
+from rosml.registry import oci, references
+from rosml.registry.client import Registries, Registry
 
 GITHUB = {
     "GITHUB_ACTIONS": "true",
@@ -159,8 +160,8 @@ SUITE = """<testsuite><testcase name="good" classname="a"/>
 
 def put(services: Services, reference: str) -> str:
     """An image that is not there a second time; gives its digest."""
-    place = oci.parse(reference)
-    with oci.Registry(services.registry) as client:
+    place = references.parse(reference)
+    with Registry(services.registry) as client:
         blob = oci.encoded({"os": "linux", "of": reference})
         client.put_blob(place.repository, blob)
         manifest = {
@@ -217,7 +218,7 @@ def test_an_index_has_every_platform_and_gets_all_tags(stand_in: StandIn, servic
     left(job(services, tmp_path, platform="amd64", image_tag="v2"), services, tmp_path)
     for platform in ("amd64", "arm64"):
         left(job(services, tmp_path, platform=platform, **given), services, tmp_path)
-    with oci.Registries() as registries:
+    with Registries() as registries:
         [made] = job(services, tmp_path, platform="amd64,arm64", **given).index(tmp_path / "made", registries)
     found = tags(services, stand_in)
     assert found["v1"] == found["latest"] == made.digest
@@ -235,7 +236,7 @@ def test_no_other_file_says_what_a_job_made(place: str, stand_in: StandIn, servi
     for folder in (outs[0], tmp_path / "made"):
         (folder / place).mkdir(parents=True, exist_ok=True)
         (folder / place / ci.FILE).write_text(json.dumps(other))
-    with oci.Registries() as registries:
+    with Registries() as registries:
         [made] = job(services, tmp_path, platform="amd64,arm64").index(tmp_path / "made", registries)
     index = json.loads(stand_in.manifests["me/robot", made.digest][1])
     assert other[0]["digest"] not in {entry["digest"] for entry in index["manifests"]}
@@ -251,7 +252,7 @@ def test_a_damaged_file_of_a_job_is_said(content: str | None, services: Services
         file.symlink_to("/proc/self/environ")
     else:
         file.write_text(content)
-    with oci.Registries() as registries, pytest.raises(RosmlError, match=r"images\.json.*(damaged|link)") as caught:
+    with Registries() as registries, pytest.raises(RosmlError, match=r"images\.json.*(damaged|link)") as caught:
         job(services, tmp_path, platform="amd64").index(tmp_path / "made", registries)
     assert caught.value.remedy
 
@@ -260,7 +261,7 @@ def test_a_slim_image_has_tags_and_an_index_as_others(stand_in: StandIn, service
     """Where there is one."""
     for platform in ("amd64", "arm64"):
         left(job(services, tmp_path, platform=platform, target="run,slim"), services, tmp_path)
-    with oci.Registries() as registries:
+    with Registries() as registries:
         made = job(services, tmp_path, platform="amd64,arm64").index(tmp_path / "made", registries)
     assert [image.target for image in made] == ["run", "slim"]
     assert ci.outputs(made)["slim-image"] == f"{services.registry}/me/robot:latest-slim"
@@ -307,7 +308,7 @@ def test_a_name_without_a_registry_is_docker_hubs(services: Services, tmp_path: 
 
 def test_no_tag_moves_where_a_platform_is_missing(stand_in: StandIn, services: Services, tmp_path: Path) -> None:
     left(job(services, tmp_path, platform="amd64"), services, tmp_path)
-    with oci.Registries() as registries, pytest.raises(RosmlError, match="for linux/arm64; no tag was moved"):
+    with Registries() as registries, pytest.raises(RosmlError, match="for linux/arm64; no tag was moved"):
         job(services, tmp_path, platform="amd64,arm64").index(tmp_path / "made", registries)
     assert tags(services, stand_in).keys() == {"latest-amd64"}
 
@@ -346,7 +347,7 @@ def test_no_tag_of_ci_loses_a_platform(stand_in: StandIn, services: Services, tm
     given: dict[str, Any] = {"image_tag": "v1", "enable_push_as_latest": "true"}
     for platform in ("amd64", "arm64"):
         left(job(services, tmp_path, platform=platform, **given), services, tmp_path)
-    with oci.Registries() as registries:
+    with Registries() as registries:
         job(services, tmp_path, platform="amd64,arm64", **given).index(tmp_path / "made", registries)
         before = tags(services, stand_in)
         for image_tag in ("v1", "v2"):

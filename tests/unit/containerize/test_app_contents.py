@@ -23,6 +23,7 @@ from rosml.containerize.sources import Repository
 from rosml.images.join import file_lists
 from rosml.images.scan.sbom import MEDIA_TYPE, Sbom
 from rosml.registry import oci
+from rosml.registry.client import Registry
 
 ROBOT = "me/robot"
 CONTENTS = ROOT / "components/containerize/contents.py"
@@ -244,7 +245,7 @@ def test_a_damaged_list_of_packages(data: bytes) -> None:
 DATA = dict(zip(contents.KINDS, (json.dumps(PACKAGES).encode(), gzip.compress(b"etc/motd\n")), strict=True))
 
 
-def image(client: oci.Registry, architecture: str) -> dict[str, Any]:
+def image(client: Registry, architecture: str) -> dict[str, Any]:
     config = oci.encoded({"os": "linux", "architecture": architecture, "rootfs": {"type": "layers", "diff_ids": []}})
     client.put_blob(ROBOT, config)
     content = {"schemaVersion": 2, "mediaType": oci.IMAGE, "config": oci.descriptor(oci.CONFIG, config), "layers": []}
@@ -253,7 +254,7 @@ def image(client: oci.Registry, architecture: str) -> dict[str, Any]:
     return entry | {"platform": {"os": "linux", "architecture": architecture}}
 
 
-def index(client: oci.Registry) -> str:
+def index(client: Registry) -> str:
     entries = [image(client, architecture) for architecture in ("amd64", "arm64")]
     content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries}
     return client.put_manifest(ROBOT, "latest", content, oci.INDEX)
@@ -269,7 +270,7 @@ def test_what_is_attached(referrers: bool, stand_in: StandIn) -> None:
         asked.append((platform, kind))
         return DATA[kind].replace(b"amd64", platform.rpartition("/")[2].encode())
 
-    with oci.Registry(stand_in.address) as client:
+    with Registry(stand_in.address) as client:
         digest = index(client)
         contents.attach(client, ROBOT, digest, load, {})
         assert sorted(asked) == sorted((f"linux/{one}", kind) for one in ("amd64", "arm64") for kind in contents.KINDS)
@@ -290,7 +291,7 @@ def test_what_is_attached(referrers: bool, stand_in: StandIn) -> None:
 
 
 def test_an_sbom_of_others_is_none_of_ours(stand_in: StandIn) -> None:
-    with oci.Registry(stand_in.address) as client:
+    with Registry(stand_in.address) as client:
         entry = image(client, "amd64")
         client.attach(ROBOT, entry, MEDIA_TYPE, b"{}", MEDIA_TYPE)
         contents.attach(client, ROBOT, entry["digest"], lambda platform, kind: DATA[kind], {})
@@ -298,7 +299,7 @@ def test_an_sbom_of_others_is_none_of_ours(stand_in: StandIn) -> None:
 
 
 def test_a_registry_that_takes_no_such_thing(stand_in: StandIn) -> None:
-    with oci.Registry(stand_in.address) as client:
+    with Registry(stand_in.address) as client:
         digest = image(client, "amd64")["digest"]
         stand_in.faults.append(Fault("PUT", "manifests", 400, body=b"{}"))
         with pytest.raises(RosmlError):

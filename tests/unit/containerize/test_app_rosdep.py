@@ -20,6 +20,7 @@ from rosml.containerize.base import Base
 from rosml.containerize.rosdep_index import Finder
 from rosml.machine.services import Services
 from rosml.registry import oci
+from rosml.registry.client import Registry
 
 OURS = {"io.rosml.distribution": "jazzy"}
 
@@ -44,7 +45,7 @@ def checkout(tmp_path: Path) -> Path:
 
 
 def published(services: Services, checkout: Path, name: str = "rosml/rosdep") -> str:
-    with oci.Registry(services.registry) as client:
+    with Registry(services.registry) as client:
         return rosdep_index.publish(checkout, client, name, ("20261125", "latest"))
 
 
@@ -94,7 +95,7 @@ def test_what_is_named_must_be_there(services: Services, checkout: Path, tmp_pat
         finder.find("typo", base(services), "", False)
     with pytest.raises(RosmlError, match=r"there are no lists of rosdep .*looked for"):
         finder.find(f"{services.registry}/rosml/rosdep:typo", base(services), "", False)
-    with oci.Registry(services.registry) as client:
+    with Registry(services.registry) as client:
         client.put_blob("rosml/rosdep", oci.EMPTY_BLOB)
         client.put_manifest("rosml/rosdep", "image", oci.artifact("text/plain", oci.EMPTY_BLOB, "text/plain"))
     with pytest.raises(RosmlError, match=":image has no lists of rosdep"):
@@ -103,7 +104,7 @@ def test_what_is_named_must_be_there(services: Services, checkout: Path, tmp_pat
 
 def test_what_is_damaged_leaves_no_folder(services: Services, tmp_path: Path) -> None:
     blob = gzip.compress(b"no tar file" * 100)
-    with oci.Registry(services.registry) as client:
+    with Registry(services.registry) as client:
         for part in (blob, oci.EMPTY_BLOB):
             client.put_blob("rosml/rosdep", part)
         client.put_manifest("rosml/rosdep", "latest", oci.artifact(rosdep_index.TYPE, blob, rosdep_index.LAYER))

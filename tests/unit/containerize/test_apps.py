@@ -46,6 +46,7 @@ from rosml.images.builds.base_images import native_architecture
 from rosml.machine import buildx
 from rosml.machine.services import Services
 from rosml.registry import oci
+from rosml.registry.client import Registries, Registry
 
 PACKAGE = "<package><name>{}</name></package>"
 
@@ -67,7 +68,7 @@ def put(
 ) -> str:
     """An image for some platforms; gives the digest of its index."""
     repository, _, tag = name.partition(":")
-    with oci.Registry(services.registry) as client:
+    with Registry(services.registry) as client:
         entries = []
         for platform in platforms:
             system, architecture = platform.split("/")
@@ -224,7 +225,7 @@ def test_a_tag_loses_no_platform(repository: Path, services: Services, calls: li
     assert caught.value.exit_code == 2 and not calls
     for tag, platform in (("one", "amd64"), ("new", "arm64")):
         app(repository, services, **given, image_tag=tag, platform=platform).build()
-    with oci.Registries() as registries:
+    with Registries() as registries:
         base.require_kept(registries, [f"{local}:both", f"{local}:one", f"{local}:none"], (other, native))
         with pytest.raises(RosmlError, match="robot:one is for linux/amd64, and would be for linux/arm64 alone"):
             base.require_kept(registries, [f"{local}:one"], (other,))

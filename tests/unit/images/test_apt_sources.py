@@ -27,7 +27,7 @@ from rosml.images.matrix.model import OperatingSystem
 from rosml.images.publish import plan
 from rosml.machine.services import Services
 from rosml.registry import failures, oci
-from rosml.registry.oci import Registry
+from rosml.registry.client import Registry
 
 T = TypeVar("T")
 

@@ -28,7 +28,6 @@ from rosml.images.image_set import locked
 from rosml.images.image_set.model import ImageSet
 from rosml.images.matrix import schema
 from rosml.images.records import store, tag_moves
-from rosml.registry import oci
 
 NOW = "2026-11-22T06:00:00Z"
 TORCH = "ros1-bookworm-base-torch-cu128"
@@ -441,7 +440,7 @@ def here(shelf: Shelf, monkeypatch: pytest.MonkeyPatch) -> None:
         def __exit__(self, *_: object) -> None:
             pass
 
-    monkeypatch.setattr(oci, "Registry", Client)
+    monkeypatch.setattr("rosml.registry.client.Registry", Client)
 
 
 def call(*arguments: str) -> Any:

@@ -21,7 +21,8 @@ from rosml.base.errors import RosmlError
 from rosml.cli.images import publish, report
 from rosml.images.image_set.model import ImageSet
 from rosml.images.publish.steps import STEPS
-from rosml.registry import failures, oci
+from rosml.registry import failures
+from rosml.registry.client import Registry
 from rosml.registry.credentials import Credentials
 
 NAME, SECRET = "somebody", "s3cret-Pass"
@@ -50,7 +51,7 @@ class Night:
         """Steps of a job: a process, with a client, for each."""
         runs = []
         for step in steps:
-            with oci.Registry(self.server.address, credentials=lambda _: Credentials(NAME, SECRET)) as client:
+            with Registry(self.server.address, credentials=lambda _: Credentials(NAME, SECRET)) as client:
                 where = Place(self.here.services, cast(Any, client), self.here.upstream)
                 run = where.run(self.image_set, self.date, only=self.only, architectures=architectures)
                 if step != "plan":
@@ -98,7 +99,7 @@ def test_two_nights(ghcr: StandIn, image_set: ImageSet, project: Path, monkeypat
     found = tags(ghcr)
     assert found[f"{PREFIX}/ros"].keys() >= {"alpha-core", "alpha-core-20261122", "alpha", "latest", "omega-base"}
     assert found[f"{PREFIX}/ros-torch"].keys() >= {"alpha-base-cu1", "alpha-base-cu1-torch2.10.0", "latest"}
-    with oci.Registry(ghcr.address, credentials=lambda _: Credentials(NAME, SECRET)) as client:
+    with Registry(ghcr.address, credentials=lambda _: Credentials(NAME, SECRET)) as client:
         whole = Place(here.services, cast(Any, client))
         monkeypatch.setattr(whole, "tagged", lambda repository: found[f"{PREFIX}/{repository}"])
         whole.check(image_set)
@@ -126,9 +127,9 @@ def make(
     (project / "plan.json").write_text(report.planned(run, 4, why=False).text())
     (project / "matrix.yaml").write_text(SMALLER)
     ghcr.requests.clear()
-    with oci.Registry(ghcr.address, credentials=lambda _: Credentials(NAME, SECRET)) as client:
+    with Registry(ghcr.address, credentials=lambda _: Credentials(NAME, SECRET)) as client:
         monkeypatch.setattr(publish, "place_of", lambda *_: (client, PREFIX))
-        monkeypatch.setattr(oci.Registry, "close", lambda _: None)
+        monkeypatch.setattr(Registry, "close", lambda _: None)
         arguments = ["--plan", f"{project}/plan.json", "--matrix", f"{project}/matrix.yaml", "--json"]
 
         def called() -> tuple[int, dict[str, Any]]:

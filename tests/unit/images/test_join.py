@@ -23,8 +23,9 @@ from rosml.images.image_set import labels
 from rosml.images.join import file_lists
 from rosml.images.join.file_lists import Files
 from rosml.images.join.joiner import Joiner, JoinReport
-from rosml.registry import failures, oci
-from rosml.registry.oci import Reference, Registry
+from rosml.registry import failures, oci, references
+from rosml.registry.client import Registry
+from rosml.registry.references import Reference
 from tests.e2e import parts
 from tests.e2e.parts import PARTS, Tiny, part, ros
 
@@ -69,7 +70,7 @@ class Place:
 
     def layers(self, reference: str) -> list[str]:
         """Layers of an image for one platform, through its index."""
-        where = oci.parse(reference)
+        where = references.parse(reference)
         index = self.registry.manifest(where.repository, where.reference)
         assert index
         found = self.registry.manifest(where.repository, index.content["manifests"][0]["digest"])
@@ -191,7 +192,7 @@ def test_same_parts_same_bytes(place: Place, data: st.DataObject) -> None:
 
 
 def _by_digest(place: Place, name: str) -> str:
-    where = oci.parse(name)
+    where = references.parse(name)
     return str(where._replace(reference=place.registry.head(where.repository, where.reference)))
 
 
@@ -235,7 +236,7 @@ def test_manifests_without_an_index(place: Place) -> None:
 
 
 def test_attestations_are_no_platform(place: Place) -> None:
-    base = oci.parse(place.ros())
+    base = references.parse(place.ros())
     index = place.registry.manifest(base.repository, base.reference)
     assert index
     attestation = place.registry.put_manifest(base.repository, "", {"schemaVersion": 2})
@@ -297,7 +298,7 @@ def test_parts_in_the_same_repository(place: Place) -> None:
 
 
 def test_dockers_media_types_become_ocis(place: Place) -> None:
-    base = oci.parse(place.ros())
+    base = references.parse(place.ros())
     index = place.registry.manifest(base.repository, base.reference)
     assert index
     manifest = place.registry.manifest(base.repository, index.content["manifests"][0]["digest"])
@@ -442,7 +443,7 @@ def test_what_is_no_ros_image(place: Place) -> None:
 
 
 def test_what_is_no_image(place: Place) -> None:
-    subject = oci.parse(_by_digest(place, place.ros())).reference
+    subject = references.parse(_by_digest(place, place.ros())).reference
     entries = [name for name in place.server.tags["me/ros"] if name.startswith("sha256-")]
     assert entries, "the index of lists is there"
     digest = place.registry.attach("me/ros", {"mediaType": oci.INDEX, "digest": subject, "size": 1}, "x/y", b"z", "x/y")
@@ -525,7 +526,7 @@ def test_without_a_list(place: Place) -> None:
 
 def test_a_list_of_somebody_else_hides_no_file(place: Place) -> None:
     own = [*place.stack(("cuda", "common")), place.put(part("torch", files=("usr/bin/env",)), "torch")]
-    where = oci.parse(own[-1])
+    where = references.parse(own[-1])
     index = place.registry.manifest(where.repository, where.reference)
     assert index
 

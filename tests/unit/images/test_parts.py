@@ -17,7 +17,7 @@ from rosml.cli.images import part as script
 from rosml.images.builds import contents, part
 from rosml.images.image_set import locked
 from rosml.images.image_set import model as sets
-from rosml.registry.oci import Registry
+from rosml.registry.client import Registry
 
 INDEX, LAYER = "sha256:" + "b" * 64, "sha256:" + "c" * 64
 OTHER = "registry.test/other:1@sha256:" + "d" * 64

@@ -19,7 +19,7 @@ from rosml.images.image_set import locked
 from rosml.images.locks import base_digests
 from rosml.images.matrix import names, source
 from rosml.registry import oci
-from rosml.registry.oci import Registry
+from rosml.registry.client import Registry
 
 OLD = "sha256:" + "1" * 64
 OTHER = "sha256:" + "2" * 64

@@ -23,6 +23,7 @@ from rosml.images.scan.judge import Outcome
 from rosml.images.scan.trivy import ScannerFailed, Trivy
 from rosml.machine.services import Services
 from rosml.registry import oci
+from rosml.registry.client import Registry
 
 IGNORE = "- {id: CVE-2026-1, reason: not reachable, expires: 2027-01-31}\n"
 
@@ -364,7 +365,7 @@ def test_the_command_says_which_state_is_the_newest(tmp_path: Path, monkeypatch:
     known = services(tmp_path)
     monkeypatch.setattr(Services, "load", lambda root: known)
     with standing_in() as server:
-        state = oci.Registry(server.address).put_manifest("me/db", "2", b"{}", oci.INDEX)
+        state = Registry(server.address).put_manifest("me/db", "2", b"{}", oci.INDEX)
         policy = tmp_path / "scan.yaml"
         text = (ROOT / "scan.yaml").read_text()
         policy.write_text(re.sub(r"repositories: .*", f"repositories: ['{server.address}/me/db:2']", text))

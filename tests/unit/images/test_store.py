@@ -17,6 +17,7 @@ from stubs import services
 from rosml.images.image_set.model import ImageSet
 from rosml.images.records.store import ANNOTATION, Entry, Records
 from rosml.registry import oci
+from rosml.registry.client import Registry
 
 PATH = f"{PREFIX}/records"
 ENTRY = Entry("jazzy-base", "amd64", inputs="sha256:1", digest="sha256:2", changed=DAY)
@@ -32,7 +33,7 @@ def server() -> Iterator[StandIn]:
 
 @pytest.fixture
 def book(server: StandIn) -> Iterator[Records]:
-    with oci.Registry(server.address) as client:
+    with Registry(server.address) as client:
         yield Records(client, PREFIX)
 
 

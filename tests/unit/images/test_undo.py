@@ -15,6 +15,7 @@ from rosml.images.image_set.labels import TITLE
 from rosml.images.records import store
 from rosml.images.records.store import INDEX, Entry, Records
 from rosml.registry import oci
+from rosml.registry.client import Registry
 
 PREFIX = "me/rosml"
 RUN = "2026-11-22T03:00:00Z"
@@ -34,7 +35,7 @@ def clone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def index(client: oci.Registry, repository: str, title: str, night: str) -> str:
+def index(client: Registry, repository: str, title: str, night: str) -> str:
     """Puts an index of an image of few bytes; gives its digest."""
     path = f"{PREFIX}/{repository}"
     data = json.dumps({"architecture": "amd64", "night": night}).encode()
@@ -49,7 +50,7 @@ def index(client: oci.Registry, repository: str, title: str, night: str) -> str:
     return client.put_manifest(path, "", content, oci.INDEX)
 
 
-def published(client: oci.Registry) -> dict[str, tuple[str, str]]:
+def published(client: Registry) -> dict[str, tuple[str, str]]:
     """Two nights of an image and of a part: where tags were, and where the second night moved them."""
     book, found, moves = Records(client, PREFIX), {}, []
     for repository, title, target, tags in (
@@ -70,7 +71,7 @@ def published(client: oci.Registry) -> dict[str, tuple[str, str]]:
 
 
 def test_undo_needs_a_registry_alone(server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    with oci.Registry(server.address) as client:
+    with Registry(server.address) as client:
         found = published(client)
         before = len(server.requests)
         code = command.run(script.main, arguments=["undo", "--registry", f"{server.address}/{PREFIX}", "--json"])
@@ -92,7 +93,7 @@ def test_undo_needs_a_registry_alone(server: StandIn, clone: Path, capsys: pytes
 def test_undo_says_what_a_registry_that_deletes_nothing_keeps(
     server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    with oci.Registry(server.address) as client:
+    with Registry(server.address) as client:
         found = published(client)
         server.fault("DELETE", "/manifests/", 405, times=99)
         with pytest.raises(SystemExit) as ended:
@@ -110,7 +111,7 @@ def test_undo_without_a_place_says_how_to_name_one(clone: Path, capsys: pytest.C
 
 def test_prune_needs_a_registry_alone(server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Its matrix names the repositories; no lock is read."""
-    with oci.Registry(server.address) as client:
+    with Registry(server.address) as client:
         published(client)
     arguments = ["prune", "--registry", f"{server.address}/{PREFIX}", "--json"]
     assert command.run(script.main, arguments=arguments) == 0
@@ -119,7 +120,7 @@ def test_prune_needs_a_registry_alone(server: StandIn, clone: Path, capsys: pyte
 
 
 def test_moves_are_reported_as_a_table_too(server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    with oci.Registry(server.address) as client:
+    with Registry(server.address) as client:
         published(client)
     place = f"{server.address}/{PREFIX}"
     assert command.run(script.main, arguments=["undo", "--registry", place]) == 0

@@ -24,7 +24,8 @@ from rosml.machine import buildx as builder
 from rosml.machine.buildx import Bake
 from rosml.machine.progress import BuildProgress
 from rosml.machine.services import Services
-from rosml.registry import failures, oci
+from rosml.registry import failures
+from rosml.registry.client import Registry
 
 NAME = "[a ros 1/2] RUN --mount=type=secret,id=ca-bundle /run/components/ros/install.sh ros-core"
 DAY = "2026-11-21T11:03:"
@@ -434,12 +435,12 @@ def test_a_push_that_is_denied_is_sent_again_if_the_client_may_push(
 ) -> None:
     asked = []
 
-    def may_push(client: oci.Registry, repository: str) -> None:
+    def may_push(client: Registry, repository: str) -> None:
         asked.append((client.host, repository))
         if not may:
             raise RosmlError("access denied")
 
-    monkeypatch.setattr(oci.Registry, "may_push", may_push)
+    monkeypatch.setattr(Registry, "may_push", may_push)
     assert len(tries(PUSH.format("{}", "403 Forbidden"), 100)) == attempts
     assert len(asked) == attempts and {repository for _, repository in asked} == {"a"}
 

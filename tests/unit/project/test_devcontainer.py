@@ -18,6 +18,7 @@ from conftest import ROOT
 from registry_stand_in import Fault, StandIn, standing_in
 
 from rosml.registry import oci
+from rosml.registry.client import Registry
 
 FEATURE = ROOT / "devcontainer/src/part"
 PYTHON = ".".join(platform.python_version_tuple()[:2])
@@ -37,7 +38,7 @@ def layer(name: str) -> bytes:
     return gzip.compress(stream.getvalue(), mtime=0)
 
 
-def put(client: oci.Registry, name: str, python: str, architecture: str = ARCHITECTURE) -> None:
+def put(client: Registry, name: str, python: str, architecture: str = ARCHITECTURE) -> None:
     labels = {"part": name.partition("-")[0], "stack": "cu130", "python": python, "frameworks": FRAMEWORKS}
     config = oci.encoded({"config": {"Labels": {f"io.rosml.{key}": value for key, value in labels.items()}}})
     content = layer(name)
@@ -59,7 +60,7 @@ def put(client: oci.Registry, name: str, python: str, architecture: str = ARCHIT
 @pytest.fixture
 def registry() -> Iterator[StandIn]:
     with standing_in() as found:
-        with oci.Registry(found.address) as client:
+        with Registry(found.address) as client:
             put(client, "cuda-cu130", "any")
             for name in ("common", "torch", "tensorflow"):
                 put(client, f"{name}-cu130-py{SHORT}", PYTHON)
@@ -123,7 +124,7 @@ def test_what_a_registry_sends_is_compared(registry: StandIn, tmp_path: Path) ->
 def test_what_a_registry_says_of_a_part_is_compared(kind: str, registry: StandIn, tmp_path: Path) -> None:
     """Another manifest brings other layers, with digests that fit; another config says that the part needs none."""
     name = f"torch-cu130-py{SHORT}"
-    with oci.Registry(registry.address) as client:
+    with Registry(registry.address) as client:
         index = client.manifest("me/part", name)
         assert index
         digest = index.content["manifests"][0]["digest"]

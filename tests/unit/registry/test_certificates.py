@@ -19,7 +19,7 @@ from stubs import services
 from rosml.base.errors import RosmlError
 from rosml.machine import regctl, trust
 from rosml.registry import certificates, failures
-from rosml.registry.oci import Registry
+from rosml.registry.client import Registry
 
 NOW = datetime.datetime.now(datetime.UTC)
 DAY = datetime.timedelta(days=1)

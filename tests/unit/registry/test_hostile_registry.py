@@ -30,9 +30,9 @@ from rosml.images.join import file_lists
 from rosml.machine.services import Services
 from rosml.machine.setup import network
 from rosml.registry import credentials, failures, oci
+from rosml.registry.client import PAGES, Registry
 from rosml.registry.credentials import Credentials
 from rosml.registry.documents import Descriptor
-from rosml.registry.oci import Registry
 
 SECONDS = 1.0
 BYTES = 100 << 20
@@ -264,7 +264,7 @@ def test_a_list_has_an_end(server: Hostile) -> None:
     server.answers = {"GET": page}
     with Registry(server.address) as registry, pytest.raises(RosmlError, match="a list without end"):
         registry.tags("a")
-    assert len(server.requests) == oci.PAGES + 1
+    assert len(server.requests) == PAGES + 1
 
 
 def test_a_link_of_60_kb_is_none(server: Hostile) -> None:

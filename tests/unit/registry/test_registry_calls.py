@@ -8,8 +8,7 @@ import pytest
 from memory_registry import MemoryRegistry
 from registry_stand_in import standing_in
 
-from rosml.registry import oci
-from rosml.registry.oci import Registry
+from rosml.registry.client import Registry
 from tests.registry_calls import CALLS
 
 
@@ -18,7 +17,7 @@ def client(request: pytest.FixtureRequest) -> Iterator[Registry]:
     if request.param == "memory":
         yield MemoryRegistry()
         return
-    with standing_in() as server, oci.Registry(server.address) as found:
+    with standing_in() as server, Registry(server.address) as found:
         server.referrers = "API" in request.param
         yield found
 

@@ -95,10 +95,10 @@ def build(out: Path) -> None:
 def index(folder: Path) -> None:
     """Makes an index of what the jobs for one platform each left in FOLDER, and moves the tags to it."""
     from rosml.containerize import ci
-    from rosml.registry import oci
+    from rosml.registry.client import Registries
 
     job, _, _ = _job()
-    with oci.Registries(os.environ.get("SSL_CERT_FILE", "")) as registries:
+    with Registries(os.environ.get("SSL_CERT_FILE", "")) as registries:
         images = job.index(folder, registries)
     ci.tell(os.environ.get("GITHUB_STEP_SUMMARY", ""), ci.summary(images))
     _done(images)

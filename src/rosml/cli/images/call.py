@@ -182,7 +182,8 @@ class Call:
         from rosml.images.publish.sign import Signer
         from rosml.images.scan import policy
         from rosml.machine import trust
-        from rosml.registry import oci, repositories
+        from rosml.registry import repositories
+        from rosml.registry.client import Registry
 
         started = time.monotonic()
         image_set = self.image_set
@@ -209,7 +210,7 @@ class Call:
             services.require_registry()
         place = repositories.destination(self.registry or services.place)
         signer = Signer.find(ROOT, trust.trusting(services)) if self.sign else None  # told before anything is built
-        client = oci.Registry(place.host, ca_bundle=services.ca_bundle)
+        client = Registry(place.host, ca_bundle=services.ca_bundle)
         date = self.date or clock.now()
         if not self.force:
             clock.require_not_ahead(date, clock.now())

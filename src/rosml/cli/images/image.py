@@ -116,7 +116,7 @@ def _on(
     from rosml.containerize import adopt, base
     from rosml.containerize.inputs import Values
     from rosml.images.builds.push import COMPRESSION
-    from rosml.registry import oci
+    from rosml.registry import references
 
     found = base.find(name, services, (platform,))
     values = Values(ros_distro=image.distribution, ros_component=image.component)
@@ -124,7 +124,7 @@ def _on(
     if not onto.adopted:
         has = found.environment.get("ROS_DISTRO") or "in /opt/ros"
         raise RosmlError(f"{found.name} has ROS already: {has}", "build on it as it is", exit_code=2)
-    place = oci.parse(found.name)
+    place = references.parse(found.name)
     tag = re.sub(r"^sha256:(.{12}).*", r"\1", place.reference)
     if len(tag) + 1 + len(image.target) > LONGEST_TAG:
         tag = found.digest[7:19]

@@ -41,13 +41,13 @@ def main(
     """
     from rosml.base.units import duration, size
     from rosml.images.join.joiner import Joiner
-    from rosml.registry import oci
+    from rosml.registry.client import Registries
 
     def say(line: str) -> None:
         terminal.echo(line, err=True)
 
     with (
-        oci.Registries(os.environ.get("SSL_CERT_FILE", "")) as clients,
+        Registries(os.environ.get("SSL_CERT_FILE", "")) as clients,
         Joiner(clients, allow_unlisted=allow_unlisted, say=say) as joiner,
     ):
         found = joiner.join(ros_image, parts, tag, platforms)

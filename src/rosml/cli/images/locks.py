@@ -294,10 +294,10 @@ def base_images(matrix: Path, check: bool, as_json: bool = False) -> Pins:
     from rosml.images.image_set import load
     from rosml.images.locks import base_digests
     from rosml.images.matrix import source
-    from rosml.registry import oci
+    from rosml.registry.client import Registries
 
     document = source.read(matrix)
-    with oci.Registries(os.environ.get("SSL_CERT_FILE", "")) as registries:
+    with Registries(os.environ.get("SSL_CERT_FILE", "")) as registries:
         found = base_digests.look(load.image_set(document).matrix, registries)
     if found.moved and not check:
         files.write(matrix, base_digests.rewritten(matrix.read_text(encoding="utf-8"), document, found.moved))

@@ -38,7 +38,7 @@ def main(
     from rosml.images.builds import part as found
     from rosml.images.image_set import load as loading
     from rosml.machine.services import Services
-    from rosml.registry import oci
+    from rosml.registry.client import Registry
 
     if as_json and markdown:
         raise click.UsageError("--json and --markdown are two forms of the same; use one of them")
@@ -56,7 +56,7 @@ def main(
     results = []
     for item in wanted:
         results.append(found.publish(services, image_set, item, say, namespace, again, platform))
-        with oci.Registry(services.registry) as client:  # what 'join' compares
+        with Registry(services.registry) as client:  # what 'join' compares
             contents.attach(services, image_set, client, f"{namespace}/part", results[-1].digest, say)
         if not (as_json or markdown):
             done = results[-1]

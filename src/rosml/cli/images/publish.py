@@ -245,13 +245,14 @@ def database(policy: Path, as_json: bool) -> None:
     from rosml.images.scan import trivy
     from rosml.images.scan.policy import load
     from rosml.machine.services import Services
-    from rosml.registry import oci
+    from rosml.registry import references
+    from rosml.registry.client import Registries
 
     def head(reference: str) -> str:
-        place = oci.parse(reference)
+        place = references.parse(reference)
         return registries(place.host).head(place.repository, place.reference)
 
-    with oci.Registries(Services.load(ROOT).ca_bundle) as registries:
+    with Registries(Services.load(ROOT).ca_bundle) as registries:
         found = trivy.resolve(load(policy).policy.database, head)
     terminal.echo(json.dumps({"database": found}) if as_json else found)
 

@@ -26,10 +26,11 @@ from rosml.base.errors import RosmlError
 from rosml.images.builds import base_images
 from rosml.images.matrix.model import OperatingSystem
 from rosml.machine.services import Services
-from rosml.registry import oci
+from rosml.registry import references
+from rosml.registry.client import Registries, Registry
 from rosml.registry.credentials import DOCKER_HUB
 from rosml.registry.documents import Descriptor
-from rosml.registry.oci import Manifest, Registry
+from rosml.registry.oci import Manifest
 
 SOURCE_BYTES = 1 << 20
 """More than any file of apt sources has."""
@@ -184,7 +185,7 @@ def _read(services: Services, reference: str, architecture: str) -> Texts:
     Raises:
         RosmlError: the registry does not answer; the image is not there for the architecture; a layer cannot be read.
     """
-    with oci.Registries(services.ca_bundle) as registries:
+    with Registries(services.ca_bundle) as registries:
         for place in _places(services, reference):
             registry = registries(place.host)
             if manifest := _manifest(registry, place, architecture):
@@ -197,14 +198,14 @@ def _read(services: Services, reference: str, architecture: str) -> Texts:
     raise RosmlError(f"{reference} is not there", "check the base image's name and digest")
 
 
-def _places(services: Services, reference: str) -> list[oci.Reference]:
+def _places(services: Services, reference: str) -> list[references.Reference]:
     """Where a base image is: the local registry first, where that is the builder's mirror of Docker Hub."""
-    place = oci.parse(oci.complete(reference))
+    place = references.parse(references.complete(reference))
     mirrored = place.host == DOCKER_HUB and services.bases and services.registry
     return [place._replace(host=services.registry), place] if mirrored else [place]
 
 
-def _manifest(registry: Registry, place: oci.Reference, architecture: str) -> Manifest | None:
+def _manifest(registry: Registry, place: references.Reference, architecture: str) -> Manifest | None:
     """The manifest of an image for an architecture; None where the registry has no such image."""
     found = registry.manifest(place.repository, place.reference)
     if found is None or not found.is_index:
@@ -215,7 +216,7 @@ def _manifest(registry: Registry, place: oci.Reference, architecture: str) -> Ma
     raise RosmlError(f"{place} is not there for linux/{architecture}", "name a base image that has this architecture")
 
 
-def read_layer(registry: Registry, place: oci.Reference, layer: Descriptor) -> tuple[Texts, set[str]]:
+def read_layer(registry: Registry, place: references.Reference, layer: Descriptor) -> tuple[Texts, set[str]]:
     """The files of apt sources in a layer, and what of them it deletes from the layers below.
 
     The digest of a layer that was not read to its end is not known to be right: whom we ask depends on it, and no content.

@@ -19,7 +19,8 @@ from rosml.images.matrix import names
 from rosml.images.scan import packages, sbom
 from rosml.machine import buildx, exported
 from rosml.machine.services import Services
-from rosml.registry.oci import Manifest, Registry
+from rosml.registry.client import Registry
+from rosml.registry.oci import Manifest
 
 TARGET = "contents"
 """The bake target that says what is in an image."""

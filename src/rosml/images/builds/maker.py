@@ -26,7 +26,8 @@ from rosml.images.join.joiner import Joiner
 from rosml.machine import buildx
 from rosml.machine.services import Services
 from rosml.registry import repositories
-from rosml.registry.oci import Manifest, Reference
+from rosml.registry.oci import Manifest
+from rosml.registry.references import Reference
 
 SAID = 8
 """So many lines of each test that failed are kept: its last ones, which say why."""
@@ -130,7 +131,7 @@ class BuildKitMaker:
 
     Attributes:
         services: the builder and the registry of this checkout. image_set: what there is to make.
-        registry: where images go (`oci.Registry`). host: its address. prefix: path of its repositories.
+        registry: where images go (`Registry`). host: its address. prefix: path of its repositories.
         say: told what is going on, a line at a time.
         force: whether to build past the builder's cache.
         forecast: the image set with what is known of sizes; by what the matrix says if None.

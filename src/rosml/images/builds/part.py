@@ -21,7 +21,7 @@ from rosml.images.matrix import names
 from rosml.images.matrix.model import ANY_PYTHON
 from rosml.machine import buildx, regctl
 from rosml.machine.services import NAMESPACE, Services
-from rosml.registry import oci
+from rosml.registry.client import Registry
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ def publish(
     layers = dict(_layers(services, f"{repository}@{digest}", platforms))
     reference = f"{repository}@{digest}"
     if len(platforms) == len(part.platforms):  # a tag is for all platforms
-        with oci.Registry(services.registry, ca_bundle=services.ca_bundle) as client:
+        with Registry(services.registry, ca_bundle=services.ca_bundle) as client:
             client.tag(f"{namespace}/part", digest, part.name)
         reference = f"{repository}:{part.name}@{digest}"
     python = base.python if part.python != ANY_PYTHON else ""

@@ -42,7 +42,7 @@ from rosml.images.matrix.names import DATED
 from rosml.images.records import tag_moves
 from rosml.images.records.store import INDEX, READERS, Entry, Records, date_of
 from rosml.registry import documents
-from rosml.registry.oci import Registry
+from rosml.registry.client import Registry
 from rosml.registry.repositories import repository_path
 
 HISTORY = 10

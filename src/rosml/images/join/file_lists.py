@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from rosml.base import archives
 from rosml.base.errors import RosmlError
-from rosml.registry.oci import Registry
+from rosml.registry.client import Registry
 
 ARTIFACT = "application/vnd.rosml.files.v1"
 MEDIA_TYPE = "application/vnd.rosml.files.v1+gzip"

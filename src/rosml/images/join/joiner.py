@@ -18,8 +18,9 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, unknown
 from rosml.images.join.file_lists import Files, Lists
 from rosml.images.join.layers import Joined, Source, join, platform
-from rosml.registry import oci
-from rosml.registry.oci import Reference, Registry
+from rosml.registry import oci, references
+from rosml.registry.client import Registry
+from rosml.registry.references import Reference
 
 THREADS = 8
 """How many requests are under way at a time: registries far away take a tenth of a second for each."""
@@ -99,10 +100,10 @@ class Joiner:
             RosmlError: they do not go together (exit code 2), a registry does not answer or refuses; no tag was moved.
         """
         started = time.monotonic()
-        where = oci.parse(target)
-        if oci.is_digest(where.reference):
+        where = references.parse(target)
+        if references.is_digest(where.reference):
             raise RosmlError(f"{target} is a digest, and a tag is to be moved", "write it with a tag", exit_code=2)
-        if str(where) in {str(oci.parse(source)) for source in (ros, *parts)}:
+        if str(where) in {str(references.parse(source)) for source in (ros, *parts)}:
             text = f"{target} is one of the images that are joined, and would be overwritten"
             raise RosmlError(text, "name another tag", exit_code=2)
         found = list(self._pool.map(self._platforms, [ros, *parts]))
@@ -142,7 +143,7 @@ class Joiner:
 
     def _platforms(self, name: str) -> tuple[str, Mapping[str, Source]]:
         """An image's manifests by platform."""
-        where = oci.parse(name)
+        where = references.parse(name)
         manifest = self._registries(where.host).manifest(where.repository, where.reference)
         if manifest is None:
             known = self._registries(where.host).tags(where.repository)

@@ -15,7 +15,8 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.matrix.model import Matrix, OperatingSystem
 from rosml.images.matrix.source import Document
-from rosml.registry import oci
+from rosml.registry import references
+from rosml.registry.client import Registry
 from rosml.registry.credentials import DOCKER_HUB
 
 SECTION = "operating_systems"
@@ -47,7 +48,7 @@ class Pins:
     left_out: dict[str, str] = field(default_factory=dict)
 
 
-def look(matrix: Matrix, registries: Callable[[str], oci.Registry]) -> Pins:
+def look(matrix: Matrix, registries: Callable[[str], Registry]) -> Pins:
     """Asks the registries where the tags of all base images point.
 
     Args:
@@ -72,13 +73,13 @@ def look(matrix: Matrix, registries: Callable[[str], oci.Registry]) -> Pins:
     return found
 
 
-def _current(matrix: Matrix, system: OperatingSystem, registries: Callable[[str], oci.Registry]) -> str:
+def _current(matrix: Matrix, system: OperatingSystem, registries: Callable[[str], Registry]) -> str:
     """The digest of an image's index now.
 
     Raises:
         RosmlError: the registry does not answer; or what it has does not do for all architectures.
     """
-    where = oci.parse(system.image)
+    where = references.parse(system.image)
     if where.host == DOCKER_HUB and os.environ.get(WITHOUT_HUB) == "0":
         raise RosmlError(f"{WITHOUT_HUB}=0 says that Docker Hub does not answer")
     manifest = registries(where.host).manifest(where.repository, where.reference)

@@ -40,7 +40,8 @@ from rosml.images.scan.results import Results
 from rosml.images.scan.sbom import Shelf
 from rosml.images.scan.trivy import ScannerFailed, Trivy
 from rosml.registry import oci, repositories
-from rosml.registry.oci import Config, Manifest, Registry
+from rosml.registry.client import Registry
+from rosml.registry.oci import Config, Manifest
 
 State = Literal["done", "failed", "waits"]
 

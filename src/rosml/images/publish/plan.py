@@ -26,7 +26,7 @@ from rosml.images.matrix.model import Size
 from rosml.images.records import store
 from rosml.images.records.store import INDEX, Entry, Records
 from rosml.machine.services import Services
-from rosml.registry.oci import Registry
+from rosml.registry.client import Registry
 from rosml.registry.repositories import repository_path
 
 Kind = Literal["ros", "part", "joined"]

@@ -20,8 +20,9 @@ from urllib.parse import quote, urlsplit
 from rosml.base.errors import RosmlError
 from rosml.images.records.store import CREATED
 from rosml.machine import git
+from rosml.registry.client import Registry
 from rosml.registry.credentials import DOCKER_HUB
-from rosml.registry.oci import Registry, encoded
+from rosml.registry.oci import encoded
 
 MEDIA_TYPE = "application/vnd.in-toto+json"
 """Of a statement without a signature; also the type of the artifact."""

@@ -26,7 +26,8 @@ from rosml.images.image_set.model import PARTS, ImageSet
 from rosml.images.matrix.names import DATED
 from rosml.images.records.store import READERS, REPOSITORY, Entry, Records, date_of
 from rosml.images.records.tag_moves import UNDO, read_moves
-from rosml.registry.oci import INDEXES, Manifest, Registry, Undeletable
+from rosml.registry.client import Registry, Undeletable
+from rosml.registry.oci import INDEXES, Manifest
 from rosml.registry.repositories import repository_path
 
 FALLBACK = re.compile(r"sha256-[0-9a-f]{64}")

@@ -18,7 +18,7 @@ from rosml.images.publish.pipeline import Pipeline
 from rosml.images.records import store
 from rosml.images.scan.judge import Outcome
 from rosml.images.scan.trivy import WRITTEN_BYTES
-from rosml.registry.oci import is_digest
+from rosml.registry.references import is_digest
 
 
 class _Facts(BaseModel):

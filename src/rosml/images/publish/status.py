@@ -16,7 +16,7 @@ from rosml.images.image_set.missing import UNLOCKED
 from rosml.images.image_set.model import Image, Part, repository_of, tags_of
 from rosml.images.publish.plan import ELSEWHERE, WAITING, Item, Plan
 from rosml.images.records.store import INDEX, Entry, date_of
-from rosml.registry.oci import Registry
+from rosml.registry.client import Registry
 from rosml.registry.repositories import repository_path
 
 STATES = {

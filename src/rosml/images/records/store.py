@@ -19,7 +19,8 @@ from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
 
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
-from rosml.registry.oci import Manifest, Registry
+from rosml.registry.client import Registry
+from rosml.registry.oci import Manifest
 from rosml.registry.repositories import repository_path
 
 INPUTS = "io.rosml.inputs"

@@ -13,7 +13,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from rosml.base import untrusted
 from rosml.base.problems import first_of
 from rosml.images.scan.trivy import ScannerFailed
-from rosml.registry.oci import Registry
+from rosml.registry.client import Registry
 
 MEDIA_TYPE = "application/vnd.cyclonedx+json"
 """Also the type of the artifact, by which trivy and others find it beside an image."""

@@ -22,8 +22,9 @@ from stubs import executable
 
 from rosml.base.errors import RosmlError
 from rosml.registry import failures, login, oci
+from rosml.registry.client import Registry
 from rosml.registry.credentials import DOCKER_HUB, Credentials, from_docker
-from rosml.registry.oci import Registry, parse
+from rosml.registry.references import parse
 
 NAME, SECRET = "somebody", "s3cret-Pass"
 MANIFEST = {"schemaVersion": 2, "mediaType": oci.IMAGE, "layers": []}

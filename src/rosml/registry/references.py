@@ -1,0 +1,72 @@
+"""References of images: a registry, a repository, and a tag or digest."""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+import httpx
+
+from rosml.base.errors import RosmlError
+from rosml.registry.credentials import DOCKER_HUB
+from rosml.registry.documents import DIGEST, TAG
+
+_HOST = r"(?:[A-Za-z0-9](?:[A-Za-z0-9.-]*[A-Za-z0-9])?|\[[0-9A-Fa-f:]+\])(?::[0-9]{1,5})?"
+_PATH = r"[a-z0-9]+(?:(?:[._]|__|-+)[a-z0-9]+)*(?:/[a-z0-9]+(?:(?:[._]|__|-+)[a-z0-9]+)*)*"
+_REFERENCE = re.compile(rf"({_HOST})/({_PATH})(?::({TAG}))?(?:@({DIGEST}))?")
+
+
+class Reference(NamedTuple):
+    """Where something is: the registry, the repository, and a tag or digest."""
+
+    host: str
+    repository: str
+    reference: str
+
+    def __str__(self) -> str:
+        return f"{self.host}/{self.repository}{'@' if is_digest(self.reference) else ':'}{self.reference}"
+
+
+def parse(reference: str) -> Reference:
+    """The parts of a complete reference, ``ghcr.io/me/ros:jazzy-base``. The tag is `latest` where there is none, and a
+    digest counts more than a tag.
+
+    Raises:
+        RosmlError: it is none, or names no registry (exit code 2).
+    """
+    found = _REFERENCE.fullmatch(reference)
+    host = found[1] if found else ""
+    if found is None or not is_place(host, found[2]) or not has_registry(reference):
+        text = f"{reference!r} is no reference with a registry, a repository and a tag or digest"
+        raise RosmlError(text, "write it in full, such as ghcr.io/me/ros:jazzy-base", exit_code=2)
+    return Reference(found[1], found[2], found[4] or found[3] or "latest")
+
+
+def has_registry(name: str) -> bool:
+    """Whether the name of an image begins with a registry; Docker tells it so from a path of Docker Hub's."""
+    host, slash, _ = name.partition("/")
+    return bool(slash) and (re.search(r"[.:]", host) is not None or host == "localhost")
+
+
+def complete(name: str) -> str:
+    """The name of an image with its registry: without one, it is Docker Hub's."""
+    if has_registry(name):
+        return name
+    return f"{DOCKER_HUB}/{name}" if "/" in name else f"{DOCKER_HUB}/library/{name}"
+
+
+def is_place(host: str, path: str) -> bool:
+    """Whether they can be a registry and a path in it."""
+    if not re.fullmatch(_HOST, host) or not re.fullmatch(_PATH, path):
+        return False
+    try:
+        port = httpx.URL(f"https://{host}").port
+        host.encode("idna")
+    except (httpx.InvalidURL, UnicodeError):
+        return False
+    return port is None or 0 < port < 1 << 16
+
+
+def is_digest(reference: str) -> bool:
+    """Whether it is a digest; a tag otherwise."""
+    return re.fullmatch(DIGEST, reference) is not None
