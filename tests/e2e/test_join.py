@@ -40,7 +40,7 @@ def mini(beside: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
 
 
 def joined(checkout: Path, *arguments: str) -> Run:
-    return run(sys.executable, str(ROOT / "scripts/join.py"), *arguments, cwd=checkout)
+    return run(sys.executable, str(ROOT / "src"), "join", *arguments, cwd=checkout)
 
 
 def small(checkout: Path, tag: str, *images: str) -> dict[str, Any]:

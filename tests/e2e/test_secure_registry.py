@@ -170,10 +170,11 @@ def test_everything(company: Company, tmp_path: Path) -> None:
     assert company.tags()["ros:ros1-bookworm-core"] == tags["ros:ros1-bookworm-core"]
     pruned = company.publish("prune", "--days", "0", "--newest", "0", "--apply")
     assert pruned.code == 0, pruned.err
-    script, mine = str(company.folder / "scripts/join.py"), f"{company.registry}/mine:latest"
+    program, mine = str(company.folder / "src"), f"{company.registry}/mine:latest"
     parts = [f"{company.registry}/part:{name}-cpu" for name in ("common", "tensorflow-cc", "tensorflow")]
     parts = [part if part.endswith("cc-cpu") else f"{part}-py311" for part in parts]
-    joined = run(sys.executable, script, f"{company.registry}/ros:ros1-bookworm-core", *parts, "--tag", mine, "--json")
+    ros = f"{company.registry}/ros:ros1-bookworm-core"
+    joined = run(sys.executable, program, "join", ros, *parts, "--tag", mine, "--json")
     assert joined.code == 0, joined.err
     assert company.client().head(f"{company.prefix}/mine", "latest") == json.loads(joined.out)["digest"]
     nothing_secret(company, first, status, second, undone, pruned, joined)
@@ -255,8 +256,8 @@ def test_a_certificate_that_is_not_trusted(
         outcome = company.publish("all", *ONLY)
         refused(outcome, says)
         assert why == "expired" or f"{tmp_path}/docker/certs.d/{found.host}/ca.crt" in outcome.err
-        script, target = str(company.folder / "scripts/join.py"), f"{found.host}/a:b"
-        joined = run(sys.executable, script, target, f"{found.host}/c:d", "--tag", f"{found.host}/e:f")
+        program, target = str(company.folder / "src"), f"{found.host}/a:b"
+        joined = run(sys.executable, program, "join", target, f"{found.host}/c:d", "--tag", f"{found.host}/e:f")
         refused(joined, says)
         assert found.repositories == []
         nothing_secret(company, outcome, joined)

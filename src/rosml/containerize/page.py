@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from rosml.base.errors import RosmlError
 from rosml.containerize import ci_files, ci_inputs, inputs
 
-_BY = "written by scripts/generate_bake.py"
+_BY = "written by rosml generate"
 
 
 def render(page: str) -> str:

@@ -12,7 +12,6 @@ import subprocess
 import sys
 import tomllib
 from collections.abc import Callable, Iterator
-from importlib import import_module
 from pathlib import Path
 
 import click
@@ -26,6 +25,7 @@ from rosml.base import environment
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError, Problem
 from rosml.cli import command, main
+from scripts import docs, requirements
 
 
 @pytest.fixture(autouse=True)
@@ -98,7 +98,7 @@ def test_signals(number: signal.Signals, capsys: pytest.CaptureFixture[str]) -> 
     assert capsys.readouterr().err.strip() == "kept"
 
 
-@pytest.mark.parametrize("called", ["src", *(f"scripts/{name}.py" for name in ("generate_bake", "lock", "publish"))])
+@pytest.mark.parametrize("called", ["src", "scripts/generate_bake.py"])
 def test_outside_of_the_virtual_environment(called: str) -> None:
     """Without any packages: before the first of them is imported, wherever that is."""
     argv = [sys.executable, "-S", *called.removeprefix("python ").split(), "--help"]
@@ -117,27 +117,11 @@ def all_commands(command: click.Command, name: str) -> Iterator[tuple[str, click
         yield from all_commands(found, f"{name} {inner}")
 
 
-LIBRARY = {
-    "publish": "publish",
-    "generate_bake": "generate",
-    "lock": "locks",
-    "join": "join",
-    "catalogue": "catalogue",
-}
-"""Modules of `rosml.cli.images` by the scripts that call them; the others have their command themselves."""
-
-SCRIPTS = {
-    file.name: import_module(
-        f"rosml.cli.images.{LIBRARY[file.stem]}" if file.stem in LIBRARY else f"scripts.{file.stem}"
-    )
-    for file in (ROOT / "scripts").glob("*.py")
-}
 COMMANDS = {
     name: found
-    for file, module in sorted(SCRIPTS.items())
-    if file != "bootstrap.py"
-    for name, found in all_commands(getattr(module, "cli", None) or module.main, file)
-} | {"python -m bench": bench.main}
+    for word in ("catalogue", "generate", "join", "locks", "publish")
+    for name, found in all_commands(main.cli.commands[word], f"rosml {word}")
+} | {"docs.py": docs.main, "requirements.py": requirements.main, "python -m bench": bench.main}
 PROGRAMS = {"rosml ": main.cli, "scripts/docs.py": COMMANDS["docs.py"], "python -m bench": bench.main}
 PROGRAMS["scripts/requirements.py"] = COMMANDS["requirements.py"]
 
@@ -298,12 +282,10 @@ def test_an_error_is_an_object_where_json_is_asked_for(
     assert (remedy if isinstance(error, KeyboardInterrupt) else says) in done.err, "people read it as well"
 
 
-@pytest.mark.parametrize(
-    "script", ["src status", "src publish all", "src publish prune", "scripts/join.py a b --tag c"]
-)
+@pytest.mark.parametrize("script", ["src status", "src publish all", "src publish prune", "src join a b --tag c"])
 def test_commands_print_an_object_for_an_error(script: str, tmp_path: Path) -> None:
     name, *arguments = script.split()
-    more = ["--registry", "nowhere"] if name == "src" else []
+    more = [] if "join" in arguments else ["--registry", "nowhere"]
     argv = [sys.executable, str(ROOT / name), *arguments, *more, "--json"]
     done = subprocess.run(argv, capture_output=True, text=True, check=False, cwd=tmp_path)
     assert done.returncode in (1, 2)

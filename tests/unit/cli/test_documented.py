@@ -16,18 +16,14 @@ from workflows import accepted
 from bench import cli as bench
 from rosml.base.errors import RosmlError
 from rosml.cli import main
-from rosml.cli.images import catalogue, generate, join, locks, publish
+from rosml.cli.images import generate
 from rosml.images.image_set.explain import explained
 from rosml.images.image_set.model import ImageSet
 from tests.pages import SHELLS, blocks, commands, pages
 
 SCRIPTS = {
     "bench": bench.main,
-    "scripts/catalogue.py": catalogue.main,
     "scripts/generate_bake.py": generate.main,
-    "scripts/join.py": join.main,
-    "scripts/lock.py": locks.main,
-    "scripts/publish.py": publish.main,
 }
 MAKEFILE = (ROOT / "Makefile").read_text()
 EXTEND = "docs/extend.md"

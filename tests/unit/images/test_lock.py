@@ -709,7 +709,7 @@ def test_a_signal_ends_every_resolution_at_once(checkout: Path) -> None:
     """A signal to the command alone, as `kill` and CI send it: uv would wait for its index for minutes."""
     uv = 'touch "$(dirname "$0")/began-$$"; exec sleep 60'
     fake_uv(checkout, uv)
-    argv = [sys.executable, str(ROOT / "scripts/lock.py"), "--matrix", str(checkout / "matrix.yaml"), "--check"]
+    argv = [sys.executable, str(ROOT / "src"), "locks", "--matrix", str(checkout / "matrix.yaml"), "--check"]
     with subprocess.Popen(argv, stderr=subprocess.PIPE, text=True) as process:
         try:
             deadline = time.monotonic() + 20

@@ -10,7 +10,7 @@ from rosml.images.image_set import missing
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix import rules
 
-BEGIN = "<!-- images: written by scripts/generate_bake.py -->"
+BEGIN = "<!-- images: written by rosml generate -->"
 END = "<!-- /images -->"
 
 

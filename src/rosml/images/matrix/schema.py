@@ -29,7 +29,7 @@ def render(
         raise RosmlError("Python runs without docstrings, which the schema shows", "unset PYTHONOPTIMIZE", exit_code=2)
     schema = {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
-        "$comment": f"Generated from {module} by scripts/generate_bake.py",
+        "$comment": f"Generated from {module} by rosml generate",
         **(_open if read else _plain)(_plain(model.model_json_schema())),
     }
     return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
