@@ -115,6 +115,11 @@ def test_it_says_for_which_platforms_it_has_no_packages() -> None:
     assert LOCK.lacks(["linux/amd64", "linux/arm64", "linux/arm/v7"]) == ["linux/arm64", "linux/arm/v7"]
 
 
+def test_an_architecture_has_the_name_that_dpkg_gives_it() -> None:
+    locked = LOCK.model_copy(update={"apt": {"armhf": {"tree": "2.1"}}, "pip": {}})
+    assert locked.lacks(["linux/arm/v7"]) == []
+
+
 def test_the_first_of_two_versions_counts() -> None:
     one = {"architecture": "amd64", "apt": {"a": "1", "b": "1"}, "pip": [f"x==1 --hash={DIGEST}"]}
     other = {"architecture": "amd64", "apt": {"a": "2", "c": "1"}, "pip": [f"x==2 --hash={DIGEST}", "y==1"]}

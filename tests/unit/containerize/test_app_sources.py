@@ -672,8 +672,12 @@ def only_git(place: Place, monkeypatch: pytest.MonkeyPatch) -> Path:
     ("call", "said"), [("fetch", "write error: No space left on device"), ("read-tree", "unable to write file f")]
 )
 def test_a_full_disk(place: Place, monkeypatch: pytest.MonkeyPatch, call: str, said: str) -> None:
-    commit(place.root / "a", {"f": "1"})
+    """What was fetched before stays, for it is the most that a full disk has room for."""
+    first = commit(place.root / "a", {"f": "1"})
     place.put(repos(a=(place.root / "a", "main")))
+    place.fetch()
+    [kept] = place.cache.glob("*.git")
+    commit(place.root / "a", {"f": "2"})
     real = shutil.which("git")
     program = only_git(place, monkeypatch) / "git"
     program.unlink()
@@ -683,7 +687,7 @@ def test_a_full_disk(place: Place, monkeypatch: pytest.MonkeyPatch, call: str, s
     program.chmod(0o755)
     error = place.refused()
     assert error.message.endswith(f"cannot be written: {said}") and "free some disk space" in error.remedy
-    assert list(place.cache.glob("*.git")) and not list(place.out.iterdir())
+    assert first in git(kept, "rev-parse", f"refs/rosml/{first}")
 
 
 def test_git_gets_no_secret_that_it_does_not_need(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
