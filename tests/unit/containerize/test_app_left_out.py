@@ -26,6 +26,11 @@ def staged(folder: Path, out: Path) -> set[str]:
     return {str(path.relative_to(out)) for path in out.rglob("*") if path.is_file()}
 
 
+def test_what_is_secret_or_gits_is_sent_to_no_builder(tmp_path: Path) -> None:
+    write(tmp_path / "robot", "package.xml", ".env", "src/arm/.env", ".git/config", "src/arm/.git", "src/arm/env")
+    assert staged(tmp_path / "robot", tmp_path / "out") == {"package.xml", "src/arm/env"}
+
+
 @pytest.mark.parametrize(
     ("text", "left"),
     [

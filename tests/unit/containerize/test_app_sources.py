@@ -7,6 +7,7 @@ import contextlib
 import http.server
 import json
 import os
+import re
 import shutil
 import ssl
 import stat
@@ -700,8 +701,20 @@ def test_git_gets_no_secret_that_it_does_not_need(place: Place, monkeypatch: pyt
     for name in ("GIT_HTTPS_PASSWORD", "GIT_SSH_PRIVATE_KEY", "REGISTRY_PASSWORD"):
         monkeypatch.setenv(name, SECRET)
     place.fetch()
-    assert "GIT_NO_LAZY_FETCH" in (place.root / "environment").read_text()
+    environment = (place.root / "environment").read_text()
+    assert "GIT_NO_LAZY_FETCH" in environment
+    assert re.search(r"GIT_TERMINAL_PROMPT=['\"]?0\b", environment), "nobody is there to answer"
     no_secret(place)
+
+
+def test_a_password_that_a_server_echoes_is_not_shown(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
+    place.put(repos(a=("https://git.example.org/a", "main")))
+    program = only_git(place, monkeypatch) / "git"
+    program.unlink()
+    program.write_text('#!/bin/sh\necho "fatal: remote: who is $ROSML_GIT_PASSWORD?" >&2; exit 1\n')
+    program.chmod(0o755)
+    error = place.refused(Access(https_server="git.example.org", https_user="me", https_password=SECRET))
+    assert "who is ***?" in error.message
 
 
 def test_without_git(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -530,6 +530,20 @@ def test_undo_brings_tags_back(registry: Place, image_set: ImageSet, project: Pa
         registry.undo("2020-01-01T00:00:00Z")
 
 
+def test_undo_brings_back_what_was_before_the_first_run_of_a_date(
+    registry: Place, image_set: ImageSet, project: Path
+) -> None:
+    registry.publish(image_set)
+    before = registry.tagged("ros")["alpha-core"]
+    script = project / "components/ros/install.sh"
+    for number in ("2", "3"):
+        script.write_text(script.read_text() + "# a change\n")
+        registry.publish(image_set, date=NEXT, packages=number)
+    assert registry.tagged("ros")["alpha-core"] != before
+    registry.undo(date=NEXT)
+    assert registry.tagged("ros")["alpha-core"] == before
+
+
 def test_undo_goes_on_after_a_tag_that_the_registry_keeps(registry: Place, image_set: ImageSet) -> None:
     """As on a registry that deletes no tags: every run has dated ones, which were nowhere before."""
     registry.publish(image_set)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from itertools import count
 from pathlib import Path
 
 import pytest
@@ -174,6 +175,20 @@ def test_without_a_signature_no_tag(registry: Place, image_set: ImageSet) -> Non
     mended = registry.publish(image_set, only=ONLY)
     assert not mended.made and "alpha-core" in registry.tagged("ros")
     registry.check(image_set)
+
+
+def test_a_signer_that_fails_now_and_then_is_asked_for_every_image(
+    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    real, numbers = Pen.ensure, count()
+
+    def ensure(pen: Pen, reference: str) -> bool:
+        pen.broken = "the log is down" if next(numbers) % 2 else ""
+        return real(pen, reference)
+
+    monkeypatch.setattr(Pen, "ensure", ensure)
+    states = [outcome.state for outcome in signing(registry.publish(image_set))]
+    assert states.count("failed") > PATIENCE and "waits" not in states
 
 
 def test_a_tag_that_moves_wants_more_than_the_recordss_word(registry: Place, image_set: ImageSet) -> None:

@@ -15,7 +15,7 @@ from registry_stand_in import StandIn, standing_in
 from stubs import services
 
 from rosml.images.image_set.model import ImageSet
-from rosml.images.records.store import ANNOTATION, Entry, Records
+from rosml.images.records.store import ANNOTATION, Entry, Records, tag
 from rosml.registry import oci
 from rosml.registry.client import Registry
 
@@ -51,6 +51,13 @@ def test_only_the_present_entry_stays(server: StandIn, book: Records) -> None:
     assert book.read("jazzy-base", "arm64") == OTHER
     assert book.inputs("jazzy-base", "amd64") == INPUTS
     assert len(server.manifests) == 2, "what no tag points at is left"
+
+
+def test_an_entry_under_another_tag_is_none(book: Records) -> None:
+    """Somebody copied it."""
+    digest = book.write(ENTRY)
+    book.registry.tag(PATH, digest, tag("jazzy-desktop", "amd64"))
+    assert book.read("jazzy-base", "amd64") and book.read("jazzy-desktop", "amd64") is None
 
 
 def test_a_record_that_is_written_again_is_there_once(server: StandIn, book: Records) -> None:

@@ -166,6 +166,9 @@ def test_the_groups_of_devices(machine: Machine) -> None:
         for node, group in zip(nodes, (20, 29, 1005), strict=True):
             os.chown(node, 0, group)
     assert {*devices.devices(there)} - {"--group-add"} == groups
+    own = 20 if UID == 0 else GID
+    mine = machine.context(*words, me=Person(1, own, "me", "/"))
+    assert {*devices.devices(mine)} - {"--group-add"} == groups - {str(own)}, "they are in their own group anyway"
     assert devices.devices(machine.context(*words, engine=PODMAN_ENGINE)) == []
     assert devices.devices(machine.context(*words, engine=Engine(machine="elsewhere"))) == []
     assert devices.devices(machine.context(*words, "--group-add", "keep-groups")) == []
