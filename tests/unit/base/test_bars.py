@@ -55,11 +55,3 @@ def test_elsewhere_there_are_lines_alone(capsys: pytest.CaptureFixture[str]) -> 
     env = {**os.environ, "PYTHONPATH": str(ROOT)}
     done = subprocess.run([sys.executable, "-c", CODE], env=env, capture_output=True, text=True, check=True)
     assert done.stderr.splitlines() == ["line 0", "line 1", "line 2", "the end"]
-
-
-@pytest.mark.parametrize(
-    ("module", "title"), [("catalogue/read", "title"), ("locks/resolve", '"locks"'), ("publish/pipeline", "step")]
-)
-def test_long_work_has_one(module: str, title: str) -> None:
-    """Reading a registry, resolving locks, and each step of publishing."""
-    assert re.search(rf"progress_bar\.over\(.*, {title}, len\(", (ROOT / f"src/rosml/images/{module}.py").read_text())

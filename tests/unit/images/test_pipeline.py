@@ -509,6 +509,17 @@ def test_a_run_past_midnight_has_one_date(
     assert (again.made, again.outcomes) == ([], [])
 
 
+def test_an_image_in_which_no_test_ran_gets_no_tag(
+    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Files of tests that have none, such as after a wrong edit."""
+    real = Bytes.test
+    monkeypatch.setattr(Bytes, "test", lambda *words: replace(real(*words), passed=0))
+    run = registry.publish(image_set, only=["alpha-core"])
+    assert registry.tagged("ros") == {}
+    assert any("tests have not passed" in reason for reason in waiting(run, "alpha-core"))
+
+
 def test_undo_brings_tags_back(registry: Place, image_set: ImageSet, project: Path) -> None:
     registry.publish(image_set)
     before = registry.tagged("ros")
