@@ -83,7 +83,7 @@ SETUPTOOLS=$(dpkg-query --show --showformat '${Version}' python3-setuptools) "$h
 slots=$(dirname $constraints)/constraints.d
 mkdir "$slots"
 echo '-c ../constraints.txt' >"$slots/all.txt"
-for slot in {01..16}; do # SLOTS in src/rosml/matrix/model.py
+for slot in {01..16}; do # SLOTS in src/rosml/images/matrix/model.py
   : >"$slots/$slot.txt"
   echo "-c $slot.txt" >>"$slots/all.txt"
 done
