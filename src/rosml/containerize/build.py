@@ -15,7 +15,7 @@ from typing import Any
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
-from rosml.base.problems import SHOWN
+from rosml.base.problems import SHOWN, counted
 from rosml.base.units import duration
 from rosml.containerize import adopt, bake_file, contents, junit, lock, report, rosdep_index, sources, within, workspace
 from rosml.containerize import base as bases
@@ -92,7 +92,7 @@ class Built:
         """What people are told at the end: what about, and a sentence."""
         yield (
             "app",
-            f"{_count(len(self.outcome.packages), 'ROS package')}, {_count(len(self.outcome.installed), 'package')} of apt added",
+            f"{counted(len(self.outcome.packages), 'ROS package')}, {counted(len(self.outcome.installed), 'package')} of apt added",
         )
         for which, replaced in (
             ("the base image", self.outcome.replaced),
@@ -102,7 +102,7 @@ class Built:
                 names = ", ".join(replaced[:3]) + (" …" if len(replaced) > 3 else "")
                 yield (
                     "",
-                    f"not joined to {which}, of which its packages change {_count(len(replaced), 'thing')}: {names}",
+                    f"not joined to {which}, of which its packages change {counted(len(replaced), 'thing')}: {names}",
                 )
         if self.outcome.outside:
             names = ", ".join(f"/{name}" for name in self.outcome.outside[:3]) + (
@@ -491,9 +491,9 @@ class App:
         for path in workspace.empty_submodules(folder):
             self._say(f"the submodule {path} is not there: git submodule update --init --recursive")
         if found := workspace.pointers(state / "staged" / "target"):
-            more = f" and {_count(len(found) - 1, 'file')} more" if len(found) > 1 else ""
+            more = f" and {counted(len(found) - 1, 'file')} more" if len(found) > 1 else ""
             self._say(f"{found[0]}{more} of Git LFS: only a pointer is there, and gets into the images: git lfs pull")
-        packages = _count(counts["target"] + counts["upstream"], "package")
+        packages = counted(counts["target"] + counts["upstream"], "package")
         if counts["downstream"]:
             packages += f", and {counts['downstream']} that use them,"
         self._say(f"{packages} for {', '.join(self._names.platforms)}")
@@ -700,7 +700,3 @@ def _pins(repositories: Iterable[sources.Repository]) -> dict[str, lock.Pin]:
 def _replaced(apps: Iterable[report.Facts]) -> list[str]:
     """What the packages of an app replace or remove of its base image, on any platform."""
     return sorted({name for app in apps for name in (*app.replaced, *app.removed)})
-
-
-def _count(number: int, what: str) -> str:
-    return f"{number} {what}{'' if number == 1 else 's'}"

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from dataclasses import replace
 from functools import cache
 from itertools import groupby
 
@@ -40,11 +41,26 @@ def render(image_set: ImageSet, found: Mapping[str, Target] | None = None) -> di
 def excerpt(image_set: ImageSet, roots: Iterable[str]) -> str:
     """The part of both files that some targets need: they, and what they are built on.
 
+    A run asks for hundreds of them: no other image is looked at.
+
     Args:
         roots: targets of images, of their tests, of parts.
     """
-    found = _Targets(image_set)
-    return "\n".join([*_head(image_set.matrix), *found.blocks(found.needed({targets.CONTENTS, *roots}, built=True))])
+    wanted = {targets.CONTENTS, *roots}
+    images, parts = set[str](), {root.removeprefix(names.part_target("")) for root in wanted}
+    for root in wanted:
+        image = image_set.by_target.get(root) or image_set.by_target.get(root.removesuffix(names.test_target("")))
+        while image:
+            images.add(image.target)
+            parts.update(image.parts)
+            image = image_set.by_target.get(image.parent)
+    some = replace(
+        image_set,
+        images=tuple(image for image in image_set.images if image.target in images),
+        parts=tuple(part for part in image_set.parts if part.name in parts),
+    )
+    found = _Targets(some)
+    return "\n".join([*_head(image_set.matrix), *found.blocks(found.needed(wanted, built=True))])
 
 
 def variables(matrix: Matrix) -> dict[str, str]:
