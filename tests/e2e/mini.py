@@ -24,7 +24,8 @@ from rosml.base.file_lock import turn
 from rosml.images.builds import base_images
 from rosml.images.image_set import load
 from rosml.images.image_set.model import ImageSet
-from rosml.images.publish import plan as planning
+from rosml.images.publish.state import Request
+from rosml.images.publish.survey import survey
 from rosml.images.records import store
 from rosml.images.records.store import ARTIFACT, INDEX, Records
 from rosml.images.records.tag_moves import UNDO
@@ -32,6 +33,7 @@ from rosml.machine import regctl
 from rosml.machine.services import Services
 from rosml.registry import oci
 from rosml.registry.client import Registry
+from rosml.registry.place import Place
 from tests.e2e.conftest import CHECKOUT, Run, run
 from tests.e2e.images import ca_secret
 
@@ -102,6 +104,10 @@ class Mini:
         """For --registry."""
         return f"{self.services.registry}/{self.prefix}"
 
+    def place(self) -> Place:
+        """Where its images are, with a client of its own."""
+        return Place(self.client(), self.prefix)
+
     def elsewhere(self) -> Mini:
         """The same project with an empty place."""
         return Mini(self.folder, self.services, f"rosml-test/{uuid.uuid4().hex[:12]}")
@@ -145,7 +151,7 @@ class Mini:
 
     def recorded(self, date: str) -> set[tuple[str, str]]:
         """The work of a run, by its date, whose result the records have: step and target."""
-        book = Records(self.client(), self.prefix)
+        book = Records(self.place())
         names = [name for name in book.registry.tags(book.repository) if not name.startswith(("sha256-", UNDO))]
         entries = [book.read(*name.rpartition(".")[::2]) for name in names if not name.endswith(f".{INDEX}")]
         found = set[tuple[str, str]]()
@@ -162,12 +168,13 @@ class Mini:
         Args:
             target: a ROS image that stands on no other one, and is there for this architecture. labels: that it has to itself.
         """
-        client = self.client()
-        book, here = Records(client, self.prefix), Services.load(self.folder)
-        plan = planning.survey(here, self.image_set, client, self.prefix, [target], [OTHER])
-        item, other = plan.by_key[target, OTHER], book.read(target, NATIVE)
+        place = self.place()
+        book, client = Records(place), place.client
+        here = Services.load(self.folder)
+        state = survey(Request(here, self.image_set, place, only=(target,), architectures=(OTHER,)))
+        item, other = state.by_key[target, OTHER], book.read(target, NATIVE)
         assert other and not item.needs
-        path = book.path(item.repository)
+        path = book.place.path(item.repository)
         manifest = client.manifest(path, other.digest)
         assert manifest
         config = client.json_blob(path, manifest.content["config"]["digest"])
@@ -179,8 +186,8 @@ class Mini:
         digest = client.put_manifest(path, "", content)
         known = book.read(*item.key)
         before = (*known.superseded, known.digest) if known else ()
-        own = {"inputs": plan.inputs.digest(*item.key), "tested": plan.tests_digest(item), "digest": digest}
-        book.write(replace(other, architecture=OTHER, superseded=before, **own), plan.inputs.of(*item.key))  # type: ignore[arg-type]
+        own = {"inputs": state.inputs.digest(*item.key), "tested": state.tests_digest(item), "digest": digest}
+        book.write(replace(other, architecture=OTHER, superseded=before, **own), state.inputs.of(*item.key))  # type: ignore[arg-type]
         return digest
 
     def mark(self, ros: str = "1", part: str = "1") -> None:
@@ -215,7 +222,7 @@ class Mini:
     def check(self) -> None:
         """What must hold at any time: a tag points at a whole index of images that passed their tests."""
         client = self.client()
-        book = Records(client, self.prefix)
+        book = Records(self.place())
         for tag, digest in self.tags().items():
             repository = f"{self.prefix}/{tag.split(':')[0]}"
             index = client.manifest(repository, digest)

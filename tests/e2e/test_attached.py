@@ -10,15 +10,18 @@ from pathlib import Path
 
 import pytest
 
-from rosml.images.publish import plan as planning
+from rosml.images.builds.maker import BuildKitMaker
 from rosml.images.publish import provenance
-from rosml.images.publish.pipeline import Pipeline
-from rosml.images.publish.promote import Promotion
-from rosml.images.publish.sign import Signer, SignerFailed
+from rosml.images.publish.cosign import Signer, SignerFailed
+from rosml.images.publish.run import Run
+from rosml.images.publish.state import Request
+from rosml.images.publish.steps import STEPS
+from rosml.images.publish.survey import survey
 from rosml.images.records import store
 from rosml.images.records.store import INDEX, Records
 from rosml.machine.services import Services
 from rosml.registry.client import Registry
+from rosml.registry.place import Place
 from tests.e2e import mini as minis
 from tests.e2e import secure
 from tests.e2e.conftest import LOG, run
@@ -39,7 +42,7 @@ def mini(project: Mini) -> Iterator[Mini]:
 
 
 def entries(mini: Mini) -> dict[tuple[str, str], store.Entry]:
-    book = Records(mini.client(), mini.prefix)
+    book = Records(mini.place())
     names = [name.rpartition(".")[::2] for name in book.registry.tags(book.repository) if not name.startswith("undo.")]
     found = {(target, architecture): book.read(target, architecture) for target, architecture in names}
     return {key: entry for key, entry in found.items() if entry}
@@ -53,7 +56,7 @@ def test_entries_and_provenance(mini: Mini) -> None:
     for (target, architecture), entry in known.items():
         path = f"{mini.prefix}/{entry.repository}"
         if architecture != INDEX:
-            assert Records(client, mini.prefix).attached(entry.repository, entry.digest) == entry
+            assert Records(Place(client, mini.prefix)).attached(entry.repository, entry.digest) == entry
         listed = run(
             *(mini.services.regctl, "--host", f"reg={mini.services.registry},tls=disabled", "artifact", "list"),
             *("--format", "{{json .}}", f"{mini.services.registry}/{path}@{entry.digest}"),
@@ -71,13 +74,12 @@ def test_entries_and_provenance(mini: Mini) -> None:
         LOG.info("%s: %d, of %d bytes on average", kind, len(own), sum(own) / len(own))
 
     with Registry(mini.services.registry) as counting:
-        services = Services.load(mini.folder)
-        plan = planning.survey(
-            services, mini.image_set, counting, mini.prefix, [ONLY[1]], (NATIVE,), date="2027-01-01T00:00:00Z"
-        )
-        again = Pipeline(plan, counting, services.registry, mini.prefix, LOG.info, (NATIVE,))
-        for step in (again.build, again.join, again.test, again.index, Promotion(again).run):
-            step()
+        services, place = Services.load(mini.folder), Place(counting, mini.prefix)
+        here = (NATIVE,)
+        state = survey(Request(services, mini.image_set, place, "2027-01-01T00:00:00Z", (ONLY[1],), here, here))
+        again = Run(state, BuildKitMaker(services, mini.image_set, place, LOG.info), LOG.info)
+        for step in STEPS.values():
+            step(again)
         assert (again.outcomes, counting.uploaded) == ([], 0)
 
     other = mini.elsewhere()

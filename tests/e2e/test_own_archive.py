@@ -23,6 +23,7 @@ from rosml.images.records import store
 from rosml.machine import regctl
 from rosml.machine.services import Services
 from rosml.registry.client import Registry
+from rosml.registry.place import Place
 from tests import walk
 from tests.e2e.apt_stand_in import Image, Keys, Repository, Server, package
 from tests.e2e.conftest import NAMESPACE, Run, run
@@ -94,8 +95,8 @@ def test_the_page_is_followed_to_an_image(
     done = run(*argv, cwd=checkout, env={"ROS_APT_MIRROR": server.url})
     assert done.code == 0, done.err
     with Registry(services.registry) as registry:
-        entry = store.Records(registry, f"{NAMESPACE}-archive").read(target, NATIVE)
-    assert entry and entry.upstream.startswith(f"{WHEN}, debian bookworm ")
+        entry = store.Records(Place(registry, f"{NAMESPACE}-archive")).read(target, NATIVE)
+    assert entry and entry.package_state.startswith(f"{WHEN}, debian bookworm ")
     config = regctl.image_config(services, f"{place}/ros@{entry.digest}", PLATFORM)["config"]
     assert config["Labels"]["io.rosml.ros.sync"] == WHEN
     assert "ROS_DISTRO=jazzy" in config["Env"] and f"ROS_SYNC_DATE={WHEN}" in config["Env"]

@@ -21,7 +21,8 @@ from rosml import ROOT
 from rosml.images.builds.base_images import native_architecture
 from rosml.images.image_set import labels
 from rosml.images.image_set.model import Image
-from rosml.images.publish import plan as planning
+from rosml.images.publish.state import Request
+from rosml.images.publish.survey import survey
 from rosml.images.records import store
 from rosml.images.records.store import Records
 from rosml.images.records.tag_moves import UNDO
@@ -55,28 +56,31 @@ def place(project: Mini, folder: Path, deletes: bool) -> Iterator[Mini]:
 
 def night(mini: Mini, date: str) -> None:
     """What builders and tests leave in a night: other ROS images than before, whose tests passed; then their tags move."""
-    client = mini.client()
-    book = Records(client, mini.prefix)
-    plan = planning.survey(
-        Services.load(mini.folder), mini.image_set, client, mini.prefix, ONLY[1::2], [HERE], date=date
-    )
-    assert {item.target for item in plan.items} == set(ONLY[1::2])
-    for item in plan.items:
+    place = mini.place()
+    client, book = place.client, Records(place)
+    request = Request(Services.load(mini.folder), mini.image_set, place, date, tuple(ONLY[1::2]), (HERE,))
+    state = survey(request)
+    assert {item.target for item in state.items} == set(ONLY[1::2])
+    for item in state.items:
         image = item.thing
         assert isinstance(image, Image)
         said = labels.named(image.distribution, image.component, "1", "none", None, [])
         said |= {f"org.opencontainers.image.{name}": text for name, text in FACTS.items()}
-        path = book.path(item.repository)
+        path = book.place.path(item.repository)
         digest, size = Tiny(said, salt=date).put_manifest(client, path, f"linux/{HERE}")
         subject = {"mediaType": oci.IMAGE, "digest": digest, "size": size}
         described = client.attach(path, subject, sbom.MEDIA_TYPE, SBOM, sbom.MEDIA_TYPE, sbom.FORMAT)
-        facts = {"inputs": plan.inputs.digest(*item.key), "repository": item.repository, "size": size, "date": date}
+        facts = {"inputs": state.inputs.digest(*item.key), "repository": item.repository, "size": size, "date": date}
         facts |= {"sbom": described}
-        facts |= {"parts": {target: plan.known[target, HERE].digest for target in item.needs}, "changed": date}
-        facts |= {"upstream": plan.upstream.get(image.distribution, ""), "tested": plan.tests_digest(item), "passed": 5}
-        before = plan.known.get(item.key) or store.Entry(*item.key)
-        plan.known[item.key] = before.made(digest, **facts)
-        book.write(plan.known[item.key], plan.inputs.of(*item.key))
+        facts |= {"parts": {target: state.known[target, HERE].digest for target in item.needs}, "changed": date}
+        facts |= {
+            "package_state": state.package_state.get(image.distribution, ""),
+            "tested": state.tests_digest(item),
+            "passed": 5,
+        }
+        before = state.known.get(item.key) or store.Entry(*item.key)
+        state.known[item.key] = before.made(digest, **facts)
+        book.write(state.known[item.key], state.inputs.of(*item.key))
     for step in ("index", "promote"):
         done = mini.publish(step, *ONLY, "--serve", HERE, "--date", date, "--json")
         assert done.code == 0 and '"waits"' not in done.out, done.out + done.err

@@ -20,6 +20,7 @@ from rosml.machine.services import Services
 from rosml.machine.setup.registry import regctl_config
 from rosml.registry import certificates, credentials
 from rosml.registry.client import Registry
+from rosml.registry.place import Place
 from tests.e2e import mini as minis
 from tests.e2e import secure
 from tests.e2e.builders import builder
@@ -288,7 +289,7 @@ def test_a_bundle_for_everything(
     with builder(name, tmp_path / name, services, env={"SSL_CERT_FILE": str(bundle)}):
         outcome = company.publish("build", "--only", "ros1-bookworm-core", "--json")
     assert outcome.code == 0, outcome.err
-    book = Records(Registry(host, ca_bundle=str(bundle)), company.prefix)
+    book = Records(Place(Registry(host, ca_bundle=str(bundle)), company.prefix))
     entry = book.read("ros1-bookworm-core", NATIVE)
     assert entry
     layers = images.layers(Services.load(machine), f"{host}/{company.prefix}/ros@{entry.digest}")

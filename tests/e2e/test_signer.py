@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from rosml import ROOT
-from rosml.images.publish.sign import Signer, SignerFailed
+from rosml.images.publish.cosign import Signer, SignerFailed
 from rosml.machine import trust
 from rosml.registry import oci
 from rosml.registry.client import Registry

@@ -180,7 +180,7 @@ def test_two_nights(mini: Mini, tmp_path: Path) -> None:
     assert mini.tags() == {}
     scanned = first.artifacts / "scan"
     assert {path.name for path in scanned.iterdir()} == {"scan.json", "reports"}
-    book = Records(mini.client(), mini.prefix)
+    book = Records(mini.place())
     before = book.read("ros1-bookworm-base-tensorflow-cpu", NATIVE)
     assert before and before.digest and not before.scanned, "the scan wrote nothing"
 

@@ -23,6 +23,7 @@ from rosml.images.catalogue.read import Gatherer
 from rosml.images.image_set import load
 from rosml.images.matrix import source
 from rosml.machine.setup.tools import BROWSERS
+from rosml.registry.place import Place
 
 NOW = "2026-11-22T06:00:00Z"
 REGISTRY = "ghcr.io/me/rosml"
@@ -56,7 +57,7 @@ def expect(what: Any) -> Any:
 
 
 def gather(shelf: Shelf) -> Published:
-    return Gatherer(shelf.image_set, shelf.registry, REGISTRY, "rosml").gather(NOW)
+    return Gatherer(shelf.image_set, Place(shelf.registry, "rosml")).gather(NOW)
 
 
 @pytest.fixture(scope="session")

@@ -21,6 +21,7 @@ from rosml.images.catalogue import site
 from rosml.images.catalogue.model import Image, Published
 from rosml.images.catalogue.read import Gatherer
 from rosml.images.image_set import load
+from rosml.registry.place import Place
 from tests.page.conftest import NARROW, NOW, REGISTRY, WIDE, Window, Windows, expect
 
 LOG = logging.getLogger("page")
@@ -323,7 +324,7 @@ def test_every_tag_that_is_offered_can_be_compared(browser: Any, tmp_path: Path)
     for night in range(12):
         shelf.torch = str(night)
         shelf.night(f"2026-11-{11 + night}T03:00:00Z", ["ros1-bookworm"])
-    found = Gatherer(shelf.image_set, shelf.registry, REGISTRY, "rosml").gather(NOW, [TORCH])
+    found = Gatherer(shelf.image_set, Place(shelf.registry, "rosml")).gather(NOW, [TORCH])
     site.write(tmp_path / "page", found)
     windows = Windows(browser, tmp_path / "page")
     opened = windows()

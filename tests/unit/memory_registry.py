@@ -19,17 +19,19 @@ from rosml.images.builds import package_state
 from rosml.images.builds.maker import Checked, Made, Maker
 from rosml.images.image_set.labels import title
 from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
-from rosml.images.publish import plan, provenance, undo
-from rosml.images.publish.pipeline import Outcome, Pipeline
-from rosml.images.publish.plan import Plan
-from rosml.images.publish.sign import SignerFailed
+from rosml.images.publish import provenance, run, undo
+from rosml.images.publish.cosign import SignerFailed
+from rosml.images.publish.run import Outcome
+from rosml.images.publish.state import Request, State
 from rosml.images.publish.steps import STEPS
+from rosml.images.publish.survey import survey
 from rosml.images.records import store, tag_moves
 from rosml.images.scan import sbom
 from rosml.machine.services import Services
 from rosml.registry import oci
 from rosml.registry.client import BLOB_BYTES, Registry
 from rosml.registry.oci import Manifest
+from rosml.registry.place import Place
 
 HOST = "registry.example"
 PREFIX = "rosml"
@@ -74,6 +76,9 @@ class MemoryRegistry(Registry):
     refuses: set[str] = field(default_factory=set)
     lock: Any = field(default_factory=threading.RLock)
     host: str = HOST
+
+    def close(self) -> None:
+        """It has no connections."""
 
     def copy(self) -> MemoryRegistry:
         """A registry with the same content; what is written into one is not in the other."""
@@ -204,13 +209,13 @@ class Bytes(Maker):
     """Makes images and parts of a few bytes each.
 
     Attributes:
-        plan: of the run that it works for. registry: where they go.
+        state: of the run that it works for. registry: where they go.
         made: what was built, joined and tested, in order: (step, target, architecture).
         poisoned: targets whose tests fail; those of the file `failing`. broken: targets whose build fails. packages: what is in the ROS images.
         odd: labels that an image has on an architecture. tests: what each image was tested with.
     """
 
-    plan: Plan
+    state: State
     registry: Any
     made: list[tuple[str, str, str]] = field(default_factory=list)
     poisoned: set[str] = field(default_factory=set)
@@ -222,15 +227,15 @@ class Bytes(Maker):
 
     def build_part(self, part: Part, architecture: str) -> Made:
         self._require_whole(part.target)
-        inputs = self.plan.inputs.digest(part.target, architecture)
+        inputs = self.state.inputs.digest(part.target, architecture)
         digest = self._put("build", part, architecture, [f"{part.target} {inputs}".encode()])
         return Made(digest, base=BASE, sbom=self._sbom(part, digest))
 
-    def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], moment: str) -> Made:
+    def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], packages: str) -> Made:
         self._require_whole(image.target)
         own = f"{image.target} {self.packages} {architecture}".encode()
         digest = self._put("build", image, architecture, [*self._layers(parts, architecture), own])
-        return Made(digest, parts, moment, "" if parts else BASE, self._sbom(image, digest))
+        return Made(digest, parts, packages, "" if parts else BASE, self._sbom(image, digest))
 
     def join(self, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
         return self._put("join", image, architecture, self._layers(parts, architecture))
@@ -270,7 +275,7 @@ class Bytes(Maker):
     def _layers(self, parts: Mapping[str, str], architecture: str) -> list[bytes]:
         found = []
         for target, name in parts.items():
-            repository = f"{PREFIX}/{self.plan.by_key[target, architecture].repository}"
+            repository = f"{PREFIX}/{self.state.by_key[target, architecture].repository}"
             content = self.registry.manifest(repository, name).content
             found += [self.registry.blob(repository, layer["digest"]) for layer in content["layers"]]
         return found
@@ -288,7 +293,7 @@ def put_image(
     return str(registry.put_manifest(repository, "", json.dumps(content).encode(), IMAGE))
 
 
-class Run(Pipeline):
+class Run(run.Run):
     """A run whose images are a few bytes each."""
 
     @property
@@ -325,15 +330,20 @@ class Pen:
 
 
 @dataclass
-class Place:
+class Publisher:
     """A registry, and runs that publish into it; with a pen, they sign."""
 
     services: Services
     registry: MemoryRegistry = field(default_factory=MemoryRegistry)
-    upstream: dict[str, str] = field(default_factory=lambda: {"alpha": "monday", "omega": "monday"})
+    packages: dict[str, str] = field(default_factory=lambda: {"alpha": "monday", "omega": "monday"})
     pen: Any = None
     absent: set[tuple[str, str, str]] = field(default_factory=set)
     """Packages that a distribution's repository does not have for an architecture."""
+
+    @property
+    def place(self) -> Place:
+        """Where they publish."""
+        return Place(self.registry, PREFIX)
 
     def run(self, image_set: ImageSet, date: str = DAY, serving: tuple[str, ...] = (), **options: Any) -> Run:
         """A run for both architectures, unless told otherwise; nothing is done yet."""
@@ -341,11 +351,20 @@ class Place:
             name: options.pop(name) for name in ("poisoned", "failing", "broken", "packages", "odd") if name in options
         }
         architectures = options.pop("architectures", ("amd64", "arm64"))
-        found = plan.survey(
-            self.services, image_set, self.registry, PREFIX, architectures=architectures, date=date, **options
+        only = tuple(options.pop("only", ()))
+        state = survey(
+            Request(
+                self.services,
+                image_set,
+                self.place,
+                date,
+                only,
+                tuple(architectures),
+                tuple(serving),
+                **options,
+            )
         )
-        maker = Bytes(found, self.registry, **own)
-        return Run(found, self.registry, HOST, PREFIX, lambda line: None, serving, signer=self.pen, maker=maker)
+        return Run(state, Bytes(state, self.registry, **own), lambda line: None, signer=self.pen)
 
     def publish(self, image_set: ImageSet, **options: Any) -> Run:
         """A run with all its steps."""
@@ -356,7 +375,7 @@ class Place:
 
     def undo(self, run: str = "", date: str = LATER) -> list[Outcome]:
         """Moves tags back to where they were before a run, the last one if empty."""
-        return undo.undo(store.Records(self.registry, PREFIX), date, run)
+        return undo.undo(store.Records(self.place), date, run)
 
     def tagged(self, repository: str) -> dict[str, str]:
         """Tags of a repository and where they point."""
@@ -368,7 +387,7 @@ class Place:
         for name in self.registry.tags(f"{PREFIX}/{store.REPOSITORY}"):
             if not name.startswith(tag_moves.UNDO):
                 target, _, architecture = name.rpartition(".")
-                entries[target, architecture] = store.Records(self.registry, PREFIX).read(target, architecture)
+                entries[target, architecture] = store.Records(self.place).read(target, architecture)
         passed = {entry.digest for entry in entries.values() if entry and entry.passed and not entry.failures}
         passed |= {old for entry in entries.values() if entry and not entry.failures for old in entry.superseded}
         for repository in {image.repository for image in image_set.images}:
@@ -403,12 +422,12 @@ def waiting(run: Run, target: str) -> list[str]:
     return [outcome.reason for outcome in run.outcomes if outcome.target == target and outcome.state == "waits"]
 
 
-def place(folder: Path, services: Services, monkeypatch: pytest.MonkeyPatch) -> Place:
+def publisher(folder: Path, services: Services, monkeypatch: pytest.MonkeyPatch) -> Publisher:
     """A place whose repositories of packages are in memory as well."""
-    found = Place(services)
+    found = Publisher(services)
 
     def state(_services: object, _matrix: object, distribution: str) -> str:
-        answer = found.upstream[distribution]
+        answer = found.packages[distribution]
         if answer == "down":
             raise RosmlError("http://packages.example does not answer", "check the network")
         return answer
@@ -421,4 +440,4 @@ def place(folder: Path, services: Services, monkeypatch: pytest.MonkeyPatch) -> 
     return found
 
 
-__all__ = ["Killed", "Place", "Plan", "place"]
+__all__ = ["Killed", "Publisher", "publisher"]

@@ -41,13 +41,14 @@ from rosml.images.builds import apt_sources, package_state, structure_tests, syn
 from rosml.images.catalogue import read
 from rosml.images.image_set import labels, load
 from rosml.images.matrix import source
-from rosml.images.publish import plan_file, scan_results
+from rosml.images.publish import plan, scan_results
 from rosml.images.records import store, tag_moves
 from rosml.images.scan import judge, policy, trivy
 from rosml.images.scan.sbom import Sbom
 from rosml.machine.services import Services
 from rosml.registry import references
 from rosml.registry.documents import Descriptor
+from rosml.registry.place import Place
 from rosml.run import check, compose, consent, defaults, engine, export, places
 from rosml.run.context import Context, Engine, Host, Image, Person
 from rosml.run.words import split
@@ -289,7 +290,7 @@ ENTRY = store.Entry(
 def entry_of(document: bytes, folder: Path) -> object:
     """The annotation of a record, and an entry that is attached to an image."""
     registry = MemoryRegistry()
-    records = store.Records(registry, PREFIX)
+    records = store.Records(Place(registry, PREFIX))
     annotation = document.decode(errors="replace")
     records.artifact("alpha-base.amd64", document, {store.ANNOTATION: annotation})
     image = registry.put_manifest(f"{PREFIX}/ros", "", {"schemaVersion": 2, "layers": []})
@@ -307,15 +308,10 @@ def scan_of(document: bytes, folder: Path) -> object:
 class Receiver:
     """As much of a publishing run as takes the results of a scan."""
 
-    host, prefix = "registry.test", PREFIX
-
     def __init__(self) -> None:
-        self.registry, self.outcomes = MemoryRegistry(), list[Any]()
-        self.records = store.Records(self.registry, PREFIX)
-        self.plan = SimpleNamespace(known={("alpha-base", "amd64"): store.parse(ENTRY)}, date="2026-11-22T03:00:00Z")
-
-    def repository(self, name: str) -> str:
-        return f"{self.prefix}/{name}"
+        self.outcomes = list[Any]()
+        self.records = store.Records(Place(MemoryRegistry(), PREFIX))
+        self.state = SimpleNamespace(known={("alpha-base", "amd64"): store.parse(ENTRY)}, date="2026-11-22T03:00:00Z")
 
 
 def results_of(file: Path) -> object:
@@ -327,14 +323,14 @@ def results_of(file: Path) -> object:
 
 def inputs_of(document: bytes, folder: Path) -> object:
     """The layer of a record."""
-    records = store.Records(MemoryRegistry(), PREFIX)
+    records = store.Records(Place(MemoryRegistry(), PREFIX))
     records.artifact("alpha-base.amd64", document, {})
     return records.inputs("alpha-base", "amd64")
 
 
 def moves_of(document: bytes, folder: Path) -> object:
     """The layer of a record of moves."""
-    records = store.Records(MemoryRegistry(), PREFIX)
+    records = store.Records(Place(MemoryRegistry(), PREFIX))
     records.artifact("undo.1", document, {})
     return [move.to_json() for move in tag_moves.read_moves(records, "undo.1")]
 
@@ -561,7 +557,7 @@ PLAN = {
     "architectures": ["amd64"],
     "serve": [],
     "force": False,
-    "upstream": {"jazzy": "x"},
+    "package_state": {"jazzy": "x"},
     "targets": ["alpha"],
     "shards": [],
     "tasks": [],
@@ -662,7 +658,7 @@ PARSERS: dict[str, Parser] = {
         "json", as_json(SERVICES), written(".state/services.json", lambda file: Services.load(file.parent.parent))
     ),
     "results of a scan": Parser("json", as_json(RESULTS), written("results.json", results_of)),
-    "plan": Parser("json", as_json(PLAN), written("plan.json", plan_file.read_plan)),
+    "plan": Parser("json", as_json(PLAN), written("plan.json", plan.read_plan)),
     "matrix": Parser("yaml", [SMALL.encode()], lambda document, folder: load.image_set(source.parse(document))),
     "scan policy": Parser(
         "yaml", [(ROOT / "scan.yaml").read_bytes()], lambda document, folder: policy.parsed(source.parse(document))

@@ -19,6 +19,7 @@ from rosml.images.records import tag_moves
 from rosml.images.records.store import ANNOTATION, DATE, Entry, Records
 from rosml.images.records.store import INDEX as INDEX_ENTRY
 from rosml.registry import oci
+from rosml.registry.place import Place
 
 FIRST = "2026-11-20T03:00:00Z"
 SECOND = "2026-11-21T03:00:00Z"
@@ -57,10 +58,10 @@ class Shelf:
             if kept:
                 moves += self._publish(thing, date, kept)
         text = json.dumps({"date": date, "moves": [move.to_json() for move in moves]})
-        Records(self.registry, PREFIX).artifact(tag_moves.record_name(date), text.encode(), {ANNOTATION: "{}"})
+        Records(Place(self.registry, PREFIX)).artifact(tag_moves.record_name(date), text.encode(), {ANNOTATION: "{}"})
 
     def _publish(self, thing: Thing, date: str, architectures: tuple[str, ...]) -> list[tag_moves.Move]:
-        book, repository = Records(self.registry, PREFIX), f"{PREFIX}/{repository_of(thing)}"
+        book, repository = Records(Place(self.registry, PREFIX)), f"{PREFIX}/{repository_of(thing)}"
         members = {architecture: self._manifest(thing, architecture) for architecture in architectures}
         platforms = [
             {
@@ -136,7 +137,7 @@ class Shelf:
             repository=repository_of(thing),
             digest=digest,
             date=date,
-            upstream=f"lists-{self.ros}",
+            package_state=f"lists-{self.ros}",
             size=sum(size for _, size in self._layers(thing, architecture)),
         )
         if isinstance(thing, Part):

@@ -14,7 +14,7 @@ from rosml.base.errors import RosmlError
 from rosml.cli import checkout
 
 if TYPE_CHECKING:
-    from rosml.registry.client import Registry
+    from rosml.registry.place import Place
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -57,16 +57,15 @@ def unnamed(error: RosmlError) -> RosmlError:
     return RosmlError("no registry is named", f"{remedy}; or, {checkout.own_command(near)}" if near else remedy)
 
 
-def place_of(named: str, root: Path) -> tuple[Registry, str]:
-    """A registry, and the path of its repositories: what commands need that build nothing. The services of a checkout are
+def place_of(named: str, root: Path) -> Place:
+    """The place that is named: what commands need that build nothing. The services of a checkout are
     looked up only where none is named.
 
     Raises:
         RosmlError: none is named, and there is no local one.
     """
     from rosml.machine.services import Services
-    from rosml.registry.client import Registry
-    from rosml.registry.repositories import destination
+    from rosml.registry.place import Place
 
     ca_bundle = os.environ.get("SSL_CERT_FILE", "")
     if not named:
@@ -75,5 +74,4 @@ def place_of(named: str, root: Path) -> tuple[Registry, str]:
             named, ca_bundle = services.place, services.ca_bundle
         except RosmlError as error:
             raise unnamed(error) from None
-    place = destination(named)
-    return Registry(place.host, ca_bundle=ca_bundle), place.prefix
+    return Place.at(named, ca_bundle)

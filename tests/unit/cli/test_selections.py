@@ -24,6 +24,7 @@ from rosml.cli.images import call, catalogue, generate, image, locks, part, publ
 from rosml.cli.machine import setup
 from rosml.images.builds import base_images, package_state
 from rosml.images.image_set import load
+from rosml.images.publish.steps.build import build
 from rosml.machine.services import Services
 from rosml.registry import failures
 
@@ -103,8 +104,8 @@ def shop(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Shop]:
 def fill(content: StandIn, root: Path, services: Services, patch: pytest.MonkeyPatch) -> None:
     """Publishes into every place of a registry."""
     for prefix in ("published", "half", "failed", "moved"):
-        place = memory_registry.place(root, services, patch)
-        place.upstream = dict.fromkeys(REAL.matrix.distributions, "monday")
+        place = memory_registry.publisher(root, services, patch)
+        place.packages = dict.fromkeys(REAL.matrix.distributions, "monday")
         facts: dict[str, Any] = {"only": (PUBLISHED,)}
         if prefix == "half":
             facts["architectures"] = ("amd64",)
@@ -112,8 +113,8 @@ def fill(content: StandIn, root: Path, services: Services, patch: pytest.MonkeyP
             facts |= {"poisoned": {"ros1-bookworm-core-cuda-cu130"}, "broken": {"part-torch-cu128-py311"}}
         place.publish(REAL, **facts)
         if prefix == "moved":
-            place.upstream["ros1-bookworm"] = "tuesday"
-            place.run(REAL, date=NEXT, only=("ros1-bookworm-core",), architectures=("amd64",)).build()
+            place.packages["ros1-bookworm"] = "tuesday"
+            build(place.run(REAL, date=NEXT, only=("ros1-bookworm-core",), architectures=("amd64",)))
         copied(content, place.registry, prefix)
 
 

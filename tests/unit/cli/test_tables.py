@@ -7,7 +7,7 @@ import time
 import pytest
 
 from rosml.cli.images import report, tables
-from rosml.images.publish.pipeline import Outcome
+from rosml.images.publish.run import Outcome
 from rosml.images.publish.status import ImageStatus
 
 

@@ -24,10 +24,12 @@ from rosml.base.errors import RosmlError
 from rosml.images.builds import apt_sources, base_images, package_state, sync
 from rosml.images.builds.apt_sources import Source
 from rosml.images.matrix.model import OperatingSystem
-from rosml.images.publish import plan
+from rosml.images.publish.state import Request
+from rosml.images.publish.survey import survey
 from rosml.machine.services import Services
 from rosml.registry import failures, oci
 from rosml.registry.client import Registry
+from rosml.registry.place import Place
 
 T = TypeVar("T")
 
@@ -509,10 +511,9 @@ def test_a_base_image_that_cannot_be_read_fails_no_plan(
     monkeypatch.setattr(sync, "published", lambda *_: "2026-11-20T21:14:09Z")
     monkeypatch.setenv("OS_UBUNTU_24_04", f"{hub.address}/system:1@sha256:{'1' * 64}")
     monkeypatch.setenv("OS_UBUNTU_26_04", f"{hub.address}/system:1@{image(hub, packed((LIST, '# none')))}")
-    found = plan.survey(
-        replace(services, root=project), smaller(project), MemoryRegistry(), PREFIX, architectures=("amd64",), date=DAY
-    )
-    assert found.upstream == {"omega": "2026-11-20T21:14:09Z"}
+    place = Place(MemoryRegistry(), PREFIX)
+    found = survey(Request(replace(services, root=project), smaller(project), place, DAY, architectures=("amd64",)))
+    assert found.package_state == {"omega": "2026-11-20T21:14:09Z"}
     [remark] = found.remarks
     assert (
         remark.startswith(f"alpha: {hub.address}/system:1@sha256:1")

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from memory_registry import BASE, DAY, HOST, LATER, NEXT, PREFIX, Place, Run, place
+from memory_registry import BASE, DAY, HOST, LATER, NEXT, PREFIX, Publisher, Run, publisher
 from projects import git
 from stubs import services
 
@@ -27,14 +27,14 @@ TARGET = "alpha-core-torch-cu1"
 
 
 @pytest.fixture
-def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
-    return place(project, services(project), monkeypatch)
+def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Publisher:
+    return publisher(project, services(project), monkeypatch)
 
 
-def attached(here: Place, run: Run, key: tuple[str, str], kind: str) -> list[dict[str, Any]]:
+def attached(here: Publisher, run: Run, key: tuple[str, str], kind: str) -> list[dict[str, Any]]:
     """What is attached to an image, as data."""
-    entry = run.plan.known[key]
-    path = run.repository(entry.repository)
+    entry = run.state.known[key]
+    path = run.state.place.path(entry.repository)
     found = []
     for item in here.registry.referrers(path, entry.digest, kind):
         manifest = here.registry.manifest(path, item["digest"])
@@ -43,33 +43,33 @@ def attached(here: Place, run: Run, key: tuple[str, str], kind: str) -> list[dic
     return found
 
 
-def pruner(here: Place, found: ImageSet) -> Pruner:
-    return Pruner(here.registry, PREFIX, found, date(2026, 11, 24))
+def pruner(here: Publisher, found: ImageSet) -> Pruner:
+    return Pruner(here.place, found, date(2026, 11, 24))
 
 
 # ---- Entries ---------------------------------------------------------------------------------------------------------
 
 
-def test_a_promoted_image_carries_its_entry(registry: Place, image_set: ImageSet) -> None:
+def test_a_promoted_image_carries_its_entry(registry: Publisher, image_set: ImageSet) -> None:
     run = registry.publish(image_set, only=ONLY)
-    book = Records(registry.registry, PREFIX)
-    for item in run.plan.items:
-        entry = run.plan.known[item.key]
+    book = Records(registry.place)
+    for item in run.state.items:
+        entry = run.state.known[item.key]
         (said,) = attached(registry, run, item.key, ARTIFACT)
-        assert said["inputs"] == run.plan.inputs.of(*item.key)
+        assert said["inputs"] == run.state.inputs.of(*item.key)
         assert store.parse(said["entry"]) == entry
         found = book.attached(item.repository, entry.digest)
         assert found == entry
 
 
-def test_what_has_not_passed_carries_none(registry: Place, image_set: ImageSet) -> None:
+def test_what_has_not_passed_carries_none(registry: Publisher, image_set: ImageSet) -> None:
     run = registry.publish(image_set, only=ONLY, poisoned={TARGET})
     assert attached(registry, run, (TARGET, "amd64"), ARTIFACT) == []
     assert attached(registry, run, ("alpha-core", "amd64"), ARTIFACT) != []
 
 
 def test_an_image_carries_what_was_known_when_tags_moved_to_it(
-    registry: Place,
+    registry: Publisher,
     image_set: ImageSet,
     project: Path,
 ) -> None:
@@ -77,7 +77,7 @@ def test_an_image_carries_what_was_known_when_tags_moved_to_it(
     test = project / "tests/structure/torch.yaml"
     test.write_text(test.read_text() + "# another\n")
     run = registry.publish(image_set, only=ONLY, date=NEXT)
-    assert run.plan.known[TARGET, "amd64"] != first.plan.known[TARGET, "amd64"]
+    assert run.state.known[TARGET, "amd64"] != first.state.known[TARGET, "amd64"]
     assert {outcome.step for outcome in run.outcomes if outcome.target == TARGET} == {"test"}
     (said,) = attached(registry, run, (TARGET, "amd64"), ARTIFACT)
     assert said["entry"]["changed"] == DAY
@@ -85,13 +85,13 @@ def test_an_image_carries_what_was_known_when_tags_moved_to_it(
     registry.publish(image_set, only=ONLY, date=LATER)
     assert registry.registry.writes == before, "something is uploaded although nothing changed"
     registry.publish(image_set, only=ONLY, date=LATER, force=True)  # an index of another date
-    newest = Records(registry.registry, PREFIX).attached("ros-torch", run.plan.known[TARGET, "amd64"].digest)
+    newest = Records(registry.place).attached("ros-torch", run.state.known[TARGET, "amd64"].digest)
     assert newest and newest.changed == LATER
 
 
-def test_what_others_attach_stays(registry: Place, image_set: ImageSet) -> None:
+def test_what_others_attach_stays(registry: Publisher, image_set: ImageSet) -> None:
     run = registry.publish(image_set, only=ONLY)
-    entry = run.plan.known["alpha-core", "amd64"]
+    entry = run.state.known["alpha-core", "amd64"]
     path = f"{PREFIX}/ros"
     there = registry.registry.manifests[path][entry.digest]
     subject = {"mediaType": there.media_type, "digest": entry.digest, "size": there.size}
@@ -102,20 +102,20 @@ def test_what_others_attach_stays(registry: Place, image_set: ImageSet) -> None:
     assert found.manifests == []
 
 
-def test_what_is_attached_goes_with_its_image(registry: Place, image_set: ImageSet) -> None:
+def test_what_is_attached_goes_with_its_image(registry: Publisher, image_set: ImageSet) -> None:
     first = registry.publish(image_set, only=ONLY, date="2026-01-01T03:00:00Z")
-    registry.upstream["alpha"] = "tuesday"
+    registry.packages["alpha"] = "tuesday"
     registry.publish(image_set, only=ONLY, date=DAY, packages="2")
-    old = first.plan.known["alpha-core", "amd64"].digest
+    old = first.state.known["alpha-core", "amd64"].digest
     path = f"{PREFIX}/ros"
     there = {item["digest"] for item in registry.registry.referrers(path, old)}
     assert len(there) == 3
-    here = Pruner(registry.registry, PREFIX, image_set, date(2027, 6, 1), 10, 0)
+    here = Pruner(registry.place, image_set, date(2027, 6, 1), 10, 0)
     list(here.remove(here.find()))
     assert not there & registry.registry.manifests[path].keys() and old not in registry.registry.manifests[path]
 
 
-def test_a_registry_that_takes_no_entry_moves_no_tag(registry: Place, image_set: ImageSet) -> None:
+def test_a_registry_that_takes_no_entry_moves_no_tag(registry: Publisher, image_set: ImageSet) -> None:
     run = registry.run(image_set, only=ONLY)
     for step in ("build", "join", "test", "index"):
         STEPS[step](run)
@@ -130,34 +130,34 @@ def test_a_registry_that_takes_no_entry_moves_no_tag(registry: Place, image_set:
 # ---- A records that was lost ------------------------------------------------------------------------------------------
 
 
-def test_a_records_that_was_lost_is_made_anew(registry: Place, image_set: ImageSet) -> None:
+def test_a_records_that_was_lost_is_made_anew(registry: Publisher, image_set: ImageSet) -> None:
     """It costs a night of builds; tags stay where they were meanwhile, and the same images come of it."""
     first = registry.publish(image_set)
     for holder in (registry.registry.manifests, registry.registry.names, registry.registry.blobs):
         holder.pop(f"{PREFIX}/records")
     run = registry.publish(image_set, date=NEXT)
     assert not run.failed and len(run.made) == len(first.made)
-    digests = {key: entry.digest for key, entry in first.plan.known.items() if key[1] != INDEX}
-    assert {key: entry.digest for key, entry in run.plan.known.items() if key[1] != INDEX} == digests
+    digests = {key: entry.digest for key, entry in first.state.known.items() if key[1] != INDEX}
+    assert {key: entry.digest for key, entry in run.state.known.items() if key[1] != INDEX} == digests
     registry.check(image_set)
 
 
 @pytest.mark.parametrize("members", [None, [], [{}], [{"digest": "sha256:1"}]])
-def test_a_tag_of_somebody_else_is_no_trouble(registry: Place, image_set: ImageSet, members: object) -> None:
+def test_a_tag_of_somebody_else_is_no_trouble(registry: Publisher, image_set: ImageSet, members: object) -> None:
     content = {"manifests": members}
     registry.registry.put_manifest(f"{PREFIX}/ros", "alpha-core", content, "application/json")
     run = registry.run(image_set, only=ONLY)
-    assert run.plan.known == {}
+    assert run.state.known == {}
 
 
-def test_an_entry_of_another_image_is_not_believed(registry: Place, image_set: ImageSet) -> None:
+def test_an_entry_of_another_image_is_not_believed(registry: Publisher, image_set: ImageSet) -> None:
     run = registry.publish(image_set, only=ONLY)
-    book = Records(registry.registry, PREFIX)
-    entry = run.plan.known["alpha-core", "amd64"]
+    book = Records(registry.place)
+    entry = run.state.known["alpha-core", "amd64"]
     path = f"{PREFIX}/ros"
     there = registry.registry.manifests[path][entry.digest]
     subject = {"mediaType": there.media_type, "digest": entry.digest, "size": there.size}
-    other = {"entry": run.plan.known["alpha-core", "arm64"].to_json(), "inputs": {}}
+    other = {"entry": run.state.known["alpha-core", "arm64"].to_json(), "inputs": {}}
     for data in (json.dumps(other).encode(), b'{"entry": {}}', b"[]"):
         registry.registry.attach(path, subject, ARTIFACT, data, "application/json", {store.CREATED: LATER})
         found = book.attached("ros", entry.digest)
@@ -167,9 +167,9 @@ def test_an_entry_of_another_image_is_not_believed(registry: Place, image_set: I
 # ---- Where images came from ------------------------------------------------------------------------------------------
 
 
-def test_every_image_says_what_it_was_made_from(registry: Place, image_set: ImageSet) -> None:
+def test_every_image_says_what_it_was_made_from(registry: Publisher, image_set: ImageSet) -> None:
     run = registry.publish(image_set, only=ONLY)
-    known = run.plan.known
+    known = run.state.known
     (core,) = attached(registry, run, ("alpha-core", "amd64"), MEDIA_TYPE)
     assert core["_type"] == "https://in-toto.io/Statement/v1"
     assert core["predicateType"] == "https://slsa.dev/provenance/v1"
@@ -194,12 +194,12 @@ def test_every_image_says_what_it_was_made_from(registry: Place, image_set: Imag
     assert found["alpha-core"]["uri"].startswith("pkg:oci/ros@sha256%3A")
     assert f"repository_url={HOST}%2F{PREFIX}%2Fros" in found["alpha-core"]["uri"]
 
-    part = next(item for item in run.plan.items if item.kind == "part" and item.thing.locks)
+    part = next(item for item in run.state.items if item.kind == "part" and item.thing.locks)
     (said,) = attached(registry, run, part.key, MEDIA_TYPE)
     found = {item["name"]: item for item in said["predicate"]["buildDefinition"]["resolvedDependencies"]}
     (lock,) = [name for name in found if name.startswith("locks/")]
     assert f"/{part.architecture}/" in lock
-    assert {lock: found[lock]["digest"]["sha256"]}.items() <= run.plan.inputs.of(*part.key).items()
+    assert {lock: found[lock]["digest"]["sha256"]}.items() <= run.state.inputs.of(*part.key).items()
 
 
 def test_an_index_says_of_which_revision_it_is_and_images_do_not(
@@ -210,8 +210,8 @@ def test_an_index_says_of_which_revision_it_is_and_images_do_not(
     """Of a checkout as it was committed; in any other, the digest of the inputs tells what it was made from."""
 
     def said() -> tuple[dict[str, str], set[str]]:
-        here = place(project, services(project), monkeypatch)
-        known = here.publish(image_set, only=ONLY).plan.known
+        here = publisher(project, services(project), monkeypatch)
+        known = here.publish(image_set, only=ONLY).state.known
         index = here.registry.manifest(f"{PREFIX}/ros", known["alpha-core", INDEX].digest)
         assert index
         found = {name: text for name, text in index.content["annotations"].items() if name in (REVISION, SOURCE)}
@@ -242,9 +242,9 @@ def test_manifests_do_not_know_of_it(
         monkeypatch.setenv("GITHUB_SERVER_URL", "https://forge.example")
         monkeypatch.setenv("GITHUB_WORKFLOW_REF", "me/rosml/.github/workflows/nightly.yml@refs/heads/main")
         monkeypatch.setenv("GITHUB_RUN_ID", run_id)
-        here = place(project, services(project), monkeypatch)
+        here = publisher(project, services(project), monkeypatch)
         run = here.publish(image_set, only=ONLY, date=day)
-        images = {key: entry.digest for key, entry in run.plan.known.items() if key[1] != INDEX}
+        images = {key: entry.digest for key, entry in run.state.known.items() if key[1] != INDEX}
         builders = {
             attached(here, run, key, MEDIA_TYPE)[0]["predicate"]["runDetails"]["builder"]["id"] for key in images
         }
@@ -254,18 +254,18 @@ def test_manifests_do_not_know_of_it(
     assert found[1][1] == {"https://forge.example/me/rosml/.github/workflows/nightly.yml@refs/heads/main"}
 
 
-def test_nothing_is_said_of_a_manifest_that_is_gone(registry: Place) -> None:
+def test_nothing_is_said_of_a_manifest_that_is_gone(registry: Publisher) -> None:
     made = provenance.definition({}, "sha256:1", ())
     with pytest.raises(RosmlError, match="ros@sha256:2 is not in the registry any more"):
         provenance.attach(registry.registry, "ros", "sha256:2", made, provenance.Machine("me", "1"), DAY, NEXT)
 
 
-def test_a_signature_covers_the_publishers_statements_and_no_other(registry: Place, image_set: ImageSet) -> None:
+def test_a_signature_covers_the_publishers_statements_and_no_other(registry: Publisher, image_set: ImageSet) -> None:
     """Somebody who may push attaches a statement that names the same builder; the index is made again after that."""
     run = registry.publish(image_set, only=ONLY)
     key = (TARGET, "amd64")
-    entry = run.plan.known[key]
-    path = run.repository(entry.repository)
+    entry = run.state.known[key]
+    path = run.state.place.path(entry.repository)
     manifest = registry.registry.manifest(path, entry.digest)
     assert manifest
     said = {provenance.PREDICATE_ANNOTATION: provenance.PREDICATE, provenance.BUILDER: provenance.OWN_MACHINE}
@@ -273,22 +273,22 @@ def test_a_signature_covers_the_publishers_statements_and_no_other(registry: Pla
     for number in (0, 1):
         if number:
             run = registry.publish(image_set, only=ONLY, date=NEXT, force=True)
-        index = registry.registry.manifest(path, run.plan.known[TARGET, INDEX].digest)
+        index = registry.registry.manifest(path, run.state.known[TARGET, INDEX].digest)
         assert index
         named = {
             item["platform"]["architecture"]: item["annotations"][provenance.COVERED].split()
             for item in index.content["manifests"]
         }
-        assert named["amd64"] == list(run.plan.known[key].provenance.values()) != [forged]
+        assert named["amd64"] == list(run.state.known[key].provenance.values()) != [forged]
         statement = registry.registry.manifest(path, named["amd64"][0])
         assert statement and statement.content["subject"]["digest"] == entry.digest
 
 
-def test_a_builder_says_it_once(registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_builder_says_it_once(registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch) -> None:
     run = registry.publish(image_set, only=ONLY)
     registry.publish(image_set, only=ONLY, date=NEXT, force=True)
     assert len(attached(registry, run, ("alpha-core", "amd64"), MEDIA_TYPE)) == 1
-    registry.upstream["alpha"] = "tuesday"  # the same packages after all, in another state of the repository
+    registry.packages["alpha"] = "tuesday"  # the same packages after all, in another state of the repository
     registry.publish(image_set, only=ONLY, date=LATER)
     (said,) = attached(registry, run, ("alpha-core", "amd64"), MEDIA_TYPE)
     assert said["predicate"]["buildDefinition"]["resolvedDependencies"][-1]["annotations"]["state"] == "monday"

@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 from conftest import ROOT, SMALL, parse, write_locks
-from memory_registry import DAY, NEXT, PREFIX, MemoryRegistry, Place, place
+from memory_registry import DAY, NEXT, PREFIX, MemoryRegistry, Publisher, publisher
 from projects import copy
 from shelf import FIRST, SECOND, THIRD, Shelf, shown
 from stubs import services
@@ -28,13 +28,14 @@ from rosml.images.image_set import locked
 from rosml.images.image_set.model import ImageSet
 from rosml.images.matrix import schema
 from rosml.images.records import store, tag_moves
+from rosml.registry.place import Place
 
 NOW = "2026-11-22T06:00:00Z"
 TORCH = "ros1-bookworm-base-torch-cu128"
 
 
 def gather(registry: MemoryRegistry, image_set: ImageSet, *only: str, history: int = 10) -> Published:
-    return Gatherer(image_set, registry, f"ghcr.io/me/{PREFIX}", PREFIX, history).gather(NOW, only)
+    return Gatherer(image_set, Place(registry, PREFIX), history).gather(NOW, only)
 
 
 def image(found: Published, target: str) -> Image:
@@ -55,18 +56,18 @@ def found(shelf: Shelf) -> Published:
 
 
 @pytest.fixture
-def published(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[Place, ImageSet]:
+def published(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[Publisher, ImageSet]:
     """A small matrix that was published by the real steps, but for builds."""
     project = copy(tmp_path / "project")
     image_set = parse(SMALL.replace("components: [core, base, desktop]", "components: [core, base]"))
     write_locks(project, image_set)
     image_set = locked.with_locks(image_set, locked.current_locks(image_set, project))
-    where = place(project, services(project), monkeypatch)
+    where = publisher(project, services(project), monkeypatch)
     where.publish(image_set)
     return where, image_set
 
 
-def test_what_a_run_published(published: tuple[Place, ImageSet]) -> None:
+def test_what_a_run_published(published: tuple[Publisher, ImageSet]) -> None:
     where, image_set = published
     item = image(gather(where.registry, image_set), "alpha-base-torch-cu1")
     assert (item.status, item.reason) == ("built", "")
@@ -81,7 +82,7 @@ def test_what_a_run_published(published: tuple[Place, ImageSet]) -> None:
     }
     (build,) = item.builds
     assert (build.digest, build.created) == (there["alpha-base-cu1"], DAY)
-    entries = {a: store.Records(where.registry, PREFIX).read(item.target, a) for a in ("amd64", "arm64")}
+    entries = {a: store.Records(where.place).read(item.target, a) for a in ("amd64", "arm64")}
     for platform in build.platforms:
         entry = entries[platform.platform.removeprefix("linux/")]
         assert entry is not None
@@ -92,7 +93,7 @@ def test_what_a_run_published(published: tuple[Place, ImageSet]) -> None:
     assert [(move.run, move.old) for move in item.moves] == [(DAY, "")]
 
 
-def test_a_tag_that_was_moved_back_is_told_as_it_is(published: tuple[Place, ImageSet]) -> None:
+def test_a_tag_that_was_moved_back_is_told_as_it_is(published: tuple[Publisher, ImageSet]) -> None:
     """The records know the newer image; the catalogue describes what the tag points at, with what was known of it."""
     where, image_set = published
     before = where.tagged("ros")["alpha-base"]
@@ -222,7 +223,7 @@ def test_one_damaged_image_hides_no_other(real: ImageSet) -> None:
     index = shelf.registry.manifest(path, "ros1-bookworm-core")
     assert index
     del shelf.registry.manifests[path][index.content["manifests"][0]["digest"]]
-    gatherer = Gatherer(real, shelf.registry, "ghcr.io/me", PREFIX)
+    gatherer = Gatherer(real, Place(shelf.registry, PREFIX))
     found = gatherer.gather(NOW)
     assert [remark.partition(" is left out")[0] for remark in gatherer.remarks] == [f"ros@{index.digest}"]
     core = image(found, "ros1-bookworm-core")
@@ -259,9 +260,9 @@ def test_a_registry_that_goes_away_is_no_damaged_image(real: ImageSet, monkeypat
 def test_a_damaged_record_is_told(real: ImageSet, text: str) -> None:
     shelf = Shelf(real)
     shelf.night(FIRST, ["ros1-bookworm"])
-    book = store.Records(shelf.registry, PREFIX)
+    book = store.Records(Place(shelf.registry, PREFIX))
     book.artifact(tag_moves.record_name(SECOND), text.encode(), {})
-    gatherer = Gatherer(real, shelf.registry, "ghcr.io/me", PREFIX)
+    gatherer = Gatherer(real, Place(shelf.registry, PREFIX))
     assert [move.run for move in image(gatherer.gather(NOW), TORCH).moves] == [FIRST]
     assert gatherer.remarks == [f"the record {tag_moves.record_name(SECOND)} cannot be read"]
 
@@ -316,7 +317,7 @@ def test_an_image_that_was_published_by_itself(real: ImageSet) -> None:
         versions={"ros-distro": "x"},
         date=FIRST,
     )
-    book = store.Records(bare, PREFIX)
+    book = store.Records(Place(bare, PREFIX))
     book.attach(entry, {})
     build = image(gather(bare, real), "ros1-bookworm-core").builds[0]
     assert (build.platforms[0].tests, build.platforms[0].versions) == (Ran(passed=21, failures=()), entry.versions)
@@ -429,18 +430,12 @@ def test_a_page_stays_in_its_folder(tmp_path: Path, found: Published) -> None:
 def here(shelf: Shelf, monkeypatch: pytest.MonkeyPatch) -> None:
     """The command's registry is the shelf."""
 
-    class Client:
-        def __init__(self, host: str, ca_bundle: str = "") -> None:
-            assert host == "ghcr.io"
-            self.host = host
+    def client(host: str, ca_bundle: str = "") -> MemoryRegistry:
+        assert host == "ghcr.io"
+        monkeypatch.setattr(shelf.registry, "host", host)
+        return shelf.registry
 
-        def __enter__(self) -> MemoryRegistry:
-            return shelf.registry
-
-        def __exit__(self, *_: object) -> None:
-            pass
-
-    monkeypatch.setattr("rosml.registry.client.Registry", Client)
+    monkeypatch.setattr("rosml.registry.place.Registry", client)
 
 
 def call(*arguments: str) -> Any:

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 from conftest import SMALL, SMALLER, changed, parse
-from memory_registry import DAY, HOST, NEXT, PREFIX, Place, place, steps
+from memory_registry import DAY, HOST, NEXT, PREFIX, Publisher, publisher, steps
 from projects import copy, diff
 from stubs import NO_FORMAT_1, services
 
@@ -27,8 +27,8 @@ from rosml.images.image_set import locked, missing
 from rosml.images.image_set.model import ImageSet
 from rosml.images.locks.resolve import Move
 from rosml.images.matrix.model import Size
-from rosml.images.publish import plan_file, revision
-from rosml.images.publish.plan_file import Planned
+from rosml.images.publish import revision
+from rosml.images.publish.plan import Plan, make_plan, read_plan
 from rosml.images.publish.steps import STEPS
 from rosml.images.records.store import Entry
 
@@ -42,8 +42,8 @@ def told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.fixture
-def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
-    return place(project, services(project), monkeypatch)
+def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Publisher:
+    return publisher(project, services(project), monkeypatch)
 
 
 def test_nobody_is_told_elsewhere(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -69,12 +69,12 @@ def test_an_output_sets_no_other_one(told: Path) -> None:
 # ---- Plan ------------------------------------------------------------------------------------------------------------
 
 
-def content(registry: Place, image_set: ImageSet, **options: Any) -> tuple[dict[str, Any], Planned]:
-    plan = report.planned(registry.run(image_set, **options), 4, why=False)
+def content(registry: Publisher, image_set: ImageSet, **options: Any) -> tuple[dict[str, Any], Plan]:
+    plan = make_plan(registry.run(image_set, **options).state, 4)
     return json.loads(plan.text()), plan
 
 
-def test_a_plan_is_the_matrix_of_the_jobs_that_build(registry: Place, image_set: ImageSet, told: Path) -> None:
+def test_a_plan_is_the_matrix_of_the_jobs_that_build(registry: Publisher, image_set: ImageSet, told: Path) -> None:
     plan, told_of = content(registry, image_set)
     report.tell(told_of)
     name, _, value = (told / ci.OUTPUT).read_text().partition("=")
@@ -89,27 +89,27 @@ def test_a_plan_is_the_matrix_of_the_jobs_that_build(registry: Place, image_set:
 
 
 def test_a_plan_names_what_changed_when_asked(
-    registry: Place, image_set: ImageSet, project: Path, capsys: pytest.CaptureFixture[str]
+    registry: Publisher, image_set: ImageSet, project: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     registry.publish(image_set)
     script = project / "components/torch/files.sh"
     script.write_text(script.read_text() + "# a change\n")
     run = registry.run(image_set, date=NEXT)
     named = {
-        task["target"]: task.get("inputs") for task in json.loads(report.planned(run, 4, why=True).text())["tasks"]
+        task["target"]: task.get("inputs") for task in json.loads(make_plan(run.state, 4, why=True).text())["tasks"]
     }
     assert named["part-torch-cu1-py312"] == ["components/torch/files.sh"]
     assert named["alpha-core-torch-cu1"], "what it reaches is named as well"
-    assert not any("inputs" in task for task in json.loads(report.planned(run, 4, why=False).text())["tasks"])
+    assert not any("inputs" in task for task in json.loads(make_plan(run.state, 4).text())["tasks"])
     for why in (True, False):
-        report.print_plan(run, why)
+        report.print_plan(run.state, why)
         said = capsys.readouterr().out
         assert ("changed: components/torch/files.sh" in said) == why
-        counts = f"{len(named)} to do, {len(run.plan.items) - len(named)} as they should be\n"
+        counts = f"{len(named)} to do, {len(run.state.items) - len(named)} as they should be\n"
         assert said.endswith(counts) and "its inputs changed" in said
 
 
-def test_without_rates_all_the_same_machines_build(registry: Place, image_set: ImageSet) -> None:
+def test_without_rates_all_the_same_machines_build(registry: Publisher, image_set: ImageSet) -> None:
     """How fast they are only balances them."""
     without = parse(changed("rates: {packages: 10, parts: 100, test: 5, carried: 1}\n", "", SMALLER))
     plan, _ = content(registry, without)
@@ -118,9 +118,10 @@ def test_without_rates_all_the_same_machines_build(registry: Place, image_set: I
 
 
 def test_people_see_which_machine_builds_what(
-    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(Call, "pipeline", lambda call: registry.run(image_set, architectures=call.architectures))
+    run = registry.run
+    monkeypatch.setattr(Call, "survey", lambda call: run(image_set, architectures=call.architectures).state)
     done = CliRunner().invoke(plan.main, ["--everywhere", "--shards", "3"])
     rows = [line.split() for line in done.output.splitlines() if line.startswith(("amd64-", "arm64-"))]
     assert [row[:3] for row in rows] == [
@@ -131,16 +132,16 @@ def test_people_see_which_machine_builds_what(
 
 
 def test_a_plan_for_this_machine_needs_no_machines_in_ci(
-    registry: Place, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    registry: Publisher, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     alone = parse(SMALLER.replace(", runner: amd", "").replace(", runner: arm", ""))
-    monkeypatch.setattr(Call, "pipeline", lambda call: registry.run(alone))
+    monkeypatch.setattr(Call, "survey", lambda _: registry.run(alone).state)
     assert CliRunner().invoke(plan.main, []).exit_code == 0
     done = CliRunner().invoke(plan.main, ["--output", str(tmp_path / "plan.json")])
     assert isinstance(done.exception, RosmlError) and "'runner' is missing" in done.exception.message
 
 
-def test_where_nothing_is_to_be_done_no_job_builds(registry: Place, image_set: ImageSet, told: Path) -> None:
+def test_where_nothing_is_to_be_done_no_job_builds(registry: Publisher, image_set: ImageSet, told: Path) -> None:
     registry.publish(image_set)
     report.tell(content(registry, image_set, date=NEXT)[1])
     assert (told / ci.OUTPUT).read_text() == "shards=[]\n"
@@ -148,7 +149,7 @@ def test_where_nothing_is_to_be_done_no_job_builds(registry: Place, image_set: I
 
 
 def test_what_lacks_a_lock_has_a_line_of_its_own(
-    registry: Place, image_set: ImageSet, project: Path, told: Path, capsys: pytest.CaptureFixture[str]
+    registry: Publisher, image_set: ImageSet, project: Path, told: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """In plans and after runs: whichever lock it is, and whatever else waits or failed."""
     gone = {name for name in image_set.locks if name.endswith("amd64/3.12/torch.txt")}
@@ -157,11 +158,11 @@ def test_what_lacks_a_lock_has_a_line_of_its_own(
     lacking = locked.with_locks(image_set, image_set.locks - gone)
     images = counted(sum(not image.locked for image in lacking.images), "image")
     run = registry.run(lacking)
-    report.print_plan(run, why=False)
+    report.print_plan(run.state, why=False)
     *_, counts, line = capsys.readouterr().out.splitlines()
     assert counts.endswith(" as they should be")
     assert line == f"{images} without a lock, which cannot be built yet: {missing.RESTORE}"
-    report.tell(report.planned(run, 4, why=False))
+    report.tell(make_plan(run.state, 4))
     assert f"\n- without a lock: {images}, which cannot be built yet\n" in (told / ci.SUMMARY).read_text()
     (told / ci.SUMMARY).unlink()
     report.show(registry.publish(lacking, broken={"omega-core"}), as_json=False)
@@ -172,7 +173,7 @@ def test_what_lacks_a_lock_has_a_line_of_its_own(
         assert waits == [f"{mark}waits: {int(images.split()[0]) + parts} without a lock"]
 
 
-def test_what_is_only_to_be_tested_has_a_machine(registry: Place, image_set: ImageSet, project: Path) -> None:
+def test_what_is_only_to_be_tested_has_a_machine(registry: Publisher, image_set: ImageSet, project: Path) -> None:
     registry.publish(image_set)
     test = project / "tests/structure/torch.yaml"
     test.write_text(test.read_text() + "# another\n")
@@ -183,13 +184,13 @@ def test_what_is_only_to_be_tested_has_a_machine(registry: Place, image_set: Ima
     assert tested <= {target for shard in plan["shards"] for target in shard["targets"]}
 
 
-def test_all_machines_build_what_is_served(registry: Place, image_set: ImageSet) -> None:
+def test_all_machines_build_what_is_served(registry: Publisher, image_set: ImageSet) -> None:
     run = registry.run(image_set, architectures=("amd64",), serving=("amd64",))
-    shards = report.planned(run, 2, why=False).shards
+    shards = make_plan(run.state, 2).shards
     assert [shard.name for shard in shards] == ["amd64-1", "amd64-2"]
 
 
-def test_estimates_count_what_is_built_and_tested(registry: Place, image_set: ImageSet, project: Path) -> None:
+def test_estimates_count_what_is_built_and_tested(registry: Publisher, image_set: ImageSet, project: Path) -> None:
     """One part changed: its parts, and tests of the images that have it; no ROS image, no other part."""
     registry.publish(image_set)
     script = project / "components/torch/files.sh"
@@ -209,21 +210,21 @@ def test_estimates_count_what_is_built_and_tested(registry: Place, image_set: Im
         assert shard["estimates"]["seconds"] == seconds
 
 
-def test_estimates_take_the_sizes_that_earlier_runs_measured(registry: Place, image_set: ImageSet) -> None:
+def test_estimates_take_the_sizes_that_earlier_runs_measured(registry: Publisher, image_set: ImageSet) -> None:
     """The largest of all architectures; what stands on a measured image adds to it what the matrix says."""
     run = registry.run(image_set)
-    before, planned = run.plan.forecast, report.planned(run, 4, why=False)
+    before, planned = run.state.forecast, make_plan(run.state, 4)
     assert before == image_set
     for architecture, unpacked in (("amd64", 4_000), ("arm64", 4_500)):
         entry = Entry("alpha-core", architecture, unpacked=unpacked * 1_000_000, size=1_000_000_000)
-        run.plan.known["alpha-core", architecture] = entry
-    del run.plan.__dict__["forecast"]
+        run.state.known["alpha-core", architecture] = entry
+    del run.state.__dict__["forecast"]
     core, base = (image_set.image(name).disk for name in ("alpha-core", "alpha-base"))
-    found = run.plan.forecast
+    found = run.state.forecast
     assert found.image("alpha-core").disk == Size(unpacked=4_500, compressed=1_000)
     assert found.image("alpha-base").disk == Size.total(found.image("alpha-core").disk, base - core)
     assert found.image("omega-core").disk == image_set.image("omega-core").disk
-    shards = {shard.name: shard for shard in report.planned(run, 4, why=False).shards}
+    shards = {shard.name: shard for shard in make_plan(run.state, 4).shards}
     for shard in planned.shards:
         more = shards[shard.name].estimates.disk_mb - shard.estimates.disk_mb
         grown = 4_500 - core.unpacked + 2 * (1_000 - core.compressed)
@@ -232,18 +233,20 @@ def test_estimates_take_the_sizes_that_earlier_runs_measured(registry: Place, im
     assert needed[1] - needed[0] == grown
 
 
-def test_what_is_only_to_be_scanned_needs_none(registry: Place, image_set: ImageSet) -> None:
+def test_what_is_only_to_be_scanned_needs_none(registry: Publisher, image_set: ImageSet) -> None:
     registry.publish(image_set)
     plan, _ = content(registry, image_set, date=NEXT, scanning="sha256:1")
     assert {step for task in plan["tasks"] for step in task["steps"]} == {"scan"}
     assert plan["shards"] == []
 
 
-def test_steps_take_from_the_plan_what_it_was_called_with(registry: Place, image_set: ImageSet, tmp_path: Path) -> None:
+def test_steps_take_from_the_plan_what_it_was_called_with(
+    registry: Publisher, image_set: ImageSet, tmp_path: Path
+) -> None:
     _, whole = content(registry, image_set, force=True, serving=("amd64",))
     (tmp_path / "plan.json").write_text(whole.text())
-    assert plan_file.read_plan(tmp_path / "plan.json") == whole
-    planned = plan_file.read_plan(tmp_path / "plan.json", "arm64-1")
+    assert read_plan(tmp_path / "plan.json") == whole
+    planned = read_plan(tmp_path / "plan.json", "arm64-1")
     assert (planned.date, planned.registry, planned.force) == (DAY, f"{HOST}/{PREFIX}", True)
     assert (planned.serve, planned.architectures) == (("amd64",), ("arm64",))
 
@@ -265,28 +268,30 @@ def test_steps_take_from_the_plan_what_it_was_called_with(registry: Place, image
         {"shards": [{"name": []}]},
     ],
 )
-def test_a_plan_that_is_none(registry: Place, image_set: ImageSet, tmp_path: Path, change: dict[str, object]) -> None:
+def test_a_plan_that_is_none(
+    registry: Publisher, image_set: ImageSet, tmp_path: Path, change: dict[str, object]
+) -> None:
     """Above all: one that names nothing does not stand for everything."""
     plan, _ = content(registry, image_set)
     (tmp_path / "plan.json").write_text(json.dumps(plan | change))
     with pytest.raises(RosmlError) as caught:
-        plan_file.read_plan(tmp_path / "plan.json")
+        read_plan(tmp_path / "plan.json")
     assert caught.value.exit_code == 2
     (tmp_path / "plan.json").write_text("[" * 100_000)
     with pytest.raises(RosmlError, match="is no plan"):
-        plan_file.read_plan(tmp_path / "plan.json")
+        read_plan(tmp_path / "plan.json")
 
 
 @pytest.mark.parametrize(("text", "says"), NO_FORMAT_1)
 def test_what_is_wrong_with_a_plan_is_said_in_words(tmp_path: Path, text: bytes, says: str) -> None:
     (tmp_path / "plan.json").write_bytes(text)
     with pytest.raises(RosmlError, match=f"is no plan of this version: {says}") as caught:
-        plan_file.read_plan(tmp_path / "plan.json")
+        read_plan(tmp_path / "plan.json")
     assert "\n" not in caught.value.message and "pydantic" not in caught.value.message
     assert caught.value.remedy == "write it anew with: rosml plan --output FILE"
 
 
-def test_force_makes_everything_anew_once_on_several_machines(registry: Place, image_set: ImageSet) -> None:
+def test_force_makes_everything_anew_once_on_several_machines(registry: Publisher, image_set: ImageSet) -> None:
     """Each step in a process of its own, as jobs in CI run it."""
     first = registry.publish(image_set)
     made = []
@@ -322,7 +327,7 @@ def test_fields_may_be_empty_or_hold_several(
         seen.append(call)
         raise Stop
 
-    monkeypatch.setattr(Call, "pipeline", stop)
+    monkeypatch.setattr(Call, "survey", stop)
     CliRunner().invoke(plan.main, ["--everywhere", *arguments])
     (call,) = seen
     assert (call.only, call.serve, call.registry) == (only, serve, place)
@@ -416,7 +421,7 @@ def test_versions_that_moved_are_the_text_of_a_pull_request() -> None:
 
 
 def test_a_run_says_what_it_uploaded(
-    registry: Place, image_set: ImageSet, capsys: pytest.CaptureFixture[str], told: Path
+    registry: Publisher, image_set: ImageSet, capsys: pytest.CaptureFixture[str], told: Path
 ) -> None:
     """Layers that the builder pushed, without those of the image below, and what the publisher itself wrote."""
     run = registry.publish(image_set, only=["alpha-base"], architectures=("amd64",), serving=("amd64",))
@@ -434,12 +439,14 @@ def test_a_run_says_what_it_uploaded(
     nothing = registry.publish(image_set, only=["alpha-base"], architectures=("amd64",), serving=("amd64",), date=NEXT)
     report.show(nothing, as_json=False)
     assert "everything is as it should be\n0 B uploaded, " in capsys.readouterr().out
-    registry.upstream["alpha"] = "tuesday"
+    registry.packages["alpha"] = "tuesday"
     same = registry.publish(image_set, only=["alpha-base"], architectures=("amd64",), serving=("amd64",), date=NEXT)
     assert steps(same, "build") and same.pushed == 0, "the same layers were counted again"
 
 
-def test_the_summary_of_a_job_has_a_row_for_all_that_was_done(registry: Place, image_set: ImageSet, told: Path) -> None:
+def test_the_summary_of_a_job_has_a_row_for_all_that_was_done(
+    registry: Publisher, image_set: ImageSet, told: Path
+) -> None:
     """Step, image, architecture, state, time, size, digest; what failed with why, what was left alone as a count."""
     registry.publish(image_set, only=["omega-core"])
     run = registry.publish(image_set, only=["*-core", "alpha-base"], date=NEXT, broken={"alpha-base"})
@@ -449,7 +456,7 @@ def test_the_summary_of_a_job_has_a_row_for_all_that_was_done(registry: Place, i
     head, _, *rest = rows
     assert head == ["step", "image", "architecture", "state", "time", "size", "digest", "what"]
     found = {tuple(row[:3]): row[3:] for row in rest}
-    entry = run.plan.known["alpha-core", "amd64"]
+    entry = run.state.known["alpha-core", "amd64"]
     state, _, size, digest, _ = found["build", "`alpha-core`", "amd64"]
     assert (state, size, digest) == ("done", units.size(entry.size), f"`{entry.digest[:19]}`")
     assert entry.size and entry.digest.startswith("sha256:")
@@ -457,6 +464,6 @@ def test_the_summary_of_a_job_has_a_row_for_all_that_was_done(registry: Place, i
     assert (state, size, digest, what) == ("failed", "", "", "building alpha-base failed")
     assert found["promote", "`alpha-core`", ""][0] == "done"
     assert not [key for key in found if "omega" in key[1]]
-    unchanged = sum(item.thing.target == "omega-core" for item in run.plan.items)
+    unchanged = sum(item.thing.target == "omega-core" for item in run.state.items)
     assert unchanged == 2 and f"- {unchanged} left alone, as they should be\n" in text
     assert "- build: 2 done\n" in text and "- build: 2 failed\n" in text

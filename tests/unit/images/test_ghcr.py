@@ -13,17 +13,19 @@ from typing import Any, cast
 
 import pytest
 from conftest import SMALLER
-from memory_registry import DAY, NEXT, PREFIX, Place, Run, place
+from memory_registry import DAY, NEXT, PREFIX, Publisher, Run, publisher
 from registry_stand_in import DENIED, StandIn, standing_in
 from stubs import services
 
 from rosml.base.errors import RosmlError
-from rosml.cli.images import publish, report
+from rosml.cli.images import publish
 from rosml.images.image_set.model import ImageSet
+from rosml.images.publish.plan import make_plan
 from rosml.images.publish.steps import STEPS
 from rosml.registry import failures
 from rosml.registry.client import Registry
 from rosml.registry.credentials import Credentials
+from rosml.registry.place import Place
 
 NAME, SECRET = "somebody", "s3cret-Pass"
 UNKNOWN = b'{"errors": [{"code": "MANIFEST_BLOB_UNKNOWN", "message": "blob unknown to registry"}]}'
@@ -44,7 +46,7 @@ def ghcr(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Ite
 class Night:
     """The jobs of a night, each a machine of its own, which shares nothing with the others but the registry."""
 
-    def __init__(self, server: StandIn, image_set: ImageSet, here: Place, date: str, *only: str) -> None:
+    def __init__(self, server: StandIn, image_set: ImageSet, here: Publisher, date: str, *only: str) -> None:
         self.server, self.image_set, self.here, self.date, self.only = server, image_set, here, date, only
 
     def job(self, *steps: str, architectures: tuple[str, ...] = ("amd64", "arm64")) -> list[Run]:
@@ -52,7 +54,7 @@ class Night:
         runs = []
         for step in steps:
             with Registry(self.server.address, credentials=lambda _: Credentials(NAME, SECRET)) as client:
-                where = Place(self.here.services, cast(Any, client), self.here.upstream)
+                where = Publisher(self.here.services, cast(Any, client), self.here.packages)
                 run = where.run(self.image_set, self.date, only=self.only, architectures=architectures)
                 if step != "plan":
                     STEPS[step](run)
@@ -83,7 +85,7 @@ def tags(server: StandIn) -> dict[str, dict[str, str]]:
 
 
 def test_two_nights(ghcr: StandIn, image_set: ImageSet, project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    here = place(project, services(project), monkeypatch)
+    here = publisher(project, services(project), monkeypatch)
     later = {"Retry-After": "1"}
     elsewhere = {"Location": "http://127.0.0.1:1/elsewhere"}
     ghcr.fault("POST", "/uploads/", 403, 1000, each=3, body=DENIED)  # somebody makes the repository just now
@@ -100,7 +102,7 @@ def test_two_nights(ghcr: StandIn, image_set: ImageSet, project: Path, monkeypat
     assert found[f"{PREFIX}/ros"].keys() >= {"alpha-core", "alpha-core-20261122", "alpha", "latest", "omega-base"}
     assert found[f"{PREFIX}/ros-torch"].keys() >= {"alpha-base-cu1", "alpha-base-cu1-torch2.10.0", "latest"}
     with Registry(ghcr.address, credentials=lambda _: Credentials(NAME, SECRET)) as client:
-        whole = Place(here.services, cast(Any, client))
+        whole = Publisher(here.services, cast(Any, client))
         monkeypatch.setattr(whole, "tagged", lambda repository: found[f"{PREFIX}/{repository}"])
         whole.check(image_set)
     before = ghcr.count("^(PUT|POST|DELETE)")
@@ -122,13 +124,13 @@ def make(
     capsys: pytest.CaptureFixture[str],
 ) -> Iterator[Make]:
     """Calls the command that makes the repositories which a plan writes into: its exit code, and what it prints."""
-    here = place(project, services(project), monkeypatch)
+    here = publisher(project, services(project), monkeypatch)
     (run,) = Night(ghcr, image_set, here, DAY, "alpha-core", "alpha-base-torch-cu1").job("plan")
-    (project / "plan.json").write_text(report.planned(run, 4, why=False).text())
+    (project / "plan.json").write_text(make_plan(run.state, 4).text())
     (project / "matrix.yaml").write_text(SMALLER)
     ghcr.requests.clear()
     with Registry(ghcr.address, credentials=lambda _: Credentials(NAME, SECRET)) as client:
-        monkeypatch.setattr(publish, "place_of", lambda *_: (client, PREFIX))
+        monkeypatch.setattr(publish, "place_of", lambda *_: Place(client, PREFIX))
         monkeypatch.setattr(Registry, "close", lambda _: None)
         arguments = ["--plan", f"{project}/plan.json", "--matrix", f"{project}/matrix.yaml", "--json"]
 
@@ -165,10 +167,10 @@ def test_a_tag_that_is_denied_to_a_reader_does_not_move(
     ghcr: StandIn, image_set: ImageSet, project: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It may point at something newer, or at more architectures."""
-    here = place(project, services(project), monkeypatch)
+    here = publisher(project, services(project), monkeypatch)
     Night(ghcr, image_set, here, NEXT, "alpha-core").whole()
     found = tags(ghcr)
-    here.upstream["alpha"] = "tuesday"
+    here.packages["alpha"] = "tuesday"
     older = Night(ghcr, image_set, here, DAY, "alpha-core")
     older.job("build", "join", "test", "index")
     ghcr.fault("HEAD", f"/{PREFIX}/ros/manifests/alpha-core$", 403, 1000, body=DENIED)

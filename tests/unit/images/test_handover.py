@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from conftest import SMALLER, parse, write_locks
-from memory_registry import NEXT, Place, Run, place
+from memory_registry import NEXT, Publisher, Run, publisher
 from projects import copy
 from stubs import NO_FORMAT_1, services
 
@@ -33,21 +33,21 @@ def image_set(tmp_path: Path) -> ImageSet:
 
 
 @pytest.fixture
-def registry(image_set: ImageSet, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
-    found = place(tmp_path / "project", services(tmp_path / "project"), monkeypatch)
+def registry(image_set: ImageSet, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Publisher:
+    found = publisher(tmp_path / "project", services(tmp_path / "project"), monkeypatch)
     found.publish(image_set, only=["alpha-core"])
     return found
 
 
 @pytest.fixture
-def run(registry: Place, image_set: ImageSet) -> Callable[[], Run]:
+def run(registry: Publisher, image_set: ImageSet) -> Callable[[], Run]:
     return lambda: registry.run(image_set, date=NEXT, only=["alpha-core"])
 
 
 def scan(found: Run, file: Path, outcome: str = "clean") -> str:
     """What a scan hands over: an entry."""
-    results = Results(file, found.plan.date)
-    entry = found.plan.known[CORE]
+    results = Results(file, found.state.date)
+    entry = found.state.known[CORE]
     changed = store.parse(entry.to_json() | {"scanned": outcome, "scan": {"policy": "sha256:1"}, "passed": 99})
     assert changed
     results.add(changed)
@@ -56,15 +56,15 @@ def scan(found: Run, file: Path, outcome: str = "clean") -> str:
 
 
 def test_a_scan_writes_nothing_and_a_record_what_it_found(
-    run: Callable[[], Run], registry: Place, tmp_path: Path
+    run: Callable[[], Run], registry: Publisher, tmp_path: Path
 ) -> None:
     before = registry.registry.writes
     digest = scan(run(), tmp_path / "scan.json")
     assert registry.registry.writes == before
     found = run()
-    assert found.plan.known[CORE].scanned == ""
+    assert found.state.known[CORE].scanned == ""
     scan_results.record(found, tmp_path / "scan.json")
-    entry = run().plan.known[CORE]
+    entry = run().state.known[CORE]
     assert (entry.scanned, entry.scan, entry.digest) == ("clean", {"policy": "sha256:1"}, digest)
     assert entry.passed == 5, "tests are no business of a scan"
 
@@ -72,10 +72,10 @@ def test_a_scan_writes_nothing_and_a_record_what_it_found(
 def test_what_was_made_anew_since_is_not_vouched_for(run: Callable[[], Run], tmp_path: Path) -> None:
     scan(run(), tmp_path / "scan.json")
     found = run()
-    entry = found.plan.known[CORE]
-    found.plan.known[CORE] = entry.made(f"sha256:{'7' * 64}")
+    entry = found.state.known[CORE]
+    found.state.known[CORE] = entry.made(f"sha256:{'7' * 64}")
     scan_results.record(found, tmp_path / "scan.json")
-    assert run().plan.known[CORE].scanned == ""
+    assert run().state.known[CORE].scanned == ""
     assert [(o.state, o.reason) for o in found.outcomes] == [("waits", "it was made anew since it was scanned")]
 
 
@@ -98,7 +98,7 @@ def test_a_file_that_is_not_what_it_should_be(run: Callable[[], Run], tmp_path: 
     with pytest.raises(RosmlError, match="holds no results of a scan") as caught:
         scan_results.record(found, file)
     assert caught.value.exit_code == 2
-    assert run().plan.known[CORE].scanned == ""
+    assert run().state.known[CORE].scanned == ""
 
 
 @pytest.mark.parametrize(

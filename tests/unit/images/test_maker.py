@@ -6,7 +6,7 @@ import json
 import shutil
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import pytest
 from conftest import changed, parse, write_locks
@@ -19,6 +19,7 @@ from rosml.images.image_set import apt_source, locked
 from rosml.images.image_set import model as sets
 from rosml.machine.services import Services
 from rosml.registry.oci import Manifest
+from rosml.registry.place import Place
 
 TARGET = "alpha-base"
 MANIFEST = "sha256:" + "a" * 64
@@ -59,6 +60,7 @@ class OneManifest:
     """A registry that has one manifest."""
 
     content: dict[str, Any]
+    host: str = "127.0.0.1:1"
 
     def manifest(self, _repository: str, reference: str) -> Manifest | None:
         return Manifest(self.content, MANIFEST, "", 1) if reference == MANIFEST else None
@@ -91,7 +93,7 @@ class Stage:
     @property
     def maker(self) -> BuildKitMaker:
         found = Services.load(self.folder)
-        return BuildKitMaker(found, self.image_set, self.registry, found.registry, "rosml", self.said.append)
+        return BuildKitMaker(found, self.image_set, Place(cast(Any, self.registry), "rosml"), self.said.append)
 
     def test(self, target: str = TARGET, architecture: str = "amd64", digest: str = MANIFEST) -> Checked:
         """Tests an image as a run does."""
@@ -177,7 +179,7 @@ def test_parts_beyond_the_budget_fail(stage: Stage, budget: int, failures: int) 
     for name in image.tests:
         stage.write(f"report/{name}.json", results(one=True))
     maker = stage.maker
-    maker.registry = stage.registry
+    maker.place = Place(cast(Any, stage.registry), "rosml")
     parts = {image.parent: MANIFEST}
     found = maker.test(image, "amd64", MANIFEST, parts, image.tests)
     assert len(found.failures) == failures

@@ -16,7 +16,6 @@ from conftest import SMALLER, parse
 from memory_registry import BASE as PINNED
 from memory_registry import (
     DAY,
-    HOST,
     LATER,
     NEXT,
     PREFIX,
@@ -24,9 +23,9 @@ from memory_registry import (
     Killed,
     MemoryRegistry,
     Pen,
-    Place,
+    Publisher,
     Run,
-    place,
+    publisher,
     put_image,
     steps,
     waiting,
@@ -35,8 +34,9 @@ from projects import BASE
 from stubs import services
 
 from rosml.base import clock as moments
+from rosml.base import side_by_side
 from rosml.base.errors import RosmlError
-from rosml.cli.images import report, tables
+from rosml.cli.images import tables
 from rosml.images.bake.inputs import Inputs
 from rosml.images.builds import base_images, contents, maker, part, sync
 from rosml.images.builds.maker import BuildKitMaker
@@ -44,21 +44,23 @@ from rosml.images.image_set import locked, selection
 from rosml.images.image_set import model as sets
 from rosml.images.image_set.model import ImageSet
 from rosml.images.matrix import names
-from rosml.images.publish import pipeline, plan_file, promote, status
-from rosml.images.publish.pipeline import Pipeline
-from rosml.images.publish.steps import STEPS
+from rosml.images.publish import run as running
+from rosml.images.publish import status
+from rosml.images.publish.plan import make_plan, read_plan
+from rosml.images.publish.steps import STEPS, build, images, promote
 from rosml.images.records import store
 from rosml.machine import buildx
 from rosml.machine.services import Services
-from rosml.registry import oci, repositories
+from rosml.registry import oci
+from rosml.registry.place import Place
 
 
 @pytest.fixture
-def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
-    return place(project, services(project), monkeypatch)
+def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Publisher:
+    return publisher(project, services(project), monkeypatch)
 
 
-def test_everything_is_published_once(registry: Place, image_set: ImageSet) -> None:
+def test_everything_is_published_once(registry: Publisher, image_set: ImageSet) -> None:
     run = registry.publish(image_set)
     assert not run.failed
     registry.check(image_set)
@@ -72,7 +74,7 @@ def test_everything_is_published_once(registry: Place, image_set: ImageSet) -> N
 
 
 def test_a_change_makes_anew_what_it_reaches_and_nothing_else(
-    registry: Place, image_set: ImageSet, project: Path
+    registry: Publisher, image_set: ImageSet, project: Path
 ) -> None:
     registry.publish(image_set)
     before = registry.tagged("ros")
@@ -90,7 +92,7 @@ def test_a_change_makes_anew_what_it_reaches_and_nothing_else(
     registry.check(image_set)
 
 
-def test_a_changed_test_runs_again_and_builds_nothing(registry: Place, image_set: ImageSet, project: Path) -> None:
+def test_a_changed_test_runs_again_and_builds_nothing(registry: Publisher, image_set: ImageSet, project: Path) -> None:
     registry.publish(image_set)
     tags = registry.tagged("ros-torch")
     test = project / "tests/structure/torch.yaml"
@@ -102,16 +104,16 @@ def test_a_changed_test_runs_again_and_builds_nothing(registry: Place, image_set
     assert registry.tagged("ros-torch") == tags
 
 
-def test_packages_that_moved_are_installed_anew(registry: Place, image_set: ImageSet) -> None:
+def test_packages_that_moved_are_installed_anew(registry: Publisher, image_set: ImageSet) -> None:
     """Where they turn out to be the same ones, nothing else happens."""
     registry.publish(image_set)
     tags = registry.tagged("ros"), registry.tagged("ros-torch")
-    registry.upstream["alpha"] = "tuesday"
+    registry.packages["alpha"] = "tuesday"
     run = registry.publish(image_set, date=NEXT)
     assert {target for target, _ in steps(run, "build")} == {"alpha-core", "alpha-base"}
     assert steps(run, "join") == steps(run, "test") == set()
     assert (registry.tagged("ros"), registry.tagged("ros-torch")) == tags
-    registry.upstream["alpha"] = "wednesday"
+    registry.packages["alpha"] = "wednesday"
     run = registry.publish(image_set, date=NEXT, packages="2")
     assert {target for target, _ in steps(run, "join")} == {
         image.target for image in image_set.images if image.distribution == "alpha" and image.stack
@@ -121,16 +123,16 @@ def test_packages_that_moved_are_installed_anew(registry: Place, image_set: Imag
     registry.check(image_set)
 
 
-def test_repositories_that_do_not_answer_change_nothing(registry: Place, image_set: ImageSet) -> None:
+def test_repositories_that_do_not_answer_change_nothing(registry: Publisher, image_set: ImageSet) -> None:
     registry.publish(image_set)
-    registry.upstream["alpha"] = "down"
+    registry.packages["alpha"] = "down"
     run = registry.publish(image_set, date=NEXT)
     assert run.made == []
-    assert any("alpha" in remark and "does not answer" in remark for remark in run.plan.remarks)
+    assert any("alpha" in remark and "does not answer" in remark for remark in run.state.remarks)
 
 
 def test_a_poisoned_image_keeps_its_tags_and_stops_nobody_else(
-    registry: Place, image_set: ImageSet, project: Path
+    registry: Publisher, image_set: ImageSet, project: Path
 ) -> None:
     registry.publish(image_set)
     before = registry.tagged("ros-torch")
@@ -158,7 +160,7 @@ def ran(run: Run) -> dict[str, tuple[str, ...]]:
     return run.maker.tests
 
 
-def test_what_images_of_a_row_share_is_tested_in_one_of_them(registry: Place, image_set: ImageSet) -> None:
+def test_what_images_of_a_row_share_is_tested_in_one_of_them(registry: Publisher, image_set: ImageSet) -> None:
     found = ran(registry.publish(image_set))
     assert all(found[target] == image_set.by_target[target].tests for target in found)
     assert {target for target, names in found.items() if "pip" in names and target.startswith("alpha")} == {
@@ -167,7 +169,7 @@ def test_what_images_of_a_row_share_is_tested_in_one_of_them(registry: Place, im
     registry.check(image_set)
 
 
-def test_an_image_alone_is_tested_with_all_that_must_hold_in_it(registry: Place, image_set: ImageSet) -> None:
+def test_an_image_alone_is_tested_with_all_that_must_hold_in_it(registry: Publisher, image_set: ImageSet) -> None:
     """Nothing is tested twice."""
     image = image_set.by_target[BASE]
     run = registry.publish(image_set, only=[BASE])
@@ -178,26 +180,28 @@ def test_an_image_alone_is_tested_with_all_that_must_hold_in_it(registry: Place,
 
 
 def test_an_image_alone_is_tested_with_less_if_others_of_the_same_parts_passed(
-    registry: Place, image_set: ImageSet
+    registry: Publisher, image_set: ImageSet
 ) -> None:
     registry.publish(image_set, only=["alpha-core-ml-cu1", "alpha-base"])
     image = image_set.by_target[BASE]
     assert ran(registry.publish(image_set, date=NEXT, only=[BASE]))[BASE] == image.tests
     assert "alpha-base-cu1" in registry.tagged("ros-torch")
-    registry.upstream["alpha"] = "tuesday"
+    registry.packages["alpha"] = "tuesday"
     run = registry.publish(image_set, date=NEXT, only=[BASE], packages="2")
     assert ran(run)[BASE] == (*image.tests, *image.shared), "the others stand on other packages"
     registry.check(image_set)
 
 
-def test_the_owner_sees_each_cause_once(registry: Place, image_set: ImageSet) -> None:
+def test_the_owner_sees_each_cause_once(registry: Publisher, image_set: ImageSet) -> None:
     """What failed, with the last lines of its log, and all that it keeps from being published; what a further run would do."""
     part = "part-torch-cu1-py312"
     registry.publish(image_set, broken={part}, poisoned={"alpha-core"})
     run = registry.run(image_set, date=NEXT)
-    entry = run.plan.known[part, "amd64"]
-    run.plan.known[part, "amd64"] = replace(entry, failed={**entry.failed, "reason": "it broke\n@somebody `at` line 7"})
-    found = list(status.read(run.plan, registry.registry, PREFIX, LATER))
+    entry = run.state.known[part, "amd64"]
+    run.state.known[part, "amd64"] = replace(
+        entry, failed={**entry.failed, "reason": "it broke\n@somebody `at` line 7"}
+    )
+    found = list(status.read(run.state, LATER))
     causes = status.causes(found, image_set.matrix.architectures)
     assert [cause.state for cause in causes[:2]] == ["failed", "failed"]
     by_reason = {cause.reason: cause for cause in causes}
@@ -209,7 +213,7 @@ def test_the_owner_sees_each_cause_once(registry: Place, image_set: ImageSet) ->
     assert {"alpha-core-torch-cu1", "alpha-base-torch-cu1", "alpha-core-ml-cu1", "alpha-base-ml-cu1"} == {
         *waits.targets
     }
-    ahead = status.ahead(run.plan)
+    ahead = status.ahead(run.state)
     assert ahead == {"build": 1, "join": 4, "test": 6}
     text = tables.status_markdown("registry.example/rosml", found, causes, ahead)
     assert (
@@ -221,7 +225,7 @@ def test_the_owner_sees_each_cause_once(registry: Place, image_set: ImageSet) ->
     assert {step: len(steps(mended, step)) for step in ahead} == ahead
 
 
-def test_a_row_whose_packages_nobody_published_is_left_out(registry: Place, image_set: ImageSet) -> None:
+def test_a_row_whose_packages_nobody_published_is_left_out(registry: Publisher, image_set: ImageSet) -> None:
     """Before a build is tried, with the reason; the other rows are built, and what was there stays."""
     registry.publish(image_set, only=["alpha-core"])
     registry.absent = {("omega", name, "ros-omega-ros-core") for name in ("amd64", "arm64")}
@@ -232,7 +236,7 @@ def test_a_row_whose_packages_nobody_published_is_left_out(registry: Place, imag
     assert reason in waiting(run, "omega-core") and f"{reason} (for omega-core)" in waiting(run, "omega-base")
     assert {name for name, _ in steps(run, "build")} == {"alpha-base"} | {x.target for x in image_set.parts}
     assert "alpha-core" in registry.tagged("ros") and "alpha-base" not in registry.tagged("ros")
-    found = {x.target: x for x in status.read(run.plan, registry.registry, PREFIX, LATER)}
+    found = {x.target: x for x in status.read(run.state, LATER)}
     assert found["omega-core"].state == "missing" and reason in found["omega-core"].reason
     registry.absent.clear()
     registry.publish(image_set, date=NEXT)
@@ -240,10 +244,10 @@ def test_a_row_whose_packages_nobody_published_is_left_out(registry: Place, imag
     registry.check(image_set)
 
 
-def test_each_image_is_tested_as_soon_as_it_is_there(registry: Place, image_set: ImageSet) -> None:
+def test_each_image_is_tested_as_soon_as_it_is_there(registry: Publisher, image_set: ImageSet) -> None:
     """Those that test what others share come first, so that a run that ends early leaves whole images."""
     run = registry.run(image_set)
-    run.images()
+    images(run)
     made = [(step, target) for step, target, _ in run.made]
     assert made[:4] == [("build", "alpha-core"), ("test", "alpha-core")] * 2, "on both architectures"
     joins = [target for step, target in made if step == "join"]
@@ -253,28 +257,28 @@ def test_each_image_is_tested_as_soon_as_it_is_there(registry: Place, image_set:
     assert sorted(run.made) == sorted(place_of(registry).publish(image_set).made)
 
 
-def test_a_test_that_fails_is_not_run_again_in_the_same_run(registry: Place, image_set: ImageSet) -> None:
+def test_a_test_that_fails_is_not_run_again_in_the_same_run(registry: Publisher, image_set: ImageSet) -> None:
     run = registry.run(image_set, poisoned={"alpha-core"})
-    run.images()
+    images(run)
     assert len(steps(run, "test")) == len({*steps(run, "test")})
     assert [o.state for o in run.outcomes if (o.step, o.target) == ("test", "alpha-core")] == ["failed"] * 2
 
 
-def place_of(registry: Place) -> Place:
+def place_of(registry: Publisher) -> Publisher:
     """Another registry for the same runs."""
-    return Place(registry.services, upstream=registry.upstream)
+    return Publisher(registry.services, packages=registry.packages)
 
 
 def test_a_run_whose_time_is_over_leaves_tested_images(
-    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Nothing fails; the images that were tested get their tags, and the next run makes the rest."""
     clock = iter(range(10_000))
-    monkeypatch.setattr("rosml.images.publish.pipeline.time.monotonic", lambda: float(next(clock)))
+    monkeypatch.setattr("rosml.images.publish.run.time.monotonic", lambda: float(next(clock)))
     run = registry.run(image_set)
-    run.images(minutes=1)
-    run.index()
-    promote.Promotion(run).run()
+    images(run, minutes=1)
+    STEPS["index"](run)
+    promote.promote(run)
     assert not run.failed and run.made
     assert any(outcome.reason == "the time of this run is over" for outcome in run.outcomes)
     assert registry.tagged("ros") and not registry.tagged("ros-torch")
@@ -295,7 +299,7 @@ def test_a_run_whose_time_is_over_leaves_tested_images(
     ],
 )
 def test_a_failure_holds_all_images_back_that_share_what_failed(
-    registry: Place, image_set: ImageSet, target: str, failing: str, held: set[str]
+    registry: Publisher, image_set: ImageSet, target: str, failing: str, held: set[str]
 ) -> None:
     run = registry.publish(image_set, poisoned={target}, failing=failing)
     tags = registry.tagged("ros-torch")
@@ -303,7 +307,7 @@ def test_a_failure_holds_all_images_back_that_share_what_failed(
     assert "omega-core-cpu" in tags
     if held:
         assert f"tests that it shares with {target} failed: {failing}: it is" in waiting(run, "alpha-core-torch-cu1")[0]
-        found = {x.target: x for x in status.read(run.plan, registry.registry, PREFIX, LATER)}
+        found = {x.target: x for x in status.read(run.state, LATER)}
         assert "it shares with" in found["alpha-core-torch-cu1"].reason
     mended = registry.publish(image_set, date=NEXT)
     assert {name for _, name, _ in mended.made} == {target}
@@ -311,12 +315,12 @@ def test_a_failure_holds_all_images_back_that_share_what_failed(
     registry.check(image_set)
 
 
-def test_a_build_that_fails_is_told_with_what_waits_for_it(registry: Place, image_set: ImageSet) -> None:
+def test_a_build_that_fails_is_told_with_what_waits_for_it(registry: Publisher, image_set: ImageSet) -> None:
     run = registry.publish(image_set, broken={"alpha-base"})
     assert run.failed
     assert "alpha-base" not in registry.tagged("ros") and "alpha-core" in registry.tagged("ros")
     assert any("alpha-base" in reason for reason in waiting(run, BASE))
-    entry = store.Records(registry.registry, PREFIX).read("alpha-base", "amd64")
+    entry = store.Records(registry.place).read("alpha-base", "amd64")
     assert entry and entry.failed["step"] == "build" and not entry.digest
     done = set(run.made)
     mended = registry.publish(image_set)
@@ -324,7 +328,7 @@ def test_a_build_that_fails_is_told_with_what_waits_for_it(registry: Place, imag
     assert not done & set(mended.made)
 
 
-def test_an_index_waits_for_all_architectures(registry: Place, image_set: ImageSet) -> None:
+def test_an_index_waits_for_all_architectures(registry: Publisher, image_set: ImageSet) -> None:
     first = registry.publish(image_set, architectures=("amd64",))
     assert "alpha-core" not in registry.tagged("ros")
     assert "alpha-base-cu1" in registry.tagged("ros-torch"), "it is for amd64 alone"
@@ -335,13 +339,13 @@ def test_an_index_waits_for_all_architectures(registry: Place, image_set: ImageS
     registry.check(image_set)
 
 
-def test_a_registry_may_serve_one_architecture(registry: Place, image_set: ImageSet) -> None:
+def test_a_registry_may_serve_one_architecture(registry: Publisher, image_set: ImageSet) -> None:
     run = registry.publish(image_set, architectures=("amd64",), serving=("amd64",))
     assert not run.failed
     assert "alpha-core" in registry.tagged("ros") and "latest" in registry.tagged("ros")
 
 
-def test_a_tag_never_loses_an_architecture(registry: Place, image_set: ImageSet, project: Path) -> None:
+def test_a_tag_never_loses_an_architecture(registry: Publisher, image_set: ImageSet, project: Path) -> None:
     registry.publish(image_set)
     before = registry.tagged("ros")
     script = project / "components/ros/install.sh"
@@ -351,7 +355,7 @@ def test_a_tag_never_loses_an_architecture(registry: Place, image_set: ImageSet,
     assert any("would lose arm64" in reason for reason in waiting(run, "alpha-core"))
 
 
-def test_a_tag_never_moves_to_something_older(registry: Place, image_set: ImageSet, project: Path) -> None:
+def test_a_tag_never_moves_to_something_older(registry: Publisher, image_set: ImageSet, project: Path) -> None:
     registry.publish(image_set, date=NEXT)
     before = registry.tagged("ros")
     script = project / "components/ros/install.sh"
@@ -361,7 +365,7 @@ def test_a_tag_never_moves_to_something_older(registry: Place, image_set: ImageS
     assert any("something newer" in reason for reason in waiting(run, "alpha-base"))
 
 
-def test_one_index_has_one_content(registry: Place, image_set: ImageSet) -> None:
+def test_one_index_has_one_content(registry: Publisher, image_set: ImageSet) -> None:
     odd = {("alpha-core", "arm64"): {"io.rosml.python": "3.10"}}
     run = registry.publish(image_set, odd=odd)
     assert run.failed
@@ -371,7 +375,7 @@ def test_one_index_has_one_content(registry: Place, image_set: ImageSet) -> None
 
 
 def test_a_day_has_one_date_and_its_second_tag_another_name(
-    registry: Place, image_set: ImageSet, project: Path
+    registry: Publisher, image_set: ImageSet, project: Path
 ) -> None:
     registry.publish(image_set)
     script = project / "components/ros/install.sh"
@@ -384,7 +388,7 @@ def test_a_day_has_one_date_and_its_second_tag_another_name(
 
 
 def test_tags_move_from_the_lasting_ones_to_the_floating_ones(
-    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Whoever pulls a floating tag finds what it spells out as well, wherever a run ends."""
     moved: list[str] = []
@@ -401,7 +405,7 @@ def test_tags_move_from_the_lasting_ones_to_the_floating_ones(
 
 
 def test_tags_of_images_move_side_by_side(
-    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Hundreds of images have thousands of tags: none waits for another image's."""
     both = threading.Barrier(2, timeout=20)
@@ -419,7 +423,7 @@ def test_tags_of_images_move_side_by_side(
 
 @pytest.mark.parametrize("what", ["index", "record"])
 def test_indexes_are_made_and_records_attached_side_by_side(
-    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch, what: str
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch, what: str
 ) -> None:
     """One after the other, those of hundreds of images take longer than a job may on a registry that is far away."""
     both, met = threading.Barrier(2, timeout=20), threading.local()
@@ -442,7 +446,7 @@ def test_indexes_are_made_and_records_attached_side_by_side(
     put_manifest, attached = registry.registry.put_manifest, registry.registry.attach
     monkeypatch.setattr(registry.registry, "put_manifest", put)
     monkeypatch.setattr(registry.registry, "attach", attach)
-    monkeypatch.setattr(pipeline, "READERS", 2)
+    monkeypatch.setattr(side_by_side, "AT_ONCE", 2)
     run = registry.publish(image_set, only=["alpha-core", "alpha-base"])
     assert not run.failed and {"alpha-core", "alpha-base"} <= registry.tagged("ros").keys()
 
@@ -453,8 +457,8 @@ def test_side_by_side_nothing_more_is_asked_for(
     """Nor told in another order."""
     found = []
     for number in (1, 16):
-        monkeypatch.setattr(pipeline, "READERS", number)
-        here = place(project, services(project), monkeypatch)
+        monkeypatch.setattr(side_by_side, "AT_ONCE", number)
+        here = publisher(project, services(project), monkeypatch)
         run = here.publish(image_set)
         told = [(outcome.step, outcome.target, outcome.state, outcome.reason) for outcome in run.outcomes]
         found.append((here.registry.reads, here.registry.writes, told))
@@ -462,7 +466,7 @@ def test_side_by_side_nothing_more_is_asked_for(
 
 
 def test_tags_of_the_first_images_move_before_the_last_ones_are_prepared(
-    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A run that is ended by a limit of time has moved theirs, and undo knows them."""
 
@@ -483,7 +487,7 @@ def test_tags_of_the_first_images_move_before_the_last_ones_are_prepared(
 
 
 def test_a_run_past_midnight_has_one_date(
-    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The clock goes on with every look at it; what the run is called does not."""
     moment = datetime(2026, 11, 22, 23, 59, 58, tzinfo=UTC)
@@ -493,11 +497,11 @@ def test_a_run_past_midnight_has_one_date(
         looked.append((moment + timedelta(seconds=len(looked))).strftime(moments.TIME))
         return looked[-1]
 
-    monkeypatch.setattr(pipeline, "now", clock)
+    monkeypatch.setattr(build, "now", clock)
     date = clock()
     run = registry.publish(image_set, date=date)
     assert date.startswith("2026-11-22") and looked[-1].startswith("2026-11-23"), "nobody looked at the clock"
-    assert {entry.date for entry in run.plan.known.values()} == {date}
+    assert {entry.date for entry in run.state.known.values()} == {date}
     for repository in ("ros", "ros-torch", "part"):
         tags = registry.tagged(repository)
         dated = {name for name in tags if "-2026" in name}
@@ -510,7 +514,7 @@ def test_a_run_past_midnight_has_one_date(
 
 
 def test_an_image_in_which_no_test_ran_gets_no_tag(
-    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Files of tests that have none, such as after a wrong edit."""
     real = Bytes.test
@@ -520,7 +524,7 @@ def test_an_image_in_which_no_test_ran_gets_no_tag(
     assert any("tests have not passed" in reason for reason in waiting(run, "alpha-core"))
 
 
-def test_undo_brings_tags_back(registry: Place, image_set: ImageSet, project: Path) -> None:
+def test_undo_brings_tags_back(registry: Publisher, image_set: ImageSet, project: Path) -> None:
     registry.publish(image_set)
     before = registry.tagged("ros")
     script = project / "components/ros/install.sh"
@@ -542,7 +546,7 @@ def test_undo_brings_tags_back(registry: Place, image_set: ImageSet, project: Pa
 
 
 def test_undo_brings_back_what_was_before_the_first_run_of_a_date(
-    registry: Place, image_set: ImageSet, project: Path
+    registry: Publisher, image_set: ImageSet, project: Path
 ) -> None:
     registry.publish(image_set)
     before = registry.tagged("ros")["alpha-core"]
@@ -555,11 +559,11 @@ def test_undo_brings_back_what_was_before_the_first_run_of_a_date(
     assert registry.tagged("ros")["alpha-core"] == before
 
 
-def test_undo_goes_on_after_a_tag_that_the_registry_keeps(registry: Place, image_set: ImageSet) -> None:
+def test_undo_goes_on_after_a_tag_that_the_registry_keeps(registry: Publisher, image_set: ImageSet) -> None:
     """As on a registry that deletes no tags: every run has dated ones, which were nowhere before."""
     registry.publish(image_set)
     before = registry.tagged("ros")
-    registry.upstream["alpha"] = "tuesday"
+    registry.packages["alpha"] = "tuesday"
     registry.publish(image_set, date=NEXT, packages="2")
     assert registry.tagged("ros")["alpha-core"] != before["alpha-core"]
     registry.registry.refuses.add("delete a tag")
@@ -570,7 +574,7 @@ def test_undo_goes_on_after_a_tag_that_the_registry_keeps(registry: Place, image
 
 
 def test_a_tag_that_does_not_move_keeps_no_other_image_back(
-    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def tag(repository: str, target: str, name: str) -> None:
         if name.startswith("alpha-core"):
@@ -586,7 +590,7 @@ def test_a_tag_that_does_not_move_keeps_no_other_image_back(
 
 
 def test_a_registry_that_is_down_is_not_asked_for_every_image(
-    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asked = []
 
@@ -598,28 +602,28 @@ def test_a_registry_that_is_down_is_not_asked_for_every_image(
     monkeypatch.setattr(registry.registry, "tag", down)
     with pytest.raises(RosmlError, match="does not answer"):
         registry.publish(image_set)
-    assert len(asked) <= 2 * store.READERS < 2 * len(image_set.images), "those that were asked side by side"
+    assert len(asked) <= 2 * side_by_side.AT_ONCE < 2 * len(image_set.images), "those that were asked side by side"
 
 
-def test_what_is_gone_from_the_registry_is_made_anew(registry: Place, image_set: ImageSet) -> None:
+def test_what_is_gone_from_the_registry_is_made_anew(registry: Publisher, image_set: ImageSet) -> None:
     registry.publish(image_set)
-    entry = store.Records(registry.registry, PREFIX).read("alpha-core", "amd64")
+    entry = store.Records(registry.place).read("alpha-core", "amd64")
     assert entry
     del registry.registry.manifests[f"{PREFIX}/ros"][entry.digest]
     run = registry.publish(image_set, date=NEXT)
     assert steps(run, "build") == {("alpha-core", "amd64")}
 
 
-def test_with_a_scan_required_only_what_it_found_clean_gets_tags(registry: Place, image_set: ImageSet) -> None:
+def test_with_a_scan_required_only_what_it_found_clean_gets_tags(registry: Publisher, image_set: ImageSet) -> None:
     """A part is not scanned by itself: it goes with an image that has it."""
     policy = "sha256:1"
     registry.publish(image_set, scanning=policy)
     assert not any(registry.tagged(name) for name in ("ros", "ros-torch", "part"))
     run = registry.run(image_set, date=NEXT, scanning=policy)
-    for key, item in run.plan.by_key.items():
+    for key, item in run.state.by_key.items():
         if item.kind != "part" and item.target != "omega-core":
-            entry = replace(run.plan.known[key], scanned="clean", scan={"policy": policy})
-            run.records.write(entry, run.plan.inputs.of(*key))
+            entry = replace(run.state.known[key], scanned="clean", scan={"policy": policy})
+            run.records.write(entry, run.state.inputs.of(*key))
     registry.publish(image_set, date=NEXT, scanning=policy)
     assert "alpha-core" in registry.tagged("ros") and "omega-core" not in registry.tagged("ros")
     assert "torch-cu1-py312" in registry.tagged("part")
@@ -627,7 +631,7 @@ def test_with_a_scan_required_only_what_it_found_clean_gets_tags(registry: Place
     assert {outcome.target for outcome in again.outcomes} == {"omega-core"}
 
 
-def test_a_lock_of_another_version_makes_nothing(registry: Place, image_set: ImageSet, project: Path) -> None:
+def test_a_lock_of_another_version_makes_nothing(registry: Publisher, image_set: ImageSet, project: Path) -> None:
     """A stack was given a new release, and nobody ran 'rosml locks': its part waits, as its images do."""
     lock = next(name for name in image_set.by_target[BASE].locks if name.endswith("amd64/3.12/torch.txt"))
     (project / lock).write_text((project / lock).read_text().replace("torch==2.10.0", "torch==2.9.1"))
@@ -635,11 +639,11 @@ def test_a_lock_of_another_version_makes_nothing(registry: Place, image_set: Ima
     run = registry.publish(stale, architectures=("amd64",))
     assert ("part-torch-cu1-py312", "amd64") not in steps(run, "build")
     assert "torch-cu1-py312" not in registry.tagged("part")
-    found = run.plan.hindrance(run.plan.by_key["part-torch-cu1-py312", "amd64"])
-    assert found == run.plan.hindrance(run.plan.by_key[BASE, "amd64"]) == f"lock missing: {lock}"
+    found = run.state.hindrance(run.state.by_key["part-torch-cu1-py312", "amd64"])
+    assert found == run.state.hindrance(run.state.by_key[BASE, "amd64"]) == f"lock missing: {lock}"
 
 
-def test_force_makes_everything_anew_once(registry: Place, image_set: ImageSet) -> None:
+def test_force_makes_everything_anew_once(registry: Publisher, image_set: ImageSet) -> None:
     first = registry.publish(image_set)
     run = registry.publish(image_set, date=NEXT, force=True)
     assert sorted(steps(run, "build")) == sorted(steps(first, "build"))
@@ -654,8 +658,8 @@ def test_killed_at_any_write(project: Path, image_set: ImageSet, monkeypatch: py
     inputs = Inputs(project, small)
     options: dict[str, Any] = {"only": ["alpha-core", "alpha-core-torch-cu1"], "inputs": inputs}
 
-    def signing() -> Place:
-        found = place(project, services(project), monkeypatch)
+    def signing() -> Publisher:
+        found = publisher(project, services(project), monkeypatch)
         found.pen = Pen(found.registry)
         return found
 
@@ -671,7 +675,7 @@ def test_killed_at_any_write(project: Path, image_set: ImageSet, monkeypatch: py
                 STEPS[step](run)
         here.check(small)
         recorded = {
-            key for key, entry in here.run(small, **options).plan.known.items() if entry.digest and not entry.failed
+            key for key, entry in here.run(small, **options).state.known.items() if entry.digest and not entry.failed
         }
         again = here.publish(small, date=NEXT, **options)
         here.check(small)
@@ -683,7 +687,7 @@ def test_killed_at_any_write(project: Path, image_set: ImageSet, monkeypatch: py
     assert {step for step, *_ in reference.made} == {"build", "join", "test"}
 
 
-def test_a_registry_that_refuses_leaves_the_others_alone(registry: Place, image_set: ImageSet) -> None:
+def test_a_registry_that_refuses_leaves_the_others_alone(registry: Publisher, image_set: ImageSet) -> None:
     registry.publish(image_set, only=["alpha-core"])
     before = registry.tagged("ros")
     registry.registry.refuses.add("move a tag")
@@ -713,7 +717,7 @@ def test_selection(image_set: ImageSet) -> None:
 )
 def test_a_place_that_is_none(text: str) -> None:
     with pytest.raises(RosmlError, match="no place for images"):
-        repositories.destination(text)
+        Place.at(text)
 
 
 @pytest.mark.parametrize(
@@ -733,14 +737,18 @@ def test_an_architecture_that_is_none(image_set: ImageSet) -> None:
 
 
 def test_places() -> None:
-    assert repositories.destination("[::1]:5000/x") == repositories.Destination("[::1]:5000", "x")
-    assert repositories.destination("127.0.0.1:5000/rosml") == repositories.Destination("127.0.0.1:5000", "rosml")
-    assert repositories.destination("ghcr.io/me/ros-ml/") == repositories.Destination("ghcr.io", "me/ros-ml")
+    for text, host, prefix in (
+        ("[::1]:5000/x", "[::1]:5000", "x"),
+        ("127.0.0.1:5000/rosml", "127.0.0.1:5000", "rosml"),
+        ("ghcr.io/me/ros-ml/", "ghcr.io", "me/ros-ml"),
+    ):
+        place = Place.at(text)
+        assert (place.client.host, place.prefix, str(place)) == (host, prefix, text.rstrip("/"))
 
 
 def test_a_damaged_entry_is_as_good_as_none() -> None:
     registry = MemoryRegistry()
-    book = store.Records(registry, PREFIX)
+    book = store.Records(Place(registry, PREFIX))
     for content in (
         "",
         "[]",
@@ -784,7 +792,7 @@ def test_a_run_of_the_future(date: str, clock: str, fine: bool) -> None:
 
 
 def test_a_tag_of_the_future_says_so_and_moves_when_forced(
-    registry: Place, image_set: ImageSet, project: Path, monkeypatch: pytest.MonkeyPatch
+    registry: Publisher, image_set: ImageSet, project: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(moments, "now", lambda: NEXT)
     registry.publish(image_set, only=["alpha-core"], date="2099-01-01T00:00:00Z")
@@ -794,13 +802,13 @@ def test_a_tag_of_the_future_says_so_and_moves_when_forced(
     run = registry.publish(image_set, only=["alpha-core"], date=NEXT, packages="2")
     assert registry.tagged("ros")["alpha-core"] == pinned
     assert any("of 2099-01-01T00:00:00Z, which is in the future" in reason for reason in waiting(run, "alpha-core"))
-    (found,) = status.read(run.plan, registry.registry, PREFIX, NEXT)
+    (found,) = status.read(run.state, NEXT)
     assert found.reason.endswith("its date 2099-01-01T00:00:00Z is in the future")
     registry.publish(image_set, only=["alpha-core"], date=LATER, packages="2", force=True)
     assert registry.tagged("ros")["alpha-core"] != pinned
 
 
-def odd_index(registry: Place, tag: str, **annotations: Any) -> str:
+def odd_index(registry: Publisher, tag: str, **annotations: Any) -> str:
     """Gives what a tag points at other annotations, as somebody may who can push."""
     path = f"{PREFIX}/ros"
     found = registry.registry.manifest(path, tag)
@@ -811,14 +819,14 @@ def odd_index(registry: Place, tag: str, **annotations: Any) -> str:
 
 @pytest.mark.parametrize("date", ["yesterday", "2026-11-22", "zzz", 5, ["x"]])
 def test_a_date_that_is_none_is_told_and_holds_no_tag(
-    registry: Place, image_set: ImageSet, project: Path, date: Any
+    registry: Publisher, image_set: ImageSet, project: Path, date: Any
 ) -> None:
     registry.publish(image_set, only=["alpha-core"])
     there = odd_index(registry, "alpha-core", **{store.DATE: date})
     script = project / "components/ros/install.sh"
     script.write_text(script.read_text() + "# a change\n")
     run = registry.run(image_set, only=["alpha-core"], date=NEXT, packages="2")
-    (found,) = status.read(run.plan, registry.registry, PREFIX, NEXT)
+    (found,) = status.read(run.state, NEXT)
     assert "its date is none" in found.reason and found.age is None
     said: list[str] = []
     run.say = said.append
@@ -829,42 +837,42 @@ def test_a_date_that_is_none_is_told_and_holds_no_tag(
     assert any("which is no date: taken for older" in line for line in said)
 
 
-def forge(registry: Place, target: str, architecture: str, **facts: Any) -> None:
+def forge(registry: Publisher, target: str, architecture: str, **facts: Any) -> None:
     """Writes an entry of the records by hand."""
-    book = store.Records(registry.registry, PREFIX)
+    book = store.Records(registry.place)
     entry = book.read(target, architecture)
     assert entry
     book.write(replace(entry, **facts))
 
 
-def test_the_digest_of_another_image_gets_no_index(registry: Place, image_set: ImageSet, project: Path) -> None:
+def test_the_digest_of_another_image_gets_no_index(registry: Publisher, image_set: ImageSet, project: Path) -> None:
     registry.publish(image_set)
     before = registry.tagged("ros")
-    core = store.Records(registry.registry, PREFIX).read("alpha-core", "amd64")
+    core = store.Records(registry.place).read("alpha-core", "amd64")
     assert core
     forge(registry, "alpha-base", "amd64", digest=core.digest)
     run = registry.run(image_set, date=NEXT, only=["alpha-base"])
-    run.index()
+    STEPS["index"](run)
     STEPS["promote"](run)
     (failed,) = [outcome for outcome in run.outcomes if outcome.state == "failed"]
     assert f"the records' entry alpha-base.amd64 names {core.digest}, which is alpha-core for amd64" in failed.reason
     assert registry.tagged("ros") == before
 
 
-def test_the_digest_of_another_architecture_gets_no_index(registry: Place, image_set: ImageSet) -> None:
+def test_the_digest_of_another_architecture_gets_no_index(registry: Publisher, image_set: ImageSet) -> None:
     registry.publish(image_set)
-    other = store.Records(registry.registry, PREFIX).read("alpha-core", "arm64")
+    other = store.Records(registry.place).read("alpha-core", "arm64")
     assert other
     forge(registry, "alpha-core", "amd64", digest=other.digest)
     run = registry.run(image_set, date=NEXT, only=["alpha-core"])
-    run.index()
+    STEPS["index"](run)
     assert any("which is alpha-core for arm64" in outcome.reason for outcome in run.outcomes)
 
 
 @pytest.mark.parametrize("what", ["title", "members", "gone"])
-def test_the_index_of_another_image_gets_no_tag(registry: Place, image_set: ImageSet, what: str) -> None:
+def test_the_index_of_another_image_gets_no_tag(registry: Publisher, image_set: ImageSet, what: str) -> None:
     registry.publish(image_set)
-    book = store.Records(registry.registry, PREFIX)
+    book = store.Records(registry.place)
     own, other = book.read("alpha-core", "index"), book.read("alpha-base", "index")
     assert own and other
     digest = {"title": other.digest, "gone": "sha256:" + "0" * 64}.get(what, "")
@@ -875,7 +883,7 @@ def test_the_index_of_another_image_gets_no_tag(registry: Place, image_set: Imag
         digest = registry.registry.put_manifest(f"{PREFIX}/ros", "odd", part, whole.media_type)
     forge(registry, "alpha-core", "index", digest=digest)
     run = registry.run(image_set, date=NEXT, only=["alpha-core"])
-    run.plan.present.add(("alpha-core", "index"))
+    run.state.present.add(("alpha-core", "index"))
     before = registry.tagged("ros")
     STEPS["promote"](run)
     assert run.failed and registry.tagged("ros") == before
@@ -884,9 +892,9 @@ def test_the_index_of_another_image_gets_no_tag(registry: Place, image_set: Imag
     assert says[what] in reason
 
 
-def test_a_second_undo_says_that_nothing_is_left(registry: Place, image_set: ImageSet) -> None:
+def test_a_second_undo_says_that_nothing_is_left(registry: Publisher, image_set: ImageSet) -> None:
     registry.publish(image_set)
-    registry.upstream["alpha"] = "tuesday"
+    registry.packages["alpha"] = "tuesday"
     registry.publish(image_set, date=NEXT, packages="2")
     assert {outcome.state for outcome in registry.undo()} == {"done"}
     assert [(o.state, o.reason) for o in registry.undo(NEXT)] == [("done", "nothing was left to move back")]
@@ -898,10 +906,10 @@ def test_an_undo_that_was_killed_goes_on(project: Path, image_set: ImageSet, mon
     number, killed = 0, True
     while killed:
         number += 1
-        here = place(project, services(project), monkeypatch)
+        here = publisher(project, services(project), monkeypatch)
         here.publish(image_set, **options)
         before = here.tagged("ros")
-        here.upstream["alpha"] = "tuesday"
+        here.packages["alpha"] = "tuesday"
         here.publish(image_set, date=NEXT, packages="2", **options)
         here.registry.die_at = here.registry.writes + number
         try:
@@ -916,9 +924,9 @@ def test_an_undo_that_was_killed_goes_on(project: Path, image_set: ImageSet, mon
     assert number > 4
 
 
-def test_force_releases_what_was_moved_back(registry: Place, image_set: ImageSet) -> None:
+def test_force_releases_what_was_moved_back(registry: Publisher, image_set: ImageSet) -> None:
     registry.publish(image_set)
-    registry.upstream["alpha"] = "tuesday"
+    registry.packages["alpha"] = "tuesday"
     registry.publish(image_set, date=NEXT, packages="2")
     there = registry.tagged("ros")["alpha-core"]
     registry.undo()
@@ -932,18 +940,20 @@ def test_force_releases_what_was_moved_back(registry: Place, image_set: ImageSet
 # ---- Others at work --------------------------------------------------------------------------------------------------
 
 
-def test_what_moves_between_two_steps_is_the_next_runs(registry: Place, image_set: ImageSet, tmp_path: Path) -> None:
+def test_what_moves_between_two_steps_is_the_next_runs(
+    registry: Publisher, image_set: ImageSet, tmp_path: Path
+) -> None:
     """Each step on a machine of its own asks nobody anew of when packages are."""
     file = tmp_path / "plan.json"
-    file.write_text(report.planned(registry.run(image_set), 2, why=False).text())
-    known = plan_file.read_plan(file).upstream
-    assert known == registry.upstream
+    file.write_text(make_plan(registry.run(image_set).state, 2).text())
+    known = read_plan(file).package_state
+    assert known == registry.packages
     for number, step in enumerate(STEPS):
-        run = registry.run(image_set, upstream=known)
+        run = registry.run(image_set, package_state=known)
         STEPS[step](run)
         assert not run.failed
         assert not [outcome for outcome in run.outcomes if outcome.state == "waits"]
-        registry.upstream["alpha"] = f"after step {number}"
+        registry.packages["alpha"] = f"after step {number}"
     assert registry.tagged("ros").keys() >= {"alpha-core", "alpha", "omega-base"}
     following = registry.publish(image_set, date=NEXT, packages="2")
     assert ("alpha-core", "amd64") in steps(following, "build")
@@ -953,7 +963,7 @@ BEFORE = "2026-11-20T21:14:09Z, ubuntu noble 0123456789abcdef"
 AFTER = "2026-11-22T03:30:00Z, ubuntu noble 0123456789abcdef"
 
 
-def live(registry: Place, run: Run, syncs: dict[str, str], monkeypatch: pytest.MonkeyPatch) -> Run:
+def live(registry: Publisher, run: Run, syncs: dict[str, str], monkeypatch: pytest.MonkeyPatch) -> Run:
     """A run whose builds fail, as `require_sync` does, where ROS's repository is of another time than they are told.
 
     Args:
@@ -964,8 +974,8 @@ def live(registry: Place, run: Run, syncs: dict[str, str], monkeypatch: pytest.M
 
     def build_image(image: sets.Image, architecture: str, parts: dict[str, str], moment: str) -> maker.Made:
         if when := syncs.pop(image.target, ""):
-            registry.upstream["alpha"] = when
-        if registry.upstream[image.distribution] != moment:
+            registry.packages["alpha"] = when
+        if registry.packages[image.distribution] != moment:
             raise RosmlError(f"{image.target}: http://packages.example is of another time", "run it again")
         return build(image, architecture, parts, moment)
 
@@ -974,13 +984,15 @@ def live(registry: Place, run: Run, syncs: dict[str, str], monkeypatch: pytest.M
 
 
 def test_a_sync_between_plan_and_build_costs_no_night(
-    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The row is begun anew: all of its components are of one moment, on each of two machines."""
-    registry.upstream = {"alpha": BEFORE, "omega": BEFORE}
-    known = dict(registry.run(image_set).plan.upstream)
+    registry.packages = {"alpha": BEFORE, "omega": BEFORE}
+    known = dict(registry.run(image_set).state.package_state)
     for architecture, syncs in (("amd64", {"alpha-base": AFTER}), ("arm64", {})):
-        run = live(registry, registry.run(image_set, upstream=known, architectures=(architecture,)), syncs, monkeypatch)
+        run = live(
+            registry, registry.run(image_set, package_state=known, architectures=(architecture,)), syncs, monkeypatch
+        )
         for step in ("build", "join", "test"):
             STEPS[step](run)
         assert not run.failed
@@ -988,40 +1000,40 @@ def test_a_sync_between_plan_and_build_costs_no_night(
         again = ["alpha-core"] if syncs == {} and architecture == "amd64" else []
         assert built == [*again, "alpha-core", "alpha-base"]
         assert {outcome.reason for outcome in run.outcomes if outcome.state == "waits"} <= {"it is not made yet"}
-    rest = registry.run(image_set, upstream=known)
+    rest = registry.run(image_set, package_state=known)
     for step in ("index", "promote"):
         STEPS[step](rest)
     assert [outcome for outcome in rest.outcomes if outcome.state != "done"] == []
     assert registry.tagged("ros").keys() >= {"alpha-core", "alpha", "omega-base"}
-    book = store.Records(registry.registry, PREFIX)
+    book = store.Records(registry.place)
     for target, moment in (("alpha-core", AFTER), ("alpha-base", AFTER), ("omega-base", BEFORE)):
         for architecture in ("amd64", "arm64"):
             entry = book.read(target, architecture)
-            assert entry and entry.upstream == moment
+            assert entry and entry.package_state == moment
     assert registry.publish(image_set, date=NEXT).made == []
 
 
 def test_a_repository_that_never_rests_fails_its_row_alone(
-    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    registry.upstream = {"alpha": BEFORE, "omega": BEFORE}
+    registry.packages = {"alpha": BEFORE, "omega": BEFORE}
     run = live(registry, registry.run(image_set), {}, monkeypatch)
     hours = iter(range(10))
     monkeypatch.setattr(
         "rosml.images.builds.package_state.state",
         lambda _services, _matrix, name: f"2026-11-22T0{next(hours)}:00:00Z" if name == "alpha" else BEFORE,
     )
-    registry.upstream["alpha"] = "2026-11-23T00:00:00Z"
-    run.build()
+    registry.packages["alpha"] = "2026-11-23T00:00:00Z"
+    STEPS["build"](run)
     assert {outcome.target for outcome in run.outcomes if outcome.state == "failed"} == {"alpha-core"}
     assert {target for target, _ in steps(run, "build")} >= {"omega-core", "omega-base"}
 
 
-def test_a_run_that_may_not_push_is_told_before_its_first_work(registry: Place, image_set: ImageSet) -> None:
+def test_a_run_that_may_not_push_is_told_before_its_first_work(registry: Publisher, image_set: ImageSet) -> None:
     registry.registry.refuses.add("push")
     run = registry.run(image_set)
     with pytest.raises(RosmlError, match="nobody push"):
-        run.build()
+        STEPS["build"](run)
     assert run.made == [] and registry.registry.writes == 0
     registry.registry.refuses.clear()
     registry.publish(image_set)
@@ -1030,18 +1042,18 @@ def test_a_run_that_may_not_push_is_told_before_its_first_work(registry: Place, 
 
 
 def test_what_was_in_an_images_place_is_forgotten_when_it_is_gone(
-    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(pipeline, "SUPERSEDED", 3)
+    monkeypatch.setattr(running, "SUPERSEDED", 3)
     for number in range(6):
-        registry.upstream["alpha"] = f"day {number}"
+        registry.packages["alpha"] = f"day {number}"
         registry.publish(image_set, only=["alpha-core"], date=f"2026-11-0{number + 1}T03:00:00Z", packages=str(number))
-    book = store.Records(registry.registry, PREFIX)
+    book = store.Records(registry.place)
     many = book.read("alpha-core", "amd64")
     assert many and len(many.superseded) == 5, "what is there stays known: prune removes it"
     for digest in many.superseded[:4]:
         del registry.registry.manifests[f"{PREFIX}/ros"][digest]
-    registry.upstream["alpha"] = "another day"
+    registry.packages["alpha"] = "another day"
     registry.publish(image_set, only=["alpha-core"], date="2026-11-07T03:00:00Z", packages="7")
     few = book.read("alpha-core", "amd64")
     assert few and few.superseded == (many.superseded[4], many.digest)
@@ -1058,7 +1070,7 @@ def told(
 
     def push(_services: Services, call: buildx.Bake, _where: str) -> tuple[dict[str, str], str]:
         calls.append(call)
-        return {}, put_image(run.registry, f"{PREFIX}/ros", architecture, {}, [])
+        return {}, put_image(run.state.place.client, f"{PREFIX}/ros", architecture, {}, [])
 
     monkeypatch.setattr(maker, "push_by_digest", push)
     monkeypatch.setattr(contents, "attach", lambda *facts: {facts[4]: "sha256:sbom"})
@@ -1068,11 +1080,13 @@ def told(
     monkeypatch.setattr(Services, "require_builder", lambda *_: None)
     monkeypatch.setattr(sync, "published", lambda *_: asked())
     architecture = base_images.native_architecture()
-    item = run.plan.by_key[target, architecture]
+    item = run.state.by_key[target, architecture]
     assert isinstance(item.thing, sets.Image)
     for name in item.thing.architectures:
-        run.plan.known[target, name] = store.Entry(target, name, upstream="sunday")
-    Pipeline(run.plan, run.registry, HOST, PREFIX, lambda line: None).build()
+        run.state.known[target, name] = store.Entry(target, name, package_state="sunday")
+    services, silent = run.state.request.services, lambda line: None
+    real = BuildKitMaker(services, run.state.image_set, run.state.place, silent, run.state.request.force)
+    STEPS["build"](running.Run(run.state, real, silent))
     (call,) = [call for call in calls if call.target == target and call.name == f"build-{target}-{architecture}"]
     return list(call.sets), dict(call.variables)
 
@@ -1082,11 +1096,11 @@ def never() -> str:
 
 
 def test_packages_are_of_the_plans_moment(
-    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """With the first component the essentials as well, which the builder would keep for ever."""
-    folder = registry.services.state / "upstream/alpha"
-    registry.upstream["alpha"] = "monday, ubuntu noble 0123456789abcdef"
+    folder = registry.services.state / "package-state/alpha"
+    registry.packages["alpha"] = "monday, ubuntu noble 0123456789abcdef"
     [system] = {image.os for image in image_set.images if image.target == "alpha-core"}
     for target, targets in (("alpha-core", {names.os_target(system), "alpha-core"}), ("alpha-base", {"alpha-base"})):
         sets, variables = told(registry.run(image_set, only=[target]), target, monkeypatch, never)
@@ -1098,16 +1112,16 @@ def test_packages_are_of_the_plans_moment(
 
 
 def test_a_repository_that_did_not_answer_the_plan(
-    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Its packages are taken for those of the last build."""
-    registry.upstream["alpha"] = "down"
+    registry.packages["alpha"] = "down"
     _, variables = told(registry.run(image_set, only=["alpha-core"]), "alpha-core", monkeypatch, never)
     assert json.loads(variables["ROS_SYNC_DATES"]) == {"alpha": "sunday"}
 
 
 def test_a_part_is_assembled_anew_when_that_is_asked_for(
-    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Past the builder's cache."""
     seen: list[bool] = []
@@ -1119,14 +1133,6 @@ def test_a_part_is_assembled_anew_when_that_is_asked_for(
     monkeypatch.setattr(part, "push", push)
     monkeypatch.setattr(contents, "attach", lambda *facts: {facts[4]: "sha256:sbom"})
     for force in (False, True):
-        here: tuple[Any, ...] = (
-            registry.services,
-            image_set,
-            registry.registry,
-            HOST,
-            PREFIX,
-            lambda line: None,
-            force,
-        )
-        BuildKitMaker(*here).build_part(image_set.parts[0], "amd64")
+        made = BuildKitMaker(registry.services, image_set, registry.place, lambda line: None, force)
+        made.build_part(image_set.parts[0], "amd64")
     assert seen == [False, True]

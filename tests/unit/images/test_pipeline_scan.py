@@ -10,15 +10,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from memory_registry import DAY, NEXT, Place, Run, place, waiting
+from memory_registry import DAY, NEXT, Publisher, Run, publisher, waiting
 from projects import BASE
 from scanning import World, advisory, rules
 from stubs import services
 
 from rosml.images.image_set.model import ImageSet, Part
 from rosml.images.publish import scan_results
-from rosml.images.publish.pipeline import policy_digest
 from rosml.images.publish.steps import STEPS
+from rosml.images.publish.steps.scan import policy_digest, scan
 from rosml.images.records.store import INDEX
 from rosml.images.scan import judge as judging
 from rosml.images.scan.judge import Outcome, summarise
@@ -29,8 +29,8 @@ from rosml.images.scan.trivy import ScannerFailed
 
 
 @pytest.fixture
-def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
-    return place(project, services(project), monkeypatch)
+def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Publisher:
+    return publisher(project, services(project), monkeypatch)
 
 
 @pytest.fixture
@@ -38,13 +38,13 @@ def world(tmp_path: Path) -> World:
     return World(tmp_path, advisories={"torch": [advisory("CVE-2026-2", "CRITICAL", "3.0")]})
 
 
-def judged(registry: Place, image_set: ImageSet, policy: Rules, date: str = DAY, only: str = "alpha-core") -> Run:
+def judged(registry: Publisher, image_set: ImageSet, policy: Rules, date: str = DAY, only: str = "alpha-core") -> Run:
     """A run of which a clean scan by a policy is asked before tags."""
     return registry.run(image_set, date, scanning=policy_digest(policy, date), only=[only])
 
 
 def scanned(
-    registry: Place,
+    registry: Publisher,
     image_set: ImageSet,
     world: World,
     date: str = DAY,
@@ -61,14 +61,14 @@ def scanned(
         before_the_scan(run)
     trivy = world.trivy()
     trivy.fetch(policy.policy.database)
-    run.scan(policy, trivy)
-    run.index()
+    scan(run, policy, trivy)
+    STEPS["index"](run)
     STEPS["promote"](run)
     return run
 
 
 def test_what_the_policy_stops_gets_no_tag(
-    registry: Place,
+    registry: Publisher,
     image_set: ImageSet,
     world: World,
 ) -> None:
@@ -77,10 +77,10 @@ def test_what_the_policy_stops_gets_no_tag(
     assert "alpha-core" in registry.tagged("ros") and "alpha-core-cu1" in registry.tagged("ros-cuda")
     assert registry.tagged("ros-torch") == {}
     assert any("scan: policy failed" in reason for reason in waiting(run, BASE))
-    entry = run.plan.known[BASE, "amd64"]
+    entry = run.state.known[BASE, "amd64"]
     assert entry.scan["failing"] == ["CVE-2026-2"] and entry.scan["findings"] == {"critical": 1}
     calls = world.calls("sbom")
-    parts = {item.key for item in run.plan.items if item.kind != "joined"}
+    parts = {item.key for item in run.state.items if item.kind != "joined"}
     assert len(calls) == len(parts), "a part that images share is scanned once"
 
     again = scanned(registry, image_set, world, date=NEXT)
@@ -99,38 +99,40 @@ def test_what_the_policy_stops_gets_no_tag(
 @pytest.mark.parametrize("claimed", ["that image", "another image", "nothing"])
 @pytest.mark.parametrize("packages", [("numpy",), ()])
 def test_an_sbom_that_somebody_attached_does_not_count(
-    registry: Place, image_set: ImageSet, world: World, claimed: str, packages: tuple[str, ...]
+    registry: Publisher, image_set: ImageSet, world: World, claimed: str, packages: tuple[str, ...]
 ) -> None:
     """Whoever may push into a repository attaches what a scan would look for: the part with PyTorch looks harmless."""
 
     def attack(run: Run) -> None:
-        item = next(item for item in run.plan.items if isinstance(item.thing, Part) and item.thing.kind == "torch")
-        entry = run.plan.known[item.key]
-        path = run.repository(entry.repository)
+        item = next(item for item in run.state.items if isinstance(item.thing, Part) and item.thing.kind == "torch")
+        entry = run.state.known[item.key]
+        path = run.state.place.path(entry.repository)
         wheels = [{"bom-ref": name, "type": "library", "name": name, "purl": f"pkg:pypi/{name}@2"} for name in packages]
         digest = {"that image": entry.digest, "another image": f"sha256:{'1' * 64}"}.get(claimed, "")
         document: dict[str, Any] = {"bomFormat": "CycloneDX", "components": wheels}
-        document |= {"metadata": {"component": {"name": f"{run.host}/{path}@{digest}"}}} if digest else {}
-        manifest = run.registry.manifest(path, entry.digest)
+        document |= (
+            {"metadata": {"component": {"name": f"{run.state.place.client.host}/{path}@{digest}"}}} if digest else {}
+        )
+        manifest = run.state.place.client.manifest(path, entry.digest)
         assert manifest
         data = json.dumps(document).encode()
-        run.registry.attach(path, manifest.descriptor, MEDIA_TYPE, data, MEDIA_TYPE, FORMAT)
+        run.state.place.client.attach(path, manifest.descriptor, MEDIA_TYPE, data, MEDIA_TYPE, FORMAT)
 
     run = scanned(registry, image_set, world, before_the_scan=attack)
-    assert run.plan.known[BASE, "amd64"].scan["failing"] == ["CVE-2026-2"]
+    assert run.state.known[BASE, "amd64"].scan["failing"] == ["CVE-2026-2"]
     assert registry.tagged("ros-torch") == {}
     again = scanned(registry, image_set, world, date=NEXT, before_the_scan=attack)
-    assert again.plan.known[BASE, "amd64"].scan["failing"] == ["CVE-2026-2"]
+    assert again.state.known[BASE, "amd64"].scan["failing"] == ["CVE-2026-2"]
 
 
 def test_an_index_names_the_sboms_of_what_its_images_are_made_of(
-    registry: Place, image_set: ImageSet, world: World
+    registry: Publisher, image_set: ImageSet, world: World
 ) -> None:
     """By digest, so that whoever checks the index's signature knows which of those that are attached are the publisher's."""
     world.advisories.clear()
     run = scanned(registry, image_set, world)
-    known = run.plan.known
-    index = run.registry.manifest(run.repository("ros-torch"), known[BASE, INDEX].digest)
+    known = run.state.known
+    index = run.state.place.client.manifest(run.state.place.path("ros-torch"), known[BASE, INDEX].digest)
     assert index
     for item in index.content["manifests"]:
         architecture = item["platform"]["architecture"]
@@ -139,21 +141,21 @@ def test_an_index_names_the_sboms_of_what_its_images_are_made_of(
         assert named.keys() == {COVERED + target for target in parts}
         for target, digest in parts.items():
             repository, _, artifact = named[COVERED + target].partition("@")
-            manifest = run.registry.manifest(run.repository(repository), artifact)
+            manifest = run.state.place.client.manifest(run.state.place.path(repository), artifact)
             assert manifest and manifest.content["subject"]["digest"] == digest
 
 
-def test_what_has_no_sbom_is_made_again(registry: Place, image_set: ImageSet, world: World) -> None:
+def test_what_has_no_sbom_is_made_again(registry: Publisher, image_set: ImageSet, world: World) -> None:
     """Its record is of a version that had scans make them; or its build ended before it was attached."""
     run = scanned(registry, image_set, world, only="alpha-core")
-    for entry in run.plan.known.values():
+    for entry in run.state.known.values():
         run.records.write(replace(entry, sbom=""))
     again = scanned(registry, image_set, world, NEXT, only="alpha-core")
     assert [step for step, *_ in again.made].count("build") == 2
-    assert not again.failed and all(entry.sbom for key, entry in again.plan.known.items() if key[1] != INDEX)
+    assert not again.failed and all(entry.sbom for key, entry in again.state.known.items() if key[1] != INDEX)
 
 
-def test_what_was_clean_is_not_scanned_again(registry: Place, image_set: ImageSet, world: World) -> None:
+def test_what_was_clean_is_not_scanned_again(registry: Publisher, image_set: ImageSet, world: World) -> None:
     scanned(registry, image_set, world, only="alpha-core")
     calls = world.calls("sbom")
     again = scanned(registry, image_set, world, NEXT, only="alpha-core")
@@ -161,20 +163,22 @@ def test_what_was_clean_is_not_scanned_again(registry: Place, image_set: ImageSe
     assert not again.failed
 
 
-def test_an_ignore_entry_that_has_expired_lets_no_tag_move(registry: Place, image_set: ImageSet, world: World) -> None:
+def test_an_ignore_entry_that_has_expired_lets_no_tag_move(
+    registry: Publisher, image_set: ImageSet, world: World
+) -> None:
     """Neither where the image is scanned again, nor where no scan came after its last day: nothing else has changed."""
     entry = "  - {id: CVE-2026-2, reason: nobody calls it here, expires: %s}\n"
     policy = rules(entry % DAY[:10])
     assert "alpha-base-cu1" in (scanned(registry, image_set, world, policy=policy), registry.tagged("ros-torch"))[1]
     late = judged(registry, image_set, policy, NEXT, "alpha-*")
-    late.index()
+    STEPS["index"](late)
     assert "amd64: scan: not done by this policy" in waiting(late, BASE)
     again = scanned(registry, image_set, world, NEXT, policy)
-    assert again.plan.known[BASE, "amd64"].scan["failing"] == ["CVE-2026-2"]
+    assert again.state.known[BASE, "amd64"].scan["failing"] == ["CVE-2026-2"]
     assert any("scan: policy failed" in reason for reason in waiting(again, BASE))
 
 
-def built(registry: Place, image_set: ImageSet) -> Run:
+def built(registry: Publisher, image_set: ImageSet) -> Run:
     """A run with a ROS image for two architectures."""
     run = judged(registry, image_set, rules())
     for step in ("build", "test"):
@@ -184,7 +188,7 @@ def built(registry: Place, image_set: ImageSet) -> Run:
 
 @pytest.mark.parametrize("handed_over", [False, True])
 def test_what_was_scanned_before_the_run_is_killed_is_kept(
-    registry: Place, image_set: ImageSet, world: World, tmp_path: Path, handed_over: bool
+    registry: Publisher, image_set: ImageSet, world: World, tmp_path: Path, handed_over: bool
 ) -> None:
     run, file = built(registry, image_set), tmp_path / "scan.json"
     trivy = world.trivy()
@@ -198,39 +202,41 @@ def test_what_was_scanned_before_the_run_is_killed_is_kept(
 
     run.say = until_the_second
     with pytest.raises(KeyboardInterrupt):
-        run.scan(rules(), trivy, results=Results(file, DAY) if handed_over else None)
+        scan(run, rules(), trivy, results=Results(file, DAY) if handed_over else None)
     if handed_over:
         scan_results.record(judged(registry, image_set, rules()), file)
-    found = judged(registry, image_set, rules()).plan
+    found = judged(registry, image_set, rules()).state
     assert [found.known[item.key].scanned for item in found.items] == ["clean", ""]
 
 
-def test_what_is_handed_over_is_not_written(registry: Place, image_set: ImageSet, world: World, tmp_path: Path) -> None:
+def test_what_is_handed_over_is_not_written(
+    registry: Publisher, image_set: ImageSet, world: World, tmp_path: Path
+) -> None:
     """The outcomes are for another job."""
     run = built(registry, image_set)
     trivy, results, writes = world.trivy(), Results(tmp_path / "scan.json", DAY), registry.registry.writes
     trivy.fetch(rules().policy.database)
-    run.scan(rules(), trivy, results=results)
+    scan(run, rules(), trivy, results=results)
     assert registry.registry.writes == writes
     assert [(entry["architecture"], entry["scanned"]) for entry in results.entries.values()] == [
-        (item.architecture, "clean") for item in run.plan.items
+        (item.architecture, "clean") for item in run.state.items
     ]
 
 
-def test_a_scanner_that_fails_is_no_clean_scan(registry: Place, image_set: ImageSet) -> None:
+def test_a_scanner_that_fails_is_no_clean_scan(registry: Publisher, image_set: ImageSet) -> None:
     run = judged(registry, image_set, rules())
     for step in ("build", "test"):
         STEPS[step](run)
-    found = run.scan(rules(), ScannerFailed("the scanner is not installed", "rosml setup scanner"))
+    found = scan(run, rules(), ScannerFailed("the scanner is not installed", "rosml setup scanner"))
     assert found.outcome is Outcome.SCANNER_FAILED
-    run.index()
+    STEPS["index"](run)
     STEPS["promote"](run)
     assert registry.tagged("ros") == {}
     assert any("scanner failed" in reason for reason in waiting(run, "alpha-core"))
 
 
 def test_a_part_of_the_images_says_nothing_of_an_ignore_entry(
-    registry: Place,
+    registry: Publisher,
     image_set: ImageSet,
 ) -> None:
     """Only where all images that are there were scanned is an entry known to be in none. Those that cannot be built do not
@@ -246,10 +252,10 @@ def test_a_part_of_the_images_says_nothing_of_an_ignore_entry(
         run = registry.run(image_set, date=NEXT, only=only)
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr(judging, "summarise", judge)
-            run.scan(rules(), ScannerFailed("none", "rosml setup scanner"))
-    for key in [key for key in run.plan.present if key[0] == "omega-base"]:
-        run.plan.present.discard(key)
+            scan(run, rules(), ScannerFailed("none", "rosml setup scanner"))
+    for key in [key for key in run.state.present if key[0] == "omega-base"]:
+        run.state.present.discard(key)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(judging, "summarise", judge)
-        run.scan(rules(), ScannerFailed("none", "rosml setup scanner"))
+        scan(run, rules(), ScannerFailed("none", "rosml setup scanner"))
     assert found == [False, True, True]

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 from conftest import SMALLER, changed, parse, smaller, write_locks
-from memory_registry import DAY, INDEX, LATER, PREFIX, Place, Run, place
+from memory_registry import DAY, INDEX, LATER, PREFIX, Publisher, Run, publisher
 from projects import BASE
 from stubs import OFFLINE, services
 
@@ -30,36 +30,36 @@ FIRST = date(2026, 9, 1)
 
 
 @pytest.fixture(scope="module")
-def published(sources: Path, tmp_path_factory: pytest.TempPathFactory) -> Place:
+def published(sources: Path, tmp_path_factory: pytest.TempPathFactory) -> Publisher:
     """Six nights a week apart, each with other packages: published once for all tests here."""
     folder = shutil.copytree(sources, tmp_path_factory.mktemp("nights") / "project")
     with pytest.MonkeyPatch.context() as patch:
-        found = place(folder, services(folder), patch)
+        found = publisher(folder, services(folder), patch)
         for number in range(6):
             night(found, smaller(folder), number)
         return found
 
 
 @pytest.fixture
-def nights(published: Place, project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
+def nights(published: Publisher, project: Path, monkeypatch: pytest.MonkeyPatch) -> Publisher:
     """Those nights in a registry of the test's own."""
-    found = place(project, services(project), monkeypatch)
-    found.registry, found.upstream = published.registry.copy(), dict(published.upstream)
+    found = publisher(project, services(project), monkeypatch)
+    found.registry, found.packages = published.registry.copy(), dict(published.packages)
     return found
 
 
-def night(here: Place, image_set: ImageSet, number: int) -> None:
+def night(here: Publisher, image_set: ImageSet, number: int) -> None:
     """Publishes all images of a row with the packages of a week."""
-    here.upstream["alpha"] = f"week {number}"
+    here.packages["alpha"] = f"week {number}"
     day = FIRST + timedelta(days=7 * number)
     here.publish(image_set, only=["alpha"], date=f"{day}T03:00:00Z", packages=str(number))
 
 
-def pruner(nights: Place, image_set: ImageSet, days: int = 20, newest: int = 2) -> Pruner:
-    return Pruner(nights.registry, PREFIX, image_set, FIRST + timedelta(days=36), days, newest)
+def pruner(nights: Publisher, image_set: ImageSet, days: int = 20, newest: int = 2) -> Pruner:
+    return Pruner(nights.place, image_set, FIRST + timedelta(days=36), days, newest)
 
 
-def reachable(nights: Place, image_set: ImageSet) -> None:
+def reachable(nights: Publisher, image_set: ImageSet) -> None:
     """Everything that a tag leads to is there."""
     for repository in {image.repository for image in image_set.images} | {"part"}:
         path = f"{PREFIX}/{repository}"
@@ -70,14 +70,14 @@ def reachable(nights: Place, image_set: ImageSet) -> None:
                 assert nights.registry.manifest(path, member["digest"]), f"{repository}:{tag}"
 
 
-def test_a_dry_run_removes_nothing(nights: Place, image_set: ImageSet) -> None:
+def test_a_dry_run_removes_nothing(nights: Publisher, image_set: ImageSet) -> None:
     before = nights.registry.writes
     found = pruner(nights, image_set).find()
     assert found.tags and found.manifests and found.records
     assert nights.registry.writes == before
 
 
-def test_old_nights_go_with_what_only_they_led_to(nights: Place, image_set: ImageSet) -> None:
+def test_old_nights_go_with_what_only_they_led_to(nights: Publisher, image_set: ImageSet) -> None:
     tags, count = nights.tagged("ros"), len(nights.registry.manifests[f"{PREFIX}/ros"])
     here = pruner(nights, image_set)
     found = here.find()
@@ -95,14 +95,14 @@ def test_old_nights_go_with_what_only_they_led_to(nights: Place, image_set: Imag
     assert run.made == [], "pruning took what the next run needs"
 
 
-def test_what_a_kept_record_brings_back_stays(nights: Place, image_set: ImageSet) -> None:
+def test_what_a_kept_record_brings_back_stays(nights: Publisher, image_set: ImageSet) -> None:
     here = pruner(nights, image_set, days=10, newest=0)
     list(here.remove(here.find()))
     nights.undo()
     reachable(nights, image_set)
 
 
-def test_a_registry_that_deletes_no_tags(nights: Place, image_set: ImageSet) -> None:
+def test_a_registry_that_deletes_no_tags(nights: Publisher, image_set: ImageSet) -> None:
     nights.registry.refuses.add("delete a tag")
     here = pruner(nights, image_set)
     found = here.find()
@@ -113,31 +113,31 @@ def test_a_registry_that_deletes_no_tags(nights: Place, image_set: ImageSet) -> 
     reachable(nights, image_set)
 
 
-def test_parts_that_did_not_change_stay(nights: Place, image_set: ImageSet) -> None:
+def test_parts_that_did_not_change_stay(nights: Publisher, image_set: ImageSet) -> None:
     found = pruner(nights, image_set, days=0, newest=0).find()
     assert not [item for item in found.manifests if item[0] == "part"]
 
 
-def test_an_entry_that_cannot_be_read_stops_it(nights: Place, image_set: ImageSet) -> None:
-    store.Records(nights.registry, PREFIX).artifact("alpha-core.amd64", b"{}", {store.ANNOTATION: "?"})
+def test_an_entry_that_cannot_be_read_stops_it(nights: Publisher, image_set: ImageSet) -> None:
+    store.Records(nights.place).artifact("alpha-core.amd64", b"{}", {store.ANNOTATION: "?"})
     with pytest.raises(RosmlError, match=r"alpha-core.amd64 cannot be read"):
         pruner(nights, image_set).find()
 
 
 @pytest.mark.parametrize("moves", [5, [5], ["x"], [{"repository": "ros"}], [{"old": ""}]])
-def test_a_record_that_cannot_be_read_stops_it(nights: Place, image_set: ImageSet, moves: object) -> None:
+def test_a_record_that_cannot_be_read_stops_it(nights: Publisher, image_set: ImageSet, moves: object) -> None:
     data = json.dumps({"moves": moves}).encode()
-    store.Records(nights.registry, PREFIX).artifact("undo.20261001T030000Z", data, {})
+    store.Records(nights.place).artifact("undo.20261001T030000Z", data, {})
     with pytest.raises(RosmlError, match=r"undo.20261001T030000Z cannot be read"):
         pruner(nights, image_set).find()
 
 
-def test_how_images_stand(nights: Place, image_set: ImageSet) -> None:
+def test_how_images_stand(nights: Publisher, image_set: ImageSet) -> None:
     now = "2026-10-08T03:00:00Z"
 
     def states(**options: object) -> dict[str, status.ImageStatus]:
         run = nights.run(image_set, **options)  # type: ignore[arg-type]
-        found = status.read(run.plan, nights.registry, PREFIX, now, run.serving)
+        found = status.read(run.state, now)
         return {item.target: item for item in found}
 
     found = states()
@@ -147,7 +147,7 @@ def test_how_images_stand(nights: Place, image_set: ImageSet) -> None:
         found["omega-core"].state == "missing"
         and found["omega-core"].reason == "amd64: it was never made; arm64: it was never made"
     )
-    nights.upstream["alpha"] = "week 7"
+    nights.packages["alpha"] = "week 7"
     found = states()
     assert found["alpha-core"].state == "outdated" and "packages moved" in found["alpha-core"].reason
     assert found[BASE].state == "outdated"
@@ -163,19 +163,19 @@ def test_how_images_stand(nights: Place, image_set: ImageSet) -> None:
     assert '"failed": 1' in status.as_json(list(found.values()))
 
 
-def test_how_images_stand_for_a_machine_of_one_architecture(nights: Place, image_set: ImageSet) -> None:
+def test_how_images_stand_for_a_machine_of_one_architecture(nights: Publisher, image_set: ImageSet) -> None:
     """What the other one lacks is told in words of its own, and what is not published yet is not called published."""
 
     def state(target: str) -> tuple[str, str]:
         run = nights.run(image_set, architectures=("amd64",))
-        found = status.read(run.plan, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
+        found = status.read(run.state, "2026-10-20T03:00:00Z")
         return next((item.state, item.reason) for item in found if item.target == target)
 
     assert state("omega-core-torch-cpu") == ("waiting for a builder", "of its architecture")
     alone: dict[str, Any] = {"date": "2026-10-13T03:00:00Z", "architectures": ("amd64",)}
     nights.publish(image_set, only=["omega-core"], serving=("amd64",), **alone)
     assert state("omega-core") == ("published", "not published: arm64")
-    nights.upstream["alpha"] = "week 7"
+    nights.packages["alpha"] = "week 7"
     nights.publish(image_set, only=["alpha"], packages="7", **alone)
     assert state("alpha-core") == ("outdated", "arm64: packages moved from week 5 to week 7")
     assert state("alpha-core-torch-cpu") == ("outdated", "arm64: alpha-core is made anew")
@@ -189,14 +189,14 @@ def test_what_cannot_be_had_is_told_apart(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     """Without a lock, or without the base image on this machine: neither is missing work. The table says it for each image."""
-    here = place(project, services(project), monkeypatch)
+    here = publisher(project, services(project), monkeypatch)
     here.publish(image_set, only=["alpha-core"], date="2026-11-19T03:00:00Z")
     here.services = services(project, docker_hub=False, bases=OFFLINE)
     lock = next(name for name in image_set.by_target[BASE].locks if name.endswith("/torch.txt"))
     lacking = locked.with_locks(image_set, image_set.locks - {lock})
     (project / lock).unlink()
     run = here.run(lacking, only=["alpha-core", "alpha-base", BASE, "alpha-core-ml-cu1"])
-    found = list(status.read(run.plan, here.registry, PREFIX, DAY))
+    found = list(status.read(run.state, DAY))
     part = "part-torch-cu1-py312"
     states = {it.target: (it.state, it.reason) for it in found if not it.target.startswith("part") or it.target == part}
     why = "docker.io/library/ubuntu:24.04 is on Docker Hub, which does not answer"
@@ -226,35 +226,36 @@ def test_a_missing_lock_hides_no_failure(project: Path, monkeypatch: pytest.Monk
     is not missed. What was published before has one cause, whichever locks it lacks now."""
     target, image_set = "alpha-core-torch-cpu", parse(changed("cpu: [arm64]}", "cpu: [amd64, arm64]}", SMALLER))
     write_locks(project, image_set)
-    here = place(project, services(project), monkeypatch)
+    here = publisher(project, services(project), monkeypatch)
     (lock,) = (name for name in image_set.by_target[target].locks if name.endswith("arm64/3.12/torch.txt"))
     lacking = locked.with_locks(image_set, image_set.locks - {lock})
 
-    def causes(run: Run, *serving: str) -> dict[str, tuple[str, str]]:
-        found = list(status.read(run.plan, here.registry, PREFIX, LATER, serving))
+    def causes(run: Run) -> dict[str, tuple[str, str]]:
+        found = list(status.read(run.state, LATER))
         made = status.causes(found, image_set.matrix.architectures)
         return {name: (cause.state, cause.reason) for cause in made for name in cause.targets}
 
     assert causes(here.run(lacking, only=[target]))[target] == ("lock missing", "")
     run = here.publish(lacking, only=[target], poisoned={target})
     assert causes(run)[target] == ("failed", "tests failed: contract: it is poisoned")
-    assert status.ahead(run.plan) == {"test": 1}, "on the architecture that has its lock"
+    assert status.ahead(run.state) == {"test": 1}, "on the architecture that has its lock"
     run = here.publish(lacking, only=[target], date=LATER, serving=("amd64",))
-    assert target not in causes(run, "amd64") and status.ahead(run.plan, ["amd64"]) == {}
+    assert target not in causes(run) and status.ahead(run.state) == {}
     other = lock.replace("arm64", "amd64")
     (project / other).unlink()
-    run = here.run(locked.with_locks(image_set, image_set.locks - {lock, other}), only=[target], date=LATER)
-    assert causes(run, "amd64")[target] == ("outdated", "lock missing")
+    without = locked.with_locks(image_set, image_set.locks - {lock, other})
+    run = here.run(without, only=[target], date=LATER, serving=("amd64",))
+    assert causes(run)[target] == ("outdated", "lock missing")
 
 
-def test_what_is_needed_stays_where_only_digests_can_be_deleted(nights: Place, image_set: ImageSet) -> None:
+def test_what_is_needed_stays_where_only_digests_can_be_deleted(nights: Publisher, image_set: ImageSet) -> None:
     """A dated tag goes, and its index is what a kept record brings back: the digest must not go with the tag."""
     nights.registry.refuses.add("delete a tag")
     here = pruner(nights, image_set, days=0, newest=0)
     here.today = FIRST + timedelta(days=35)
     found = here.find()
     record = next(name for name in nights.registry.tags(f"{PREFIX}/records") if name == "undo.20261006T030000Z")
-    moves = [move for move in tag_moves.read_moves(store.Records(nights.registry, PREFIX), record) if move.old]
+    moves = [move for move in tag_moves.read_moves(store.Records(nights.place), record) if move.old]
     assert moves
     list(here.remove(found))
     for move in moves:
@@ -262,7 +263,7 @@ def test_what_is_needed_stays_where_only_digests_can_be_deleted(nights: Place, i
     assert not [name for name in nights.registry.tags(f"{PREFIX}/records") if name in found.records]
 
 
-def test_a_tag_of_somebody_else_stays(nights: Place, image_set: ImageSet) -> None:
+def test_a_tag_of_somebody_else_stays(nights: Publisher, image_set: ImageSet) -> None:
     path = f"{PREFIX}/ros"
     for day in ("20200101", "20200102"):
         nights.registry.put_manifest(path, f"backup-{day}", {"schemaVersion": 2, "day": day}, "application/json")
@@ -271,10 +272,10 @@ def test_a_tag_of_somebody_else_stays(nights: Place, image_set: ImageSet) -> Non
     assert found.tags and not [tag for _, tag in found.tags if "backup" in tag]
 
 
-def test_how_images_stand_after_a_failure_is_over(nights: Place, image_set: ImageSet, project: Path) -> None:
+def test_how_images_stand_after_a_failure_is_over(nights: Publisher, image_set: ImageSet, project: Path) -> None:
     def state(target: str) -> tuple[str, str]:
         run = nights.run(image_set, only=["alpha"])
-        found = status.read(run.plan, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
+        found = status.read(run.state, "2026-10-20T03:00:00Z")
         return next((item.state, item.reason) for item in found if item.target == target)
 
     script = project / "components/ros/install.sh"
@@ -286,26 +287,26 @@ def test_how_images_stand_after_a_failure_is_over(nights: Place, image_set: Imag
     assert state("alpha-core") == ("published", "")
 
 
-def test_an_index_that_cannot_be_made_has_failed(nights: Place, image_set: ImageSet) -> None:
-    nights.upstream["alpha"] = "week 7"
+def test_an_index_that_cannot_be_made_has_failed(nights: Publisher, image_set: ImageSet) -> None:
+    nights.packages["alpha"] = "week 7"
     odd = {("alpha-core", "arm64"): {"org.opencontainers.image.version": "another"}}
     nights.publish(image_set, only=["alpha"], date="2026-10-13T03:00:00Z", packages="7", odd=odd)
     run = nights.run(image_set, only=["alpha"])
-    found = {i.target: i for i in status.read(run.plan, nights.registry, PREFIX, "2026-10-20T03:00:00Z")}
+    found = {i.target: i for i in status.read(run.state, "2026-10-20T03:00:00Z")}
     assert found["alpha-core"].state == "failed" and "not the same on all" in found["alpha-core"].reason
 
 
 @pytest.mark.parametrize("date", ["yesterday", "2026-11-22", "9999-99-99T99:99:99Z"])
-def test_a_date_that_is_none_has_no_age(nights: Place, image_set: ImageSet, date: str) -> None:
+def test_a_date_that_is_none_has_no_age(nights: Publisher, image_set: ImageSet, date: str) -> None:
     path = f"{PREFIX}/ros"
     content = {"schemaVersion": 2, "manifests": None, "annotations": {"io.rosml.date": date}}
     nights.registry.put_manifest(path, "alpha-core", content, INDEX)
     run = nights.run(image_set, only=["alpha-core"])
-    (found,) = status.read(run.plan, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
+    (found,) = status.read(run.state, "2026-10-20T03:00:00Z")
     assert (found.state, found.age, found.platforms) == ("outdated", None, ())
 
 
-def between(nights: Place, work: Callable[[], object], monkeypatch: pytest.MonkeyPatch) -> None:
+def between(nights: Publisher, work: Callable[[], object], monkeypatch: pytest.MonkeyPatch) -> None:
     """Has something happen right after the first tag was removed."""
     delete = nights.registry.delete
     waiting = [work]
@@ -319,7 +320,7 @@ def between(nights: Place, work: Callable[[], object], monkeypatch: pytest.Monke
 
 
 def test_what_a_run_comes_to_need_while_tags_go_stays(
-    nights: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+    nights: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The packages are those of an old night again: its images, which may go, are needed once more."""
     here = pruner(nights, image_set, days=0, newest=0)
@@ -327,9 +328,9 @@ def test_what_a_run_comes_to_need_while_tags_go_stays(
     again: list[str] = []
 
     def run() -> None:
-        nights.upstream["alpha"] = "week 1 again"
+        nights.packages["alpha"] = "week 1 again"
         done = nights.publish(image_set, only=["alpha"], date="2026-10-07T03:00:00Z", packages="1")
-        again.extend(entry.digest for entry in done.plan.known.values())
+        again.extend(entry.digest for entry in done.state.known.values())
         assert not done.failed
 
     between(nights, run, monkeypatch)
@@ -344,10 +345,10 @@ def test_what_a_run_comes_to_need_while_tags_go_stays(
 @pytest.mark.parametrize("only_digests", [False, True])
 @pytest.mark.parametrize("mover", ["a tag", "an undo", "the record of a run"])
 def test_what_a_tag_moves_to_while_manifests_go_stays(
-    nights: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch, mover: str, only_digests: bool
+    nights: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch, mover: str, only_digests: bool
 ) -> None:
     """The tag moves when the first manifest is gone; a run writes its record before its tags move."""
-    registry, path, records = nights.registry, f"{PREFIX}/ros", store.Records(nights.registry, PREFIX)
+    registry, path, records = nights.registry, f"{PREFIX}/ros", store.Records(nights.place)
     here, delete = pruner(nights, image_set, days=0, newest=0), registry.delete
     if only_digests:
         registry.refuses.add("delete a tag")
@@ -386,7 +387,7 @@ def test_what_a_tag_moves_to_while_manifests_go_stays(
     reachable(nights, image_set)
 
 
-def test_a_dated_tag_that_moved_stays(nights: Place, image_set: ImageSet) -> None:
+def test_a_dated_tag_that_moved_stays(nights: Publisher, image_set: ImageSet) -> None:
     here = pruner(nights, image_set, days=0, newest=0)
     found = here.find()
     repository, tag = next(item for item in found.tags if item[0] == "ros")
@@ -399,7 +400,7 @@ def test_a_dated_tag_that_moved_stays(nights: Place, image_set: ImageSet) -> Non
     assert nights.registry.head(path, tag) == other
 
 
-def test_a_dated_tag_with_a_date_that_is_none_is_somebody_elses(nights: Place, image_set: ImageSet) -> None:
+def test_a_dated_tag_with_a_date_that_is_none_is_somebody_elses(nights: Publisher, image_set: ImageSet) -> None:
     content = {"schemaVersion": 2, "manifests": [], "annotations": {"io.rosml.date": "yesterday"}}
     nights.registry.put_manifest(f"{PREFIX}/ros", "mine-20200101", content, INDEX)
     assert ("ros", "mine-20200101") not in pruner(nights, image_set, days=0, newest=0).find().tags
@@ -413,12 +414,12 @@ def test_looking_asks_at_most_twice_for_an_image_of_a_night(
     days: int,
     newest: int,
 ) -> None:
-    here = place(project, services(project), monkeypatch)
+    here = publisher(project, services(project), monkeypatch)
     asked, images, repositories = [], [], {image.repository for image in image_set.images}
     for number in range(6):
         night(here, image_set, number)
         before = here.registry.reads
-        Pruner(here.registry, PREFIX, image_set, FIRST + timedelta(days=100), days, newest).find()
+        Pruner(here.place, image_set, FIRST + timedelta(days=100), days, newest).find()
         asked.append(here.registry.reads - before)
         dated = [tag for name in repositories for tag in here.tagged(name) if names.DATED.search(tag)]
         images.append(len(dated))
@@ -428,7 +429,7 @@ def test_looking_asks_at_most_twice_for_an_image_of_a_night(
 
 
 def test_images_are_asked_for_side_by_side(
-    nights: Place,
+    nights: Publisher,
     image_set: ImageSet,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -13,7 +13,7 @@ from typing import Any
 import click
 import pytest
 from conftest import SMALL, write_locks
-from memory_registry import DAY, HOST, NEXT, Place, Run, place
+from memory_registry import DAY, HOST, NEXT, Publisher, Run, publisher
 from projects import copy
 from stubs import OFFLINE, buildx, calls, services
 
@@ -35,7 +35,7 @@ class Stage:
 
     folder: Path
     image_set: sets.ImageSet
-    place: Place
+    place: Publisher
     options: dict[str, Any] = field(default_factory=dict)
     runs: list[Run] = field(default_factory=list)
 
@@ -66,9 +66,9 @@ def stage(tmp_path: Path, registry: str, small: sets.ImageSet, monkeypatch: pyte
     (tmp_path / "matrix.yaml").write_text(SMALL)
     write_locks(tmp_path, small)
     services(tmp_path, registry, buildx=buildx(tmp_path, "exit 1"))
-    found = Stage(tmp_path, small, place(tmp_path, Services.load(tmp_path), monkeypatch))
+    found = Stage(tmp_path, small, publisher(tmp_path, Services.load(tmp_path), monkeypatch))
 
-    def pipeline(called: call.Call) -> Run:
+    def run(called: call.Call) -> Run:
         facts: dict[str, Any] = {
             "date": (DAY, NEXT)[len(found.runs)],
             "only": called.only,
@@ -79,7 +79,7 @@ def stage(tmp_path: Path, registry: str, small: sets.ImageSet, monkeypatch: pyte
         found.runs.append(found.place.run(small, **facts, **found.options))
         return found.runs[-1]
 
-    monkeypatch.setattr(call.Call, "pipeline", pipeline)
+    monkeypatch.setattr(call.Call, "run", run)
     return found
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT
-from memory_registry import NEXT, place
+from memory_registry import NEXT, publisher
 from projects import copy
 from stubs import services
 
@@ -29,8 +29,8 @@ def test_a_second_run_over_the_whole_matrix_does_nothing(tmp_path: Path, monkeyp
     """Every image and part on every architecture: nothing is built, tested, written, or told once more."""
     project = copy(tmp_path / "project")
     image_set = whole(project)
-    here = place(project, services(project), monkeypatch)
-    here.upstream = dict.fromkeys(image_set.matrix.distributions, "monday")
+    here = publisher(project, services(project), monkeypatch)
+    here.packages = dict.fromkeys(image_set.matrix.distributions, "monday")
     things: list[Image | Part] = [*image_set.images, *image_set.parts]
     items = {(thing.target, name) for thing in things for name in thing.architectures}
     assert len(image_set.images) >= 350 and len(items) > 800

@@ -7,13 +7,13 @@ from itertools import count
 from pathlib import Path
 
 import pytest
-from memory_registry import HOST, LATER, NEXT, PREFIX, Pen, Place, Run, place
+from memory_registry import HOST, LATER, NEXT, PREFIX, Pen, Publisher, Run, publisher
 from stubs import calls, executable, services
 
 from rosml.images.image_set.model import ImageSet
-from rosml.images.publish import sign
-from rosml.images.publish.pipeline import Outcome
-from rosml.images.publish.sign import PATIENCE, Signer, SignerFailed
+from rosml.images.publish import cosign
+from rosml.images.publish.cosign import PATIENCE, Signer, SignerFailed
+from rosml.images.publish.run import Outcome
 from rosml.images.records.store import INDEX
 
 ONLY = ["alpha-core", "omega-core"]
@@ -77,7 +77,7 @@ def test_keyless(root: Path) -> None:
     assert found.identity == "https://forge.example/me/rosml/.github/workflows/nightly.yml@refs/heads/main"
     assert found.ensure("ghcr.io/me/rosml/ros@sha256:1")
     assert [call for call in calls(root) if " sign " in call] == ["cosign sign --yes ghcr.io/me/rosml/ros@sha256:1"]
-    assert f"--certificate-identity {found.identity} --certificate-oidc-issuer {sign.ISSUER}" in calls(root)[-1]
+    assert f"--certificate-identity {found.identity} --certificate-oidc-issuer {cosign.ISSUER}" in calls(root)[-1]
 
 
 @pytest.mark.parametrize("missing", list(WORKFLOW))
@@ -137,8 +137,8 @@ def test_a_note_that_is_damaged(root: Path) -> None:
 
 
 @pytest.fixture
-def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
-    found = place(project, services(project), monkeypatch)
+def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Publisher:
+    found = publisher(project, services(project), monkeypatch)
     found.pen = Pen(found.registry)
     return found
 
@@ -147,10 +147,10 @@ def signing(run: Run) -> list[Outcome]:
     return [outcome for outcome in run.outcomes if outcome.step == "sign"]
 
 
-def test_every_index_is_signed_once(registry: Place, image_set: ImageSet) -> None:
+def test_every_index_is_signed_once(registry: Publisher, image_set: ImageSet) -> None:
     run = registry.publish(image_set, only=ONLY)
     registry.check(image_set)
-    indexes = {entry.digest for key, entry in run.plan.known.items() if key[1] == INDEX}
+    indexes = {entry.digest for key, entry in run.state.known.items() if key[1] == INDEX}
     assert {name.rpartition("@")[2] for name in registry.pen.signed} == indexes
     assert f"{HOST}/{PREFIX}/ros@{registry.tagged('ros')['alpha-core']}" in registry.pen.signed
     assert [outcome.state for outcome in signing(run)] == ["done"] * len(indexes)
@@ -161,11 +161,11 @@ def test_every_index_is_signed_once(registry: Place, image_set: ImageSet) -> Non
     registry.pen.signed.clear()
     other = registry.publish(image_set, only=ONLY, date=NEXT)
     assert len(registry.pen.signed) == len(indexes) and not other.made
-    entry = other.plan.known["alpha-core", INDEX]
+    entry = other.state.known["alpha-core", INDEX]
     assert entry.signed.keys() == {"sha256:pen", "sha256:another"}
 
 
-def test_without_a_signature_no_tag(registry: Place, image_set: ImageSet) -> None:
+def test_without_a_signature_no_tag(registry: Publisher, image_set: ImageSet) -> None:
     registry.pen.broken = "the key is gone"
     run = registry.publish(image_set, only=ONLY)
     assert run.failed and registry.tagged("ros") == {}
@@ -178,7 +178,7 @@ def test_without_a_signature_no_tag(registry: Place, image_set: ImageSet) -> Non
 
 
 def test_a_signer_that_fails_now_and_then_is_asked_for_every_image(
-    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     real, numbers = Pen.ensure, count()
 
@@ -191,10 +191,10 @@ def test_a_signer_that_fails_now_and_then_is_asked_for_every_image(
     assert states.count("failed") > PATIENCE and "waits" not in states
 
 
-def test_a_tag_that_moves_wants_more_than_the_recordss_word(registry: Place, image_set: ImageSet) -> None:
+def test_a_tag_that_moves_wants_more_than_the_recordss_word(registry: Publisher, image_set: ImageSet) -> None:
     """Somebody may have deleted the signature since."""
     run = registry.publish(image_set, only=ONLY)
-    name = f"{HOST}/{PREFIX}/ros@{run.plan.known['alpha-core', INDEX].digest}"
+    name = f"{HOST}/{PREFIX}/ros@{run.state.known['alpha-core', INDEX].digest}"
     registry.pen.signed.remove(name)
     registry.registry.delete(f"{PREFIX}/ros", "alpha-core")
     again = registry.publish(image_set, only=ONLY, date=LATER)
@@ -202,7 +202,7 @@ def test_a_tag_that_moves_wants_more_than_the_recordss_word(registry: Place, ima
     registry.check(image_set)
 
 
-def test_who_does_not_sign_needs_no_signature(registry: Place, image_set: ImageSet) -> None:
+def test_who_does_not_sign_needs_no_signature(registry: Publisher, image_set: ImageSet) -> None:
     registry.pen = None
     run = registry.publish(image_set, only=ONLY)
     assert not run.failed and signing(run) == [] and "alpha-core" in registry.tagged("ros")

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from memory_registry import DAY, IMAGE, LATER, NEXT, PREFIX, MemoryRegistry, Place, place
+from memory_registry import DAY, IMAGE, LATER, NEXT, PREFIX, MemoryRegistry, Publisher, publisher
 from registry_stand_in import StandIn, standing_in
 from stubs import services
 
@@ -18,6 +18,7 @@ from rosml.images.image_set.model import ImageSet
 from rosml.images.records.store import ANNOTATION, Entry, Records, tag
 from rosml.registry import oci
 from rosml.registry.client import Registry
+from rosml.registry.place import Place
 
 PATH = f"{PREFIX}/records"
 ENTRY = Entry("jazzy-base", "amd64", inputs="sha256:1", digest="sha256:2", changed=DAY)
@@ -34,7 +35,7 @@ def server() -> Iterator[StandIn]:
 @pytest.fixture
 def book(server: StandIn) -> Iterator[Records]:
     with Registry(server.address) as client:
-        yield Records(client, PREFIX)
+        yield Records(Place(client, PREFIX))
 
 
 def night(number: int) -> Entry:
@@ -79,7 +80,7 @@ def test_a_registry_that_deletes_nothing_takes_entries(server: StandIn, book: Re
     for entry in (ENTRY, OTHER):
         book.write(entry, INPUTS)
     for number in range(3):
-        Records(book.registry, PREFIX).write(night(number))  # as the publisher does: a run has one client
+        Records(book.place).write(night(number))  # as the publisher does: a run has one client
     book.write(replace(OTHER, changed=NEXT))
     assert book.read("jazzy-base", "amd64") == night(2)
     assert book.read("jazzy-base", "arm64") == replace(OTHER, changed=NEXT)
@@ -97,16 +98,16 @@ def test_a_registry_that_fails_once_the_entry_is_written(server: StandIn, book: 
 
 
 @pytest.fixture
-def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
-    return place(project, services(project), monkeypatch)
+def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Publisher:
+    return publisher(project, services(project), monkeypatch)
 
 
 @pytest.mark.parametrize("refuses", [False, True], ids=["deletes", "refuses"])
-def test_nights_of_a_publisher(registry: Place, image_set: ImageSet, refuses: bool) -> None:
+def test_nights_of_a_publisher(registry: Publisher, image_set: ImageSet, refuses: bool) -> None:
     if refuses:
         registry.registry.refuses.add("delete a manifest")
     for number, date in enumerate((DAY, NEXT, LATER)):
-        registry.upstream["alpha"] = f"night {number}"
+        registry.packages["alpha"] = f"night {number}"
         run = registry.publish(image_set, only=["alpha-core"], date=date, packages=str(number))
         assert run.outcomes and not run.failed
     registry.check(image_set)
@@ -138,7 +139,7 @@ class Meeting(MemoryRegistry):
 @pytest.mark.parametrize("number", [1, 2], ids=["the same", "another"])
 def test_two_publishers_write_an_entry(when: str, number: int) -> None:
     registry = Meeting()
-    mine, other = Records(registry, PREFIX), Records(registry, PREFIX)
+    mine, other = Records(Place(registry, PREFIX)), Records(Place(registry, PREFIX))
     first = mine.write(ENTRY, INPUTS)
     setattr(registry, when, lambda: other.write(night(number), INPUTS))
     mine.write(night(1), INPUTS)
@@ -150,9 +151,9 @@ def test_two_publishers_write_an_entry(when: str, number: int) -> None:
 def test_somebody_else_brings_the_entry_back() -> None:
     """The manifest that was to go has the tag again: it would lose that."""
     registry = Meeting()
-    book = Records(registry, PREFIX)
+    book = Records(Place(registry, PREFIX))
     book.write(ENTRY, INPUTS)
-    registry.after = lambda: Records(registry, PREFIX).write(ENTRY, INPUTS)
+    registry.after = lambda: Records(Place(registry, PREFIX)).write(ENTRY, INPUTS)
     book.write(night(1), INPUTS)
     assert book.read("jazzy-base", "amd64") == ENTRY
     assert len(registry.manifests[PATH]) == 1
@@ -161,7 +162,7 @@ def test_somebody_else_brings_the_entry_back() -> None:
 def test_an_artifact_is_as_it_was() -> None:
     """Its bytes decide its digest."""
     registry = MemoryRegistry()
-    book = Records(registry, PREFIX)
+    book = Records(Place(registry, PREFIX))
     digest = book.artifact("x.amd64", b'{"inputs": {}}', {ANNOTATION: "{}"})
     found = registry.manifests[PATH][digest].content
     assert json.dumps(found, sort_keys=True) == json.dumps(

@@ -16,6 +16,7 @@ from rosml.images.records import store
 from rosml.images.records.store import INDEX, Entry, Records
 from rosml.registry import oci
 from rosml.registry.client import Registry
+from rosml.registry.place import Place
 
 PREFIX = "me/rosml"
 RUN = "2026-11-22T03:00:00Z"
@@ -52,7 +53,7 @@ def index(client: Registry, repository: str, title: str, night: str) -> str:
 
 def published(client: Registry) -> dict[str, tuple[str, str]]:
     """Two nights of an image and of a part: where tags were, and where the second night moved them."""
-    book, found, moves = Records(client, PREFIX), {}, []
+    book, found, moves = Records(Place(client, PREFIX)), {}, []
     for repository, title, target, tags in (
         ("ros", "jazzy-base", "jazzy-base", TAGS),
         ("part", "torch-cpu-py312", "part-torch-cpu-py312", ("torch-cpu-py312",)),
@@ -83,7 +84,7 @@ def test_undo_needs_a_registry_alone(server: StandIn, clone: Path, capsys: pytes
         assert client.head(f"{PREFIX}/ros", TAGS[0]) == found["ros"][0]
         assert client.head(f"{PREFIX}/part", "torch-cpu-py312") == found["part"][0]
         assert client.head(f"{PREFIX}/ros", TAGS[1]) == "", "it was not there before"
-        book = Records(client, PREFIX)
+        book = Records(Place(client, PREFIX))
         for target in ("jazzy-base", "part-torch-cpu-py312"):
             entry = book.read(target, INDEX)
             assert entry and entry.held, f"{target}: the next night would move its tags there again"

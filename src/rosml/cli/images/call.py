@@ -21,7 +21,8 @@ from rosml.cli.options import Function
 
 if TYPE_CHECKING:
     from rosml.images.image_set.model import ImageSet
-    from rosml.images.publish.pipeline import Pipeline
+    from rosml.images.publish.run import Run
+    from rosml.images.publish.state import State
     from rosml.machine.services import Services
 
 KEPT = "interrupted: no tag points at what is not finished; what was finished is kept, the next call carries on"
@@ -167,8 +168,8 @@ class Call:
 
         return load.load(self.matrix, ROOT)
 
-    def pipeline(self, reading: bool = False) -> Pipeline:
-        """The run, after the registry and the repositories of packages were asked how things are.
+    def survey(self, reading: bool = False) -> State:
+        """What is known of the images that are asked for: the registry and the repositories of packages were asked.
 
         Args:
             reading: nothing will be made. What images stand on is judged for all of its architectures, and with a
@@ -176,28 +177,25 @@ class Call:
         """
         from rosml.base import clock
         from rosml.images.image_set import selection
-        from rosml.images.publish import pipeline as running
-        from rosml.images.publish import plan as planning
-        from rosml.images.publish import plan_file
-        from rosml.images.publish.sign import Signer
+        from rosml.images.publish import plan as plans
+        from rosml.images.publish.state import Request
+        from rosml.images.publish.steps.scan import policy_digest
+        from rosml.images.publish.survey import survey
         from rosml.images.scan import policy
-        from rosml.machine import trust
-        from rosml.registry import repositories
-        from rosml.registry.client import Registry
+        from rosml.registry.place import Place
 
-        started = time.monotonic()
         image_set = self.image_set
-        upstream: Mapping[str, str] = {}
+        package_state: Mapping[str, str] = {}
         if self.plan_file:
-            plan = plan_file.read_plan(self.plan_file, self.shard)
+            plan = plans.read_plan(self.plan_file, self.shard)
             self.date, self.registry = self.date or plan.date, self.registry or plan.registry
             self.only = self.only or plan.targets
             self.architectures = self.architectures or plan.architectures
             self.serve, self.force = self.serve or plan.serve, self.force or plan.force
-            upstream = plan.upstream
+            package_state = plan.package_state
         elif self.shard:
             raise click.UsageError("--shard is one of a plan: add --plan FILE")
-        selection.require_architectures(image_set, self.serve)  # with a typo nothing would ever get a tag
+        selection.require_architectures(image_set, self.serve)  # a typo is told before anything is asked
         if self.since:
             if self.only:
                 raise click.UsageError("--since says which images; leave --only out")
@@ -208,31 +206,42 @@ class Call:
         services = self.services(reading)
         if not self.registry:
             services.require_registry()
-        place = repositories.destination(self.registry or services.place)
-        signer = Signer.find(ROOT, trust.trusting(services)) if self.sign else None  # told before anything is built
-        client = Registry(place.host, ca_bundle=services.ca_bundle)
+        place = Place.at(self.registry or services.place, services.ca_bundle)
         date = self.date or clock.now()
         if not self.force:
             clock.require_not_ahead(date, clock.now())
-        scanning = running.policy_digest(policy.load(self.policy), date) if self.require_scan else ""
-        found = planning.survey(
+        request = Request(
             services,
             image_set,
-            client,
-            place.prefix,
+            place,
+            date,
             self.only,
             self.architectures,
+            self.serve,
             self.force,
-            scanning,
-            date,
-            upstream=upstream,
+            policy_digest(policy.load(self.policy), date) if self.require_scan else "",
+            package_state,
             whole=reading,
         )
+        found = survey(request)
         for remark in found.remarks:
             say(remark)
-        return running.Pipeline(
-            found, client, place.host, place.prefix, say, self.serve, signer=signer, started=started
-        )
+        return found
+
+    def run(self) -> Run:
+        """The run that is asked for; nothing is done yet."""
+        from rosml.images.builds.maker import BuildKitMaker
+        from rosml.images.publish.cosign import Signer
+        from rosml.images.publish.run import Run
+        from rosml.machine import trust
+
+        started = time.monotonic()
+        # A signer that is missing is told before anything is asked.
+        signer = Signer.find(ROOT, trust.trusting(self.services(reading=False))) if self.sign else None
+        state = self.survey()
+        services = state.request.services
+        maker = BuildKitMaker(services, self.image_set, state.place, say, self.force, state.forecast)
+        return Run(state, maker, say, signer, started)
 
     def services(self, reading: bool) -> Services:
         """Those of this machine; none are needed where nothing will be made and a registry is named."""
@@ -244,10 +253,10 @@ class Call:
         except RosmlError as error:
             raise (options.unnamed(error) if reading else error) from None
 
-    def report(self, pipeline: Pipeline) -> None:
+    def report(self, run: Run) -> None:
         """Prints what was done; ends with 1 where something failed."""
         from rosml.cli.images import report
 
-        report.show(pipeline, self.as_json)
-        if pipeline.failed:
+        report.show(run, self.as_json)
+        if run.failed:
             raise SystemExit(1)

@@ -57,9 +57,9 @@ def main(registry: str, matrix: Path, only: tuple[str, ...], output: Path, histo
     if not output.name:
         raise click.UsageError("--output names no folder")
     image_set = load.load(matrix, ROOT)
-    place, prefix = options.place_of(registry, ROOT)
-    with place as client:
-        gatherer = Gatherer(image_set, client, f"{place.host}/{prefix}", prefix, history)
+    place = options.place_of(registry, ROOT)
+    with place.client:
+        gatherer = Gatherer(image_set, place, history)
         found = gatherer.gather(now(), only)
     for remark in gatherer.remarks:
         command.warn(remark)

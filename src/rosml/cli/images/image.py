@@ -62,7 +62,11 @@ def main(target: str, matrix: Path, namespace: str, platform: str, on: str, forc
     from rosml.images.builds.base_images import native_architecture
     from rosml.images.builds.maker import require_buildable
     from rosml.images.image_set import apt_source, explain, selection
-    from rosml.images.publish import promote
+    from rosml.images.publish.steps.build import build
+    from rosml.images.publish.steps.index import index
+    from rosml.images.publish.steps.join import join
+    from rosml.images.publish.steps.promote import promote
+    from rosml.images.publish.steps.test import test
     from rosml.machine.services import Services
 
     call = Call(matrix=matrix, force=force)
@@ -91,16 +95,16 @@ def main(target: str, matrix: Path, namespace: str, platform: str, on: str, forc
     call.registry, call.only = f"{services.registry}/{namespace}", (wanted.target,)
     call.architectures = call.serve = (architecture,)
     wait_for_turn()
-    run = call.pipeline()
-    there = {target.removeprefix("part-") for target, name in run.plan.by_key if run.plan.made((target, name))}
-    disk.require(services.state, disk.needed_mb(run.plan.forecast, wanted, there), wanted.target)
-    run.build()
-    run.join()
-    run.test([wanted.target])
+    run = call.run()
+    there = {target.removeprefix("part-") for target, name in run.state.by_key if run.state.made((target, name))}
+    disk.require(services.state, disk.needed_mb(run.state.forecast, wanted, there), wanted.target)
+    build(run)
+    join(run)
+    test(run, [wanted.target])
     moves = None
     if architecture == native and not run.failed:
-        run.index()
-        moves = promote.Promotion(run).run()
+        index(run)
+        moves = promote(run)
     made = summary.of_image(run, wanted, architecture, moves)
     terminal.echo(json.dumps(made.to_json(), indent=2) if as_json else made.text())
 

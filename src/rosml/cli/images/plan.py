@@ -45,19 +45,20 @@ def main(everywhere: bool, shards: int, why: bool, output: Path | None, **option
     """
     from rosml.base import files
     from rosml.cli.images import report, tables
+    from rosml.images.publish.plan import make_plan
 
     call = Call(**options)
     if everywhere:
         call.architectures = call.serve or tuple(call.image_set.matrix.architectures)
-    pipeline = call.pipeline()
+    state = call.survey()
     # Who plans for this machine alone needs no machines in CI, and no word in the matrix on which they are.
-    plan = report.planned(pipeline, shards, why) if everywhere or output or call.as_json else None
-    if output and plan:
-        files.write(output, plan.text())
-        report.tell(plan)
-    if call.as_json and plan:
-        terminal.echo(plan.text(), nl=False)
+    found = make_plan(state, shards, why) if everywhere or output or call.as_json else None
+    if output and found:
+        files.write(output, found.text())
+        report.tell(found)
+    if call.as_json and found:
+        terminal.echo(found.text(), nl=False)
         return
-    report.print_plan(pipeline, why)
-    if everywhere and plan and plan.shards:
-        tables.show(tables.SHARDS, tables.shard_rows(plan.shards), right=tables.SHARDS[3:])
+    report.print_plan(state, why)
+    if everywhere and found and found.shards:
+        tables.show(tables.SHARDS, tables.shard_rows(found.shards), right=tables.SHARDS[3:])

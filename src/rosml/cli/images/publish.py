@@ -20,8 +20,8 @@ from rosml.cli.images.call import KEPT, Call, sharing, wait_for_turn
 from rosml.cli.options import place_of
 
 if TYPE_CHECKING:
-    from rosml.images.publish.pipeline import Pipeline
-    from rosml.images.scan.judge import Run
+    from rosml.images.publish.run import Run
+    from rosml.images.scan import judge
     from rosml.images.scan.results import Results
 
 
@@ -61,9 +61,9 @@ def _step(name: str, help_text: str, options: tuple[str, ...] = _STEP) -> None:
 
         call = Call(**options)
         wait_for_turn()
-        pipeline = call.pipeline()
-        STEPS[name.removesuffix("-images")](pipeline)
-        call.report(pipeline)
+        run = call.run()
+        STEPS[name.removesuffix("-images")](run)
+        call.report(run)
 
 
 @main.command(short_help="Makes the repositories that a plan writes into.")
@@ -85,20 +85,18 @@ def repositories(plan_file: Path, matrix: Path, as_json: bool) -> None:
     from rosml.containerize import rosdep_index
     from rosml.images.image_set import load as loading
     from rosml.images.matrix import source
-    from rosml.images.publish.plan_file import read_plan
-    from rosml.registry.repositories import make, repository_path
+    from rosml.images.publish.plan import read_plan
 
     plan = read_plan(plan_file)
-    client, prefix = place_of(plan.registry, ROOT)
+    place = place_of(plan.registry, ROOT)
     found = plan.repositories(loading.image_set(source.read(matrix)))  # without its locks: it names repositories
     made, failed = list[str](), dict[str, str]()
-    with client:
+    with place.client:
         for name in [*found, rosdep_index.NAME] if found else []:  # a job of the night writes rosdep's lists besides
-            place = repository_path(prefix, name)
             try:
-                if make(client, place):
+                if place.make(name):
                     made.append(name)
-                    say(f"made {client.host}/{place}")
+                    say(f"made {place.reference(name)}")
             except RosmlError as error:
                 failed[name] = error.message
                 say(f"failed: {error.message}; {error.remedy}")
@@ -124,11 +122,13 @@ def images(minutes: float | None, **options: Any) -> None:
     Example:
       rosml publish images --plan plan.json --shard amd64-1 --minutes 310
     """
+    from rosml.images.publish import steps
+
     call = Call(**options)
     wait_for_turn()
-    pipeline = call.pipeline()
-    pipeline.images(math.inf if minutes is None else minutes)
-    call.report(pipeline)
+    run = call.run()
+    steps.images(run, math.inf if minutes is None else minutes)
+    call.report(run)
 
 
 _step(
@@ -163,35 +163,36 @@ def everything(**options: Any) -> None:
 
     call = Call(**options)
     wait_for_turn()
-    pipeline = call.pipeline()
+    run = call.run()
     for name, step in STEPS.items():
         if name == "index" and call.require_scan:
-            _scan(call, pipeline)
-        step(pipeline)
-    call.report(pipeline)
+            _scan(call, run)
+        step(run)
+    call.report(run)
 
 
 def _scan(
     call: Call,
-    pipeline: Pipeline,
+    run: Run,
     fetch: bool = False,
     database: str = "",
     reports: Path | None = None,
     results: Results | None = None,
-) -> Run:
+) -> judge.Run:
     """Scans by a call's policy, with the database that is there or is fetched."""
+    from rosml.images.publish.steps.scan import scan as scan_images
     from rosml.images.scan import policy
     from rosml.images.scan.trivy import ScannerFailed, Trivy
     from rosml.machine import trust
 
     rules = policy.load(call.policy)
     try:
-        trivy: Trivy | ScannerFailed = Trivy.find(ROOT, environment=trust.trusting(pipeline.plan.services))
+        trivy: Trivy | ScannerFailed = Trivy.find(ROOT, environment=trust.trusting(run.state.request.services))
         if fetch and isinstance(trivy, Trivy):
             trivy.fetch(rules.policy.database, database, say)
     except ScannerFailed as error:  # every image says so
         trivy = error
-    return pipeline.scan(rules, trivy, reports, results)
+    return scan_images(run, rules, trivy, reports, results)
 
 
 @main.command(short_help="Scans images for known vulnerabilities.")
@@ -222,15 +223,15 @@ def scan(fetch: bool, database: str, reports: Path | None, output: Path | None, 
 
     call = Call(**options)
     wait_for_turn()
-    pipeline = call.pipeline()
-    results = Results(output, pipeline.plan.date) if output else None
-    run = _scan(call, pipeline, fetch, database, reports, results)
+    run = call.run()
+    results = Results(output, run.state.date) if output else None
+    found = _scan(call, run, fetch, database, reports, results)
     if results:
         results.write()
     if not call.as_json:
-        print_scan(run)
-    report.show(pipeline, call.as_json)
-    raise SystemExit(run.outcome.exit_code)
+        print_scan(found)
+    report.show(run, call.as_json)
+    raise SystemExit(found.outcome.exit_code)
 
 
 @main.command(short_help="Prints which database of vulnerabilities is the newest.")
@@ -271,9 +272,9 @@ def record(file: Path, **options: Any) -> None:
 
     call = Call(**options)
     wait_for_turn()
-    pipeline = call.pipeline()
-    scan_results.record(pipeline, file)
-    call.report(pipeline)
+    run = call.run()
+    scan_results.record(run, file)
+    call.report(run)
 
 
 @main.command(alone=True, short_help="Keeps one issue at GitHub while images are not published.")
@@ -316,10 +317,10 @@ def undo(run: str, **options: Any) -> None:
     from rosml.images.records.store import Records
 
     started, call = time.monotonic(), Call(**options)
-    client, prefix = place_of(call.registry, ROOT)
-    with client:
+    place = place_of(call.registry, ROOT)
+    with place.client as client:
         date = now()
-        outcomes = undoing.undo(Records(client, prefix), date, run)
+        outcomes = undoing.undo(Records(place), date, run)
         report.tell_outcomes(outcomes, date, client.uploaded, started, call.as_json)
     if any(outcome.state == "failed" for outcome in outcomes):
         raise SystemExit(1)
@@ -339,12 +340,11 @@ def rosdep(checkout: Path | None, as_json: bool, **options: Any) -> None:
     """
     from rosml.containerize import rosdep_index
 
-    client, prefix = place_of(options["registry"], ROOT)
-    repository = f"{prefix}/{rosdep_index.NAME}".removeprefix("/")
-    with client, rosdep_index.checkout(checkout) as folder:
+    place = place_of(options["registry"], ROOT)
+    with place.client as client, rosdep_index.checkout(checkout) as folder:
         tags = (f"{datetime.now(UTC):%Y%m%d}", "latest")
-        digest = rosdep_index.publish(folder, client, repository, tags)
-        names = [f"{client.host}/{repository}:{tag}" for tag in tags]
+        digest = rosdep_index.publish(folder, client, place.path(rosdep_index.NAME), tags)
+        names = [f"{place.reference(rosdep_index.NAME)}:{tag}" for tag in tags]
     terminal.echo(json.dumps({"tags": names, "digest": digest}) if as_json else f"{names[0]}  {digest}")
 
 
@@ -383,9 +383,9 @@ def prune(days: int, newest: int, apply: bool, **options: Any) -> None:
 
     call = Call(**options)
     image_set = loading.image_set(source.read(call.matrix))  # without its locks: it names repositories
-    client, prefix = place_of(call.registry, ROOT)
-    with client:
-        pruner = Pruner(client, prefix, image_set, datetime.now(UTC).date(), days, newest)
+    place = place_of(call.registry, ROOT)
+    with place.client:
+        pruner = Pruner(place, image_set, datetime.now(UTC).date(), days, newest)
         found = pruner.find()
         if not call.as_json:
             for repository, tag in found.tags:

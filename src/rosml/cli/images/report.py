@@ -12,59 +12,13 @@ from rosml.base.units import duration, size
 from rosml.cli.images import tables
 from rosml.images.image_set.missing import UNLOCKED
 from rosml.images.image_set.model import Image
-from rosml.images.publish import shards as dealing
-from rosml.images.publish.pipeline import Outcome, Pipeline
-from rosml.images.publish.plan import Task, changes
-from rosml.images.publish.plan_file import Planned, PlannedTask
+from rosml.images.publish.plan import Plan
+from rosml.images.publish.run import Outcome, Run
+from rosml.images.publish.state import State
 from rosml.images.records import store
 
 
-def tasks(pipeline: Pipeline) -> list[Task]:
-    """What is to be done about every item."""
-    return [pipeline.plan.task(item) for item in pipeline.plan.items]
-
-
-def planned(pipeline: Pipeline, shards: int, why: bool) -> Planned:
-    """What is to be done, and which of so many machines builds what. `why`: with the names of the inputs that changed."""
-    found = tasks(pipeline)
-    plan = pipeline.plan
-    # What is only to be tested needs a machine as well. A scan needs none of a kind.
-    here = [task for task in found if task.item.architecture in plan.architectures]
-    work = dealing.Work(
-        frozenset(task.item.key for task in here if task.item.making in task.steps),
-        frozenset(task.item.key for task in here if "test" in task.steps),
-        {key: entry.seconds for key, entry in plan.known.items() if not entry.failed},
-    )
-    wanted = {image.target for image in plan.images}
-    return Planned(
-        version=1,
-        date=plan.date,
-        registry=f"{pipeline.host}/{pipeline.prefix}",
-        architectures=plan.architectures,
-        serve=tuple(pipeline.serving),
-        force=plan.force,
-        upstream=plan.upstream,
-        targets=tuple(image.target for image in plan.images),
-        shards=dealing.deal(plan.forecast, shards, lambda image: image.target in wanted, work),
-        tasks=tuple(
-            PlannedTask(
-                target=task.item.target,
-                architecture=task.item.architecture,
-                kind=task.item.kind,
-                steps=task.steps,
-                why=task.why,
-                hindered=task.hindered,
-                inputs=_changed(pipeline, task) if why else (),
-            )
-            for task in found
-            if task.steps or task.hindered
-        ),
-        unchanged=sum(not task.steps and not task.hindered for task in found),
-        remarks=tuple(plan.remarks),
-    )
-
-
-def tell(plan: Planned) -> None:
+def tell(plan: Plan) -> None:
     """Tells CI of a plan: its shards, for the matrix of the jobs that build, and what there is to do."""
     ci.output("shards", json.dumps([{"name": shard.name, "runner": shard.runner} for shard in plan.shards]))
     counts = Counter(step for task in plan.tasks for step in task.steps)
@@ -78,20 +32,13 @@ def tell(plan: Planned) -> None:
     ci.summary(f"\n## Plan of {plan.date} for {plan.registry}\n\n{found}")
 
 
-def _changed(pipeline: Pipeline, task: Task) -> tuple[str, ...]:
-    """Names of the inputs that differ from those that an item was made from."""
-    if not task.steps or task.item.key not in pipeline.plan.known:
-        return ()
-    return tuple(changes(pipeline.plan, pipeline.records, task.item))
-
-
-def print_plan(pipeline: Pipeline, why: bool) -> None:
+def print_plan(state: State, why: bool) -> None:
     """A line for each item that something is to be done about, and counts of the others."""
-    found = tasks(pipeline)
+    found = state.tasks()
     todo = [task for task in found if task.steps]
     rows = []
     for task in todo:
-        changed = _changed(pipeline, task) if why else ()
+        changed = state.changes(task.item) if why else ()
         reason = "; ".join([*task.why, *([f"changed: {some(changed)}"] if changed else [])])
         rows.append((task.item.target, task.item.architecture, ", ".join(task.steps), reason))
     tables.show(("image", "architecture", "to do", "why"), rows, wrapped=["why"])
@@ -103,10 +50,10 @@ def print_plan(pipeline: Pipeline, why: bool) -> None:
     tables.print_unlocked([thing for thing in unlocked.values() if isinstance(thing, Image)])
 
 
-def show(pipeline: Pipeline, as_json: bool) -> None:
+def show(run: Run, as_json: bool) -> None:
     """What a run did, on standard output; and in CI's summary, where there is one."""
-    tell_outcomes(pipeline.outcomes, pipeline.plan.date, pipeline.uploaded, pipeline.started, as_json)
-    ci.summary(markdown(pipeline))
+    tell_outcomes(run.outcomes, run.state.date, run.uploaded, run.started, as_json)
+    ci.summary(markdown(run))
 
 
 def tell_outcomes(outcomes: list[Outcome], date: str, uploaded: int, started: float, as_json: bool) -> None:
@@ -176,18 +123,18 @@ def _unlocked(outcomes: list[Outcome]) -> int:
     return len({x.target for x in outcomes if x.state == "waits" and UNLOCKED in x.reason})
 
 
-def markdown(pipeline: Pipeline) -> str:
+def markdown(run: Run) -> str:
     """The summary of a job in CI."""
-    outcomes = pipeline.outcomes
+    outcomes = run.outcomes
     touched = {(outcome.target, outcome.architecture) for outcome in outcomes}
-    alone = [task for task in tasks(pipeline) if task.item.key not in touched]
+    alone = [task for task in run.state.tasks() if task.item.key not in touched]
     skipped = sum(not task.steps and not task.hindered for task in alone)
-    effort = _effort(pipeline.uploaded, pipeline.started)
-    lines = ["", f"## Publishing run of {pipeline.plan.date}", "", *(f"- {text}" for text in _counts(outcomes))]
+    effort = _effort(run.uploaded, run.started)
+    lines = ["", f"## Publishing run of {run.state.date}", "", *(f"- {text}" for text in _counts(outcomes))]
     lines += [f"- {skipped} left alone, as they should be", f"- {effort}", ""]
     rows = []
     for outcome in _interesting(outcomes):
-        entry = pipeline.plan.known.get((outcome.target, outcome.architecture or store.INDEX))
+        entry = run.state.known.get((outcome.target, outcome.architecture or store.INDEX))
         facts = (
             size(entry.size) if entry and entry.size else "",
             f"`{entry.digest[:19]}`" if entry and entry.digest else "",

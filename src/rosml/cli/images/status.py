@@ -40,20 +40,19 @@ def main(markdown: Path | None, **options: Any) -> None:
     """
     from rosml.base.clock import now
     from rosml.cli.images import tables
-    from rosml.images.publish import status as states
+    from rosml.images.publish import status
 
     call = Call(**options)
-    pipeline = call.pipeline(reading=True)
-    found = list(states.read(pipeline.plan, pipeline.registry, pipeline.prefix, now(), pipeline.serving))
-    plan = pipeline.plan
-    causes = states.causes(found, plan.image_set.matrix.architectures)
-    ahead = states.ahead(plan, pipeline.serving)
-    text = tables.status_markdown(f"{pipeline.host}/{pipeline.prefix}", found, causes, ahead)
+    state = call.survey(reading=True)
+    found = list(status.read(state, now()))
+    causes = status.causes(found, state.image_set.matrix.architectures)
+    ahead = status.ahead(state)
+    text = tables.status_markdown(str(state.place), found, causes, ahead)
     if markdown:
         files.write(markdown, text)
     ci.summary(text)
-    ci.output("open", str(sum(item.state in states.OPEN for item in found)))
+    ci.output("open", str(sum(item.state in status.OPEN for item in found)))
     if call.as_json:
-        terminal.echo(states.as_json(found))
+        terminal.echo(status.as_json(found))
     else:
         tables.print_status(found, causes, ahead)

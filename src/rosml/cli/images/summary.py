@@ -9,8 +9,8 @@ from rosml.base.errors import RosmlError
 from rosml.base.units import duration, size
 from rosml.images.builds import base_images
 from rosml.images.image_set.model import Image, tags_of
-from rosml.images.publish.pipeline import Pipeline
-from rosml.images.publish.plan import ABSENT, WAITING
+from rosml.images.publish.run import Run
+from rosml.images.publish.state import ABSENT, WAITING
 from rosml.images.records.store import INDEX
 from rosml.images.records.tag_moves import Move
 from rosml.machine import buildx
@@ -77,25 +77,25 @@ class Summary:
         return "\n".join(["", title, "-" * len(title), *(f"{name.ljust(width)}  {value}" for name, value in rows)])
 
 
-def require_whole(run: Pipeline, image: Image, architecture: str, tagged: bool) -> None:
+def require_whole(run: Run, image: Image, architecture: str, tagged: bool) -> None:
     """Checks that a run left an image as it should be.
 
     Raises:
         RosmlError: it did not; says which step failed first, or what the image waits for.
     """
-    plan = run.plan
+    state = run.state
     if failed := next((outcome for outcome in run.outcomes if outcome.state == "failed"), None):
-        known = plan.known.get((failed.target, failed.architecture or INDEX))
+        known = state.known.get((failed.target, failed.architecture or INDEX))
         remedy = known.failed.get("remedy", "") if known else ""
         text = f"{failed.step} of {failed.target} failed, so {image.target} gets no tag: {failed.reason}"
         raise RosmlError(text, remedy or "mend what failed, then run it again: what was finished is kept")
     if tagged:
-        index = plan.known.get((image.target, INDEX))
-        wrong = plan.unready(image, run.serving) or (
+        index = state.index_of(image)
+        wrong = state.unready(image) or (
             f"its tags were moved back on {index.held[:10]}" if index and index.held else ""
         )
     else:
-        wrong = "; ".join(plan.reasons(plan.by_key[image.target, architecture]))
+        wrong = "; ".join(state.reasons(state.by_key[image.target, architecture]))
     if wrong:
         waits = next((o.reason for o in run.outcomes if o.target == image.target and o.state == "waits"), wrong)
         remedy = "make it anew: --force, or ROSML_FORCE=1 for make"
@@ -106,7 +106,7 @@ def require_whole(run: Pipeline, image: Image, architecture: str, tagged: bool) 
         raise RosmlError(f"{image.target} gets no tag: {waits}", remedy)
 
 
-def of_image(run: Pipeline, image: Image, architecture: str, moves: list[Move] | None) -> Summary:
+def of_image(run: Run, image: Image, architecture: str, moves: list[Move] | None) -> Summary:
     """What a run came to for one image.
 
     Args:
@@ -117,9 +117,9 @@ def of_image(run: Pipeline, image: Image, architecture: str, moves: list[Move] |
         RosmlError: the image is not as it should be.
     """
     require_whole(run, image, architecture, tagged=moves is not None)
-    plan, repository = run.plan, run.reference(image.repository)
-    entry = plan.known[image.target, architecture]
-    parts = [plan.known[plan.image_set.part_by_name[name].target, architecture] for name in image.parts]
+    state, repository = run.state, run.state.place.reference(image.repository)
+    entry = state.known[image.target, architecture]
+    parts = [state.known[state.image_set.part_by_name[name].target, architecture] for name in image.parts]
     seconds: dict[str, float] = {}
     for outcome in run.outcomes:
         if outcome.seconds:
@@ -138,10 +138,10 @@ def of_image(run: Pipeline, image: Image, architecture: str, moves: list[Move] |
         versions=dict(entry.versions),
         seconds=seconds,
         made=[outcome.target for outcome in done if outcome.step in ("build", "join")],
-        builder=buildx.command_on_it(plan.services),
+        builder=buildx.command_on_it(state.request.services),
     )
     if moves is not None:
         found.tags = [f"{repository}:{tag}" for tag in tags_of(image)]
-        found.reference, found.digest = found.tags[0], plan.known[image.target, INDEX].digest
+        found.reference, found.digest = found.tags[0], state.known[image.target, INDEX].digest
         found.moved = [m.tag for m in moves if (m.repository, m.new) == (image.repository, found.digest)]
     return found

@@ -18,7 +18,7 @@ if TYPE_CHECKING:  # a table of images needs none of them
 
     from rosml.images.bake.diff import Difference
     from rosml.images.bake.inputs import Inputs
-    from rosml.images.publish.plan_file import Shard
+    from rosml.images.publish.shards import Shard
     from rosml.images.publish.status import Cause, ImageStatus
     from rosml.images.scan.judge import Run
 

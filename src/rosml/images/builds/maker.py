@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Protocol
 
 from rosml.base import files
 from rosml.base.errors import RosmlError
@@ -25,8 +25,8 @@ from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
 from rosml.images.join.joiner import Joiner
 from rosml.machine import buildx
 from rosml.machine.services import Services
-from rosml.registry import repositories
 from rosml.registry.oci import Manifest
+from rosml.registry.place import Place
 from rosml.registry.references import Reference
 
 SAID = 8
@@ -39,14 +39,14 @@ class Made:
 
     Attributes:
         digest: of its manifest. parts: digests of what it stands on, by target.
-        upstream: of when its packages are; empty where no repository decides.
+        package_state: of the repositories that its packages came from; empty if no repository decides.
         base: reference of the operating system's image that it starts from; empty where that is one of its parts.
         sbom: digest of the artifact with its SBOM; empty of one that was joined.
     """
 
     digest: str
     parts: Mapping[str, str] = field(default_factory=dict)
-    upstream: str = ""
+    package_state: str = ""
     base: str = ""
     sbom: str = ""
 
@@ -98,13 +98,13 @@ class Maker(Protocol):
     def build_part(self, part: Part, architecture: str) -> Made:
         """Builds a part from its lock, and pushes it."""
 
-    def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], moment: str) -> Made:
+    def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], packages: str) -> Made:
         """Builds a ROS image, and pushes it.
 
         Args:
             parts: digest of the image below it, by target; none for the first component, which starts from the
                 operating system's image.
-            moment: of when its packages are; empty where no repository decides.
+            packages: the state of the package repositories; empty if no repository decides.
         """
 
     def join(self, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
@@ -131,7 +131,7 @@ class BuildKitMaker:
 
     Attributes:
         services: the builder and the registry of this checkout. image_set: what there is to make.
-        registry: where images go (`Registry`). host: its address. prefix: path of its repositories.
+        place: where images go.
         say: told what is going on, a line at a time.
         force: whether to build past the builder's cache.
         forecast: the image set with what is known of sizes; by what the matrix says if None.
@@ -139,9 +139,7 @@ class BuildKitMaker:
 
     services: Services
     image_set: ImageSet
-    registry: Any
-    host: str
-    prefix: str
+    place: Place
     say: Callable[[str], None]
     force: bool = False
     forecast: ImageSet | None = None
@@ -151,34 +149,37 @@ class BuildKitMaker:
         """Builds a part from its lock."""
         self._make_room(disk.part_mb(part), part.name)
         platform = self._platform(architecture)
-        start, digest = parts.push(self.services, self.image_set, part, self.say, self._place, [platform], self.force)
+        start, digest = parts.push(
+            self.services, self.image_set, part, self.say, str(self.place), [platform], self.force
+        )
         return Made(digest, base=start.reference, sbom=self._describe(part, digest))
 
-    def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], moment: str) -> Made:
+    def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], packages: str) -> Made:
         """Builds a ROS image on the one below it, as it is in the registry."""
         self._require_builder(architecture)
         self._make_room(disk.needed_mb(self._sizes, image, self._there), image.parent, image.target)
-        given = self.variables(image, architecture, package_state.ros_date(moment)) | {"DIGESTS": json.dumps(parts)}
+        given = self.variables(image, architecture, package_state.ros_date(packages)) | {"DIGESTS": json.dumps(parts)}
         sets = [f"{image.target}.tags="]
         # The first component brings the essentials, which are the operating system's own packages.
         installing = [image.target] if parts else [image.parent, image.target]
         if self.force:
             sets += [f"{target}.no-cache=true" for target in installing]
-        elif moment:  # packages that moved are installed anew: the builder cannot know that they did
-            folder = self._moment(image, moment)
+        elif packages:  # packages that moved are installed anew: the builder cannot know that they did
+            folder = self._changes_with(image, packages)
             sets += [f"{target}.contexts.upstream={folder}" for target in installing]
         bake_file = write_excerpt(self.services, self.image_set, image.target)
         call = buildx.Bake(image.target, f"build-{image.target}-{architecture}", bake_file, tuple(sets), given)
-        _, digest = push_by_digest(self.services, call, self._reference(image.repository))
-        return Made(digest, parts, moment, "" if parts else base(image, given), self._describe(image, digest))
+        _, digest = push_by_digest(self.services, call, self.place.reference(image.repository))
+        return Made(digest, parts, packages, "" if parts else base(image, given), self._describe(image, digest))
 
     def join(self, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
         """Joins an image by a manifest: no layer is read or sent that the registry has."""
+        registry = self.place.client
         ros, *others = (
-            Reference(self.host, self._repository(self._repositories[target]), digest)
+            Reference(registry.host, self.place.path(self._repositories[target]), digest)
             for target, digest in parts.items()
         )
-        return self._joiner.manifest(ros, others, self.host, self._repository(image.repository)).digest
+        return self._joiner.manifest(ros, others, registry.host, self.place.path(image.repository)).digest
 
     def test(
         self, image: Image, architecture: str, digest: str, parts: Mapping[str, str], names: tuple[str, ...]
@@ -189,8 +190,7 @@ class BuildKitMaker:
         its layers are theirs, and parts that were unpacked once need not be unpacked for each image.
         """
         self._require_builder(architecture)
-        repository = self._repository(image.repository)
-        manifest = self.registry.manifest(repository, digest)
+        manifest = self.place.client.manifest(self.place.path(image.repository), digest)
         if manifest is None:
             raise RosmlError(f"{image.target} is not in the registry any more", "run it again")
         sizes = [layer.size for layer in manifest.layers]
@@ -199,22 +199,22 @@ class BuildKitMaker:
         digests = self._digests(parts) if image.stack else {image.target: digest}
         given = self.variables(image, architecture) | {"DIGESTS": json.dumps(digests)}
         file = write_excerpt(self.services, self.image_set, image.target, image.test_target)
-        place = f"{self.host}/{repository}@{digest}"
+        reference = self.place.reference(image.repository, digest)
         size = sum(sizes[-len(image.parts) :]) if image.parts else 0
         room = disk.tested_mb(self._sizes, image, self._there)
         self._make_room(room, *image.parts, image.parent, *([] if image.stack else [image.target]))
-        report, folder = structure_tests.run(self.services, image, architecture, place, file, given, names, size)
+        report, folder = structure_tests.run(self.services, image, architecture, reference, file, given, names, size)
         failures = tuple(f"{outcome.file}: {outcome.name}" for outcome in report.failed)
         if failures:
             self.say(
                 f"{len(failures)} of {len(report.outcomes)} structure tests of {image.target} failed; it gets no tag\n"
-                f"{report.failures()}\n  all reports: {folder}\n  the image that failed: {place}"
+                f"{report.failures()}\n  all reports: {folder}\n  the image that failed: {reference}"
             )
         return Checked(report.passed, failures, report.unpacked, report.versions, report.failures(SAID))
 
-    def variables(self, image: Image, architecture: str, moment: str = "") -> dict[str, str]:
+    def variables(self, image: Image, architecture: str, date: str = "") -> dict[str, str]:
         """Variables of the bake file for an image; `build/variables.py` says which."""
-        return variables(self.services, self.image_set, image, architecture, self._place, self.say, moment)
+        return variables(self.services, self.image_set, image, architecture, str(self.place), self.say, date)
 
     @property
     def _sizes(self) -> ImageSet:
@@ -229,24 +229,13 @@ class BuildKitMaker:
     @cached_property
     def _joiner(self) -> Joiner:
         """What puts images together; it reads each part once."""
-        return Joiner(lambda _: self.registry, say=self.say)
+        return Joiner(lambda _: self.place.client, say=self.say)
 
     @cached_property
     def _repositories(self) -> dict[str, str]:
         """Repositories of images and parts by target, without the prefix."""
         things: list[Image | Part] = [*self.image_set.images, *self.image_set.parts]
         return {thing.target: repository_of(thing) for thing in things}
-
-    def _repository(self, name: str) -> str:
-        return repositories.repository_path(self.prefix, name)
-
-    @property
-    def _place(self) -> str:
-        """The registry and the path before the names of repositories."""
-        return self._reference("").rstrip("/")
-
-    def _reference(self, name: str) -> str:
-        return f"{self.host}/{self._repository(name)}"
 
     def _platform(self, architecture: str) -> str:
         return self.image_set.matrix.architectures[architecture].platform
@@ -258,14 +247,14 @@ class BuildKitMaker:
 
     def _describe(self, thing: Image | Part, digest: str) -> str:
         """Attaches to what was pushed the list of its files, for whoever joins it to others, and its SBOM; gives that."""
-        where = self._repository(repository_of(thing))
-        return contents.attach(self.services, self.image_set, self.registry, where, digest, self.say)[digest]
+        where = self.place.path(repository_of(thing))
+        return contents.attach(self.services, self.image_set, self.place.client, where, digest, self.say)[digest]
 
-    def _moment(self, image: Image, moment: str) -> Path:
-        """A folder that says of when a distribution's packages are, for the builder's cache to know."""
-        folder = self.services.state / "upstream" / image.distribution
+    def _changes_with(self, image: Image, packages: str) -> Path:
+        """A folder that changes with the state of a distribution's package repositories, for the builder's cache."""
+        folder = self.services.state / "package-state" / image.distribution
         folder.mkdir(parents=True, exist_ok=True)
-        files.write(folder / "moment", moment + "\n")
+        files.write(folder / "moment", packages + "\n")  # the file's name is part of the cache's keys
         return folder
 
     def _digests(self, parts: Mapping[str, str]) -> dict[str, str]:
@@ -281,7 +270,7 @@ class BuildKitMaker:
         """
         layers: list[str] = []
         for target, digest in parts.items():
-            found = self.registry.manifest(self._repository(self._repositories[target]), digest)
+            found = self.place.client.manifest(self.place.path(self._repositories[target]), digest)
             layers += [layer.digest for layer in found.layers] if found else []
         if layers != [layer.digest for layer in manifest.layers]:
             raise RosmlError(f"{image.target} does not consist of its parts' layers", "join it again: --force")

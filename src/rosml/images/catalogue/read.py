@@ -8,14 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
-from rosml.base import progress_bar
 from rosml.base.errors import RosmlError
+from rosml.base.side_by_side import side_by_side
 from rosml.images.catalogue.model import (
     FORMAT,
     WORDS,
@@ -40,10 +39,9 @@ from rosml.images.image_set.model import repository_of, tags_of
 from rosml.images.image_set.selection import select
 from rosml.images.matrix.names import DATED
 from rosml.images.records import tag_moves
-from rosml.images.records.store import INDEX, READERS, Entry, Records, date_of
+from rosml.images.records.store import INDEX, Entry, Records, date_of
 from rosml.registry import documents
-from rosml.registry.client import Registry
-from rosml.registry.repositories import repository_path
+from rosml.registry.place import Place
 
 HISTORY = 10
 """How many builds of an image without a tag are described at most: the newest. Those with one are all described."""
@@ -93,16 +91,14 @@ class Gatherer:
     """Reads a registry.
 
     Attributes:
-        image_set: what the matrix describes. registry: where images are.
-        place: the registry with the path of its repositories, as people write it. prefix: that path.
+        image_set: what the matrix describes.
+        place: where images are.
         history: how many builds to describe of an image that no tag points at any more.
         remarks: what was left out, and why.
     """
 
     image_set: sets.ImageSet
-    registry: Registry
-    place: str
-    prefix: str
+    place: Place
     history: int = HISTORY
     remarks: list[str] = field(default_factory=list)
     _current: dict[str, Entry] = field(default_factory=dict)
@@ -121,7 +117,7 @@ class Gatherer:
         parts = tuple(part for part in self.image_set.parts if part.name in wanted)
         things: list[Thing] = [*images, *parts]
         keys = [(thing.target, name) for thing in things for name in (*thing.architectures, INDEX)]
-        known = Records(self.registry, self.prefix).read_all(keys)
+        known = Records(self.place).read_all(keys)
         self._current = {entry.digest: entry for key, entry in known.items() if key[1] != INDEX and entry.digest}
         found = self._find(things, known)
         table = _Table(self.image_set, {thing.target: found[thing.target].indexes for thing in things})
@@ -130,7 +126,7 @@ class Gatherer:
         return Published(
             format=FORMAT,
             created=created,
-            registry=self.place,
+            registry=str(self.place),
             source=self.image_set.matrix.source,
             distributions={name: self._distribution(name) for name in dict.fromkeys(i.distribution for i in images)},
             words=WORDS,
@@ -163,16 +159,13 @@ class Gatherer:
 
     # ---- The registry ------------------------------------------------------------------------------------------------
 
-    def _path(self, repository: str) -> str:
-        return repository_path(self.prefix, repository)
-
     def _find(self, things: Sequence[Thing], known: Mapping[tuple[str, str], Entry]) -> dict[str, _Found]:
         """What the registry has, by target."""
         repositories = dict.fromkeys(repository_of(thing) for thing in things)
-        names = _each(repositories, lambda name: _by_base(self.registry.tags(self._path(name))), "tags")
+        names = _each(repositories, lambda name: _by_base(self.place.client.tags(self.place.path(name))), "tags")
         found = {thing.target: _Found() for thing in things}
         wanted = [(repository_of(t), tag) for t in things for tag in _tags_there(t, names[repository_of(t)])]
-        heads = _each(wanted, lambda key: self.registry.head(self._path(key[0]), key[1]), "digests")
+        heads = _each(wanted, lambda key: self.place.client.head(self.place.path(key[0]), key[1]), "digests")
         moves = self._moves()
         asked: dict[str, list[str]] = {}
         for thing in things:
@@ -201,9 +194,11 @@ class Gatherer:
 
     def _moves(self) -> dict[tuple[str, str], list[Move]]:
         """How tags moved, by repository and tag, newest first: as records of runs tell."""
-        book = Records(self.registry, self.prefix)
+        book = Records(self.place)
         found: dict[tuple[str, str], list[Move]] = {}
-        names = sorted((n for n in self.registry.tags(book.repository) if n.startswith(tag_moves.UNDO)), reverse=True)
+        names = sorted(
+            (n for n in self.place.client.tags(book.repository) if n.startswith(tag_moves.UNDO)), reverse=True
+        )
         for name, moves in _each(names, lambda name: self._record(book, name), "records").items():
             for move in moves:
                 if move.old != move.new:
@@ -224,9 +219,9 @@ class Gatherer:
         Raises:
             RosmlError: the registry does not answer.
         """
-        path = self._path(repository)
+        path = self.place.path(repository)
         try:
-            found = self.registry.manifest(path, digest)
+            found = self.place.client.manifest(path, digest)
             if found is None:  # a build that was removed since
                 return None
             if not found.is_index:
@@ -235,19 +230,19 @@ class Gatherer:
             members = [self._member(path, *item) for item in listed if not item[1].startswith("unknown")]
             return _Index(digest, date_of(found), tuple(members))
         except (ArithmeticError, LookupError, TypeError, ValueError, RosmlError) as error:
-            self.registry.head(path, digest)  # a registry that does not answer any more is another matter
+            self.place.client.head(path, digest)  # a registry that does not answer any more is another matter
             self.remarks.append(f"{repository}@{digest} is left out: it cannot be read ({error})")
             return None
 
     def _member(self, path: str, digest: str, platform: str) -> _Member:
-        found = self.registry.manifest(path, digest)
+        found = self.place.client.manifest(path, digest)
         if found is None:
             raise ValueError(f"{digest} is not there")
-        config = self.registry.config(path, found)
+        config = self.place.client.config(path, found)
         layers = tuple((layer.digest, layer.size) for layer in found.layers)
         entry = self._current.get(digest)
         if entry is None:  # of one that another has taken the place of since
-            entry = Records(self.registry, self.prefix).attached(path.removeprefix(f"{self.prefix}/"), digest)
+            entry = Records(self.place).attached(path.removeprefix(self.place.path("")), digest)
         return _Member(digest, platform, layers, config.labels, entry)
 
     # ---- What it means -----------------------------------------------------------------------------------------------
@@ -380,7 +375,7 @@ class _Table:
             platform=member.platform,
             digest=member.digest,
             inputs=entry.inputs if entry else "",
-            ros_sync=member.labels.get(_SYNC, "") or (entry.upstream if entry else ""),
+            ros_sync=member.labels.get(_SYNC, "") or (entry.package_state if entry else ""),
             size=Size(compressed=total, unpacked=(entry.unpacked if entry else 0) or None),
             parts=self._sizes(member),
             layers=positions,
@@ -494,5 +489,4 @@ def _platform(place: documents.Platform | None) -> str:
 def _each(keys: Iterable[Key], work: Callable[[Key], Value], title: str) -> dict[Key, Value]:
     """Asks for several things at a time; a terminal shows how many of them have answered."""
     wanted = list(keys)
-    with ThreadPoolExecutor(READERS) as pool:
-        return dict(zip(wanted, progress_bar.over(pool.map(work, wanted), title, len(wanted)), strict=True))
+    return dict(zip(wanted, side_by_side(work, wanted, title=title), strict=True))

@@ -1,542 +1,153 @@
-"""What there is to do: the state that a registry should be in, compared with the one that its records say it is in.
-
-Nothing is done here. A step that was done before, from the same inputs, is not in the plan again; so a publishing run
-that was interrupted goes on where it was, on any machine.
-"""
+"""The plan of a run, plan.json: one model of what one job writes and others read."""
 
 from __future__ import annotations
 
-import hashlib
 import json
-from collections.abc import Iterable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field, replace
-from functools import cached_property
+from pathlib import Path
 from typing import Literal
 
+from pydantic import ValidationError
+
+from rosml.base.clock import checked_date
 from rosml.base.errors import RosmlError
-from rosml.base.problems import listed, some
-from rosml.images.bake.inputs import TARGET, Inputs
-from rosml.images.builds import base_images
-from rosml.images.builds import package_state as upstreams
-from rosml.images.image_set import missing
-from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
-from rosml.images.image_set.selection import require_architectures, select
-from rosml.images.matrix.model import Size
-from rosml.images.records import store
-from rosml.images.records.store import INDEX, Entry, Records
-from rosml.machine.services import Services
-from rosml.registry.client import Registry
-from rosml.registry.repositories import repository_path
-
-Kind = Literal["ros", "part", "joined"]
-Step = Literal["build", "join", "test", "scan"]
-
-ABSENT = "the archive has no"
-"""How the reason begins why a row cannot be built whose packages nobody published."""
-
-WAITING = "waiting for a builder"
-ELSEWHERE = f"{WAITING} of its architecture"
+from rosml.base.problems import first_of, unknown
+from rosml.images.image_set.model import PARTS, ImageSet
+from rosml.images.image_set.selection import select
+from rosml.images.publish.shards import Fact, Named, Shard, Work, deal
+from rosml.images.publish.state import Kind, State, Step
+from rosml.images.records.store import REPOSITORY
 
 
-@dataclass(frozen=True)
-class Item:
-    """An image or part on one architecture.
+class PlannedTask(Fact):
+    """What is to be done about an image or part on an architecture, and why, or why it cannot be done here.
 
     Attributes:
-        thing: the image or part.
-        architecture: under BuildKit's name.
-        needs: bake targets of what it is put together from: the ROS image below, and parts.
+        inputs: names of those that changed, where they were asked for.
     """
 
-    thing: Image | Part
+    target: str
     architecture: str
-    needs: tuple[str, ...]
-
-    @property
-    def target(self) -> str:
-        """Its bake target."""
-        return self.thing.target
-
-    @property
-    def kind(self) -> Kind:
-        """ROS images and parts are built; a joined image is joined of them."""
-        if isinstance(self.thing, Part):
-            return "part"
-        return "joined" if self.thing.stack else "ros"
-
-    @property
-    def repository(self) -> str:
-        """Without the registry's prefix."""
-        return repository_of(self.thing)
-
-    @property
-    def key(self) -> tuple[str, str]:
-        """Target and architecture."""
-        return self.target, self.architecture
-
-    @property
-    def making(self) -> Step:
-        """The step that makes it."""
-        return "join" if self.kind == "joined" else "build"
-
-
-@dataclass(frozen=True)
-class Task:
-    """What is to be done about an item.
-
-    Attributes:
-        steps: in order; empty where nothing is. why: reasons for the first of them.
-        hindered: why none of it can be done here; empty where it can.
-    """
-
-    item: Item
-    steps: tuple[Step, ...] = ()
+    kind: Kind
+    steps: tuple[Step, ...]
     why: tuple[str, ...] = ()
     hindered: str = ""
+    inputs: tuple[str, ...] = ()
 
 
-@dataclass
-class Plan:
-    """All items of an image set that are asked for, and what is known of them.
+class Plan(Fact):
+    """A plan.
 
     Attributes:
-        services: what this machine has. image_set: all that the matrix describes. inputs: of its targets.
-        known: entries of the records by target and architecture; kept up to date while work goes on.
-        upstream: of when the packages of each distribution are.
-        present: the entries whose manifest is in the registry.
-        images: those that are asked for.
-        architectures: those that this run works for.
-        force: everything is made anew. scanning: whether images are scanned; a digest of the policy.
-        date: of the run. forced: what was made anew in this run already.
-        whole: the plan covers every architecture of each base image, so that its index can be judged.
-        lacking: packages that the archive of a distribution does not have, by architecture.
-        remarks: what people should know, such as a repository that does not answer. digests: of tests, which are made once.
+        version: of this format.
+        date: of the run. registry: where its images go, with the prefix.
+        architectures: those that it works for. serve: those that the registry serves; all of the matrix if empty.
+        force: everything is made anew.
+        package_state: of each distribution whose repositories answered.
+        targets: the images that are meant. shards: which machine builds what.
+        tasks: what is to be done or cannot be done. unchanged: how many items are as they should be.
+        remarks: what people should know, such as a repository that does not answer.
     """
 
-    services: Services
-    image_set: ImageSet
-    inputs: Inputs
-    known: dict[tuple[str, str], Entry]
-    upstream: dict[str, str]
-    present: set[tuple[str, str]]
-    images: tuple[Image, ...]
-    architectures: tuple[str, ...]
-    force: bool = False
-    scanning: str = ""
-    date: str = ""
-    whole: bool = False
-    remarks: list[str] = field(default_factory=list)
-    forced: set[tuple[str, str]] = field(default_factory=set)
-    lacking: dict[tuple[str, str], frozenset[str]] = field(default_factory=dict)
-    digests: dict[tuple[str, str, tuple[str, ...]], str] = field(default_factory=dict, repr=False)
+    version: Literal[1]
+    date: str
+    registry: str
+    architectures: Named
+    serve: tuple[str, ...]
+    force: bool
+    package_state: dict[str, str]
+    targets: Named
+    shards: tuple[Shard, ...]
+    tasks: tuple[PlannedTask, ...]
+    unchanged: int
+    remarks: tuple[str, ...]
 
-    @cached_property
-    def items(self) -> tuple[Item, ...]:
-        """In the order of work: ROS images from the lowest up, parts, then what is joined of both."""
-        ros: dict[tuple[str, str], Item] = {}
-        parts: dict[tuple[str, str], Item] = {}
-        joined: dict[tuple[str, str], Item] = {}
-        for image in self.images:
-            chain = [image] if image.stack is None else []
-            below = self.image_set.by_target.get(image.parent)
-            while below:
-                chain.append(below)
-                below = self.image_set.by_target.get(below.parent)
-            own = [self.image_set.part_by_name[name] for name in image.parts]
-            for architecture in self.image_set.matrix.architectures if self.whole else image.architectures:
-                for link in reversed(chain):
-                    if architecture in link.architectures:
-                        ros.setdefault((link.target, architecture), Item(link, architecture, self._needs(link)))
-                for part in own:
-                    if architecture in part.architectures:
-                        parts.setdefault((part.target, architecture), Item(part, architecture, ()))
-                if image.stack and architecture in image.architectures:
-                    joined[image.target, architecture] = Item(image, architecture, self._needs(image))
-        return (*ros.values(), *parts.values(), *joined.values())
+    def repositories(self, image_set: ImageSet) -> list[str]:
+        """The repositories that something of the plan is written into, the records first; without the registry's prefix.
 
-    @cached_property
-    def forecast(self) -> ImageSet:
-        """The image set with the sizes of ROS images that earlier runs measured, in the place of what the matrix forecasts. What
-        stands on such an image, and was never measured, adds to it what the matrix says."""
-        sizes: dict[str, Size] = {}
-        for image in self.image_set.images:
-            if image.stack is None:
-                sizes[image.target] = self._size(image, sizes)
-        images = tuple(replace(image, disk=sizes.get(image.target, image.disk)) for image in self.image_set.images)
-        return replace(self.image_set, images=images)
-
-    def _size(self, image: Image, sizes: Mapping[str, Size]) -> Size:
-        entries = [self.known.get((image.target, architecture)) for architecture in image.architectures]
-        if found := [(entry.unpacked, entry.size) for entry in entries if entry and entry.unpacked and entry.size]:
-            unpacked, compressed = max(found)
-            return Size(unpacked=unpacked // 1_000_000, compressed=compressed // 1_000_000)
-        below = self.image_set.by_target.get(image.parent)
-        return Size.total(sizes[below.target], image.disk - below.disk) if below else image.disk
-
-    @cached_property
-    def _asked(self) -> frozenset[str]:
-        """Targets of the images that are part of this run."""
-        return frozenset(image.target for image in self.images)
-
-    @cached_property
-    def by_key(self) -> dict[tuple[str, str], Item]:
-        """Items by target and architecture."""
-        return {item.key: item for item in self.items}
-
-    def task(self, item: Item, ahead: bool = True) -> Task:
-        """What is to be done about an item, by what is known now.
-
-        Args:
-            item: one of `items`.
-            ahead: take what it needs for as good as made, if only that can be made here: a plan. Otherwise it has to be there.
+        Raises:
+            RosmlError: it has an image that the image set lacks (exit code 2).
         """
-        if reason := self.hindrance(item):
-            return Task(item, hindered=reason)
-        lacking = [target for target in item.needs if not self.made((target, item.architecture))]
-        hindered = {target: reason for target in lacking if (reason := self._reason((target, item.architecture)))}
-        if hindered or (lacking and not ahead):
-            first, reason = next(iter(hindered.items()), (lacking[0] if lacking else "", "it is not made yet"))
-            return Task(item, hindered=reason if reason == ELSEWHERE else f"{reason} (for {first})")
-        why = self.reasons(item)
-        if lacking and item.key in self.known and self.known[item.key].digest:
-            why += [f"{target} is made anew" for target in lacking]
-        elif lacking and not why:
-            why = [f"{target} is made first" for target in lacking]
-        entry = None if why else self.known[item.key]
-        steps = self._checks(item, entry)
-        if item.architecture not in self.architectures and "test" in steps:
-            if not why:
-                return Task(item, hindered=ELSEWHERE)
-            steps = ()
-        if why:
-            return Task(item, (item.making, *steps), tuple(why))
-        reasons = {"test": "its tests have not passed", "scan": "it was not scanned by this policy"}
-        return Task(item, steps, (reasons[steps[0]],) if steps else ())
+        wanted = [task for task in self.tasks if task.steps]
+        images = [task.target for task in wanted if task.kind != "part"]
+        found = [REPOSITORY] if wanted else []
+        found += [PARTS] if len(images) < len(wanted) else []
+        found += [image.repository for image in select(image_set, images)] if images else []
+        return list(dict.fromkeys(found))
 
-    def made(self, key: tuple[str, str]) -> bool:
-        """Whether an item is in the registry as it should be."""
-        return key in self.by_key and not self.reasons(self.by_key[key])
-
-    def reasons(self, item: Item) -> list[str]:
-        """Why an item is to be made anew; nothing where it is as it should be."""
-        entry = self.known.get(item.key)
-        if entry is None or not entry.digest:
-            return ["it was never made"]
-        # What another machine made in this run, which has one date, is not made once more.
-        if self.force and item.key not in self.forced and entry.date != self.date:
-            return ["--force"]
-        why = []
-        if entry.inputs != self.inputs.digest(item.target, item.architecture):
-            why.append("its inputs changed")
-        if item.kind == "ros" and (moved := self._moved(item, entry)):
-            why.append(moved)
-        if item.key not in self.present:
-            why.append("it is not in the registry any more")
-        if item.kind != "joined" and not entry.sbom:  # of a version that had the scan make them
-            why.append("it has no SBOM")
-        for target in item.needs:
-            part = self.known.get((target, item.architecture))
-            if part and part.digest and entry.parts.get(target) != part.digest:
-                why.append(f"{target} is another one")
-        return why
-
-    def _moved(self, item: Item, entry: Entry) -> str:
-        assert isinstance(item.thing, Image)
-        now = self.upstream.get(item.thing.distribution, "")
-        # Another machine of this run may have found packages that ROS published after the plan.
-        if entry.changed == self.date and upstreams.ros_date(entry.upstream) > upstreams.ros_date(now):
-            return ""
-        return (
-            f"packages moved from {entry.upstream or 'nobody knows when'} to {now}"
-            if now not in ("", entry.upstream)
-            else ""
-        )
-
-    def _checks(self, item: Item, entry: Entry | None) -> tuple[Step, ...]:
-        """The checks that are still to be done; all of them for an item that is to be made."""
-        steps: list[Step] = []
-        if item.kind != "part" and not (entry and self.passed(item, entry)):
-            steps.append("test")
-        # A part is scanned as a part of the images that have it.
-        clean = entry and entry.scanned == "clean" and entry.scan.get("policy") == self.scanning
-        if self.scanning and item.kind != "part" and not clean:
-            steps.append("scan")
-        return tuple(steps)
-
-    def passed(self, item: Item, entry: Entry) -> bool:
-        """Whether the tests that there are now passed in the image of an entry: all, or those that it runs itself."""
-        return self._tested(item, entry) and entry.passed > 0 and not entry.failures
-
-    def _tested(self, item: Item, entry: Entry) -> bool:
-        """Whether the tests that there are now ran."""
-        assert isinstance(item.thing, Image)
-        return entry.tested in {self._digest_of(item, names) for names in (item.thing.tests, self._all(item.thing))}
-
-    def tests(self, item: Item) -> tuple[str, ...]:
-        """The tests that an image runs: those that depend on its own sum; and those that it shares with others, unless these are
-        part of this run, or passed them before with the same parts."""
-        assert isinstance(item.thing, Image)
-        elsewhere = all(target in self._asked or not self._unproven(item, target) for target in item.thing.proven_by)
-        return item.thing.tests if elsewhere else self._all(item.thing)
-
-    def tests_digest(self, item: Item) -> str:
-        """A digest of the tests that an image runs: files, programs, what they expect; not of the image itself."""
-        return self._digest_of(item, self.tests(item))
-
-    def _all(self, image: Image) -> tuple[str, ...]:
-        return (*image.tests, *image.shared)
-
-    def _digest_of(self, item: Item, names: tuple[str, ...]) -> str:
-        assert isinstance(item.thing, Image)
-        key = (*item.key, names)
-        if key not in self.digests:
-            inputs = self.inputs.of_tests(item.thing, item.architecture, names)
-            own = {name: value for name, value in inputs.items() if not name.startswith(TARGET)}
-            own["budget"] = str(item.thing.budget)
-            self.digests[key] = hashlib.sha256(json.dumps(own, sort_keys=True).encode()).hexdigest()
-        return self.digests[key]
-
-    def unproven(self, item: Item) -> str:
-        """What other images were to prove of an image and did not; empty where they did, or it ran all tests itself."""
-        assert isinstance(item.thing, Image)
-        entry = self.known[item.key]
-        whole = entry.tested == self._digest_of(item, self._all(item.thing))
-        for target in item.thing.proven_by:
-            if (target in self._asked or not whole) and (reason := self._unproven(item, target)):
-                return reason
-        return ""
-
-    def _unproven(self, item: Item, target: str) -> str:
-        """Why the tests of another image say nothing about one; empty where they passed, with the same parts."""
-        image = self.image_set.by_target[target]
-        proof = Item(image, item.architecture, self._needs(image))
-        entry = self.known.get(proof.key)
-        what = f"tests that it shares with {target}"
-        if entry is None or not entry.digest:
-            return f"{what}: that is not there"
-        if proof.key in self.by_key and (why := self.reasons(proof)):
-            return f"{what}: {why[0]}"
-        if not self._tested(proof, entry) or not (entry.passed or entry.failures):
-            return f"{what} have not passed"
-        assert isinstance(item.thing, Image)
-        common = {*item.thing.shared, *image.carried}
-        if failures := [failure for failure in entry.failures if failure.partition(":")[0] in common]:
-            return f"{what} failed: {some(failures)}"
-        for name, digest in entry.parts.items():
-            if (part := self.known.get((name, item.architecture))) and part.digest != digest:
-                return f"{what}: that has another {name}"
-        return self.unproven(proof) if target == item.thing.parent else ""
-
-    def _needs(self, image: Image) -> tuple[str, ...]:
-        """What an image is put together from."""
-        below = (image.parent,) if image.parent in self.image_set.by_target else ()
-        return (*below, *(self.image_set.part_by_name[name].target for name in image.parts))
-
-    def hindrance(self, item: Item) -> str:
-        """Why an item cannot be made on this machine; empty where it can."""
-        image_or_part = item.thing
-        if lacking := missing.on(image_or_part, item.architecture):
-            return f"{missing.UNLOCKED}: {some(lacking)}"
-        if item.kind == "joined":  # put together in the registry, from anywhere
-            return ""
-        if item.architecture not in self.architectures:
-            return ELSEWHERE
-        if isinstance(image_or_part, Part):  # assembled on what there is
-            return ""
-        unpublished = self.lacking.get((image_or_part.distribution, item.architecture), frozenset())
-        if gone := sorted(unpublished.intersection(image_or_part.packages.split())):
-            return f"{ABSENT} {listed(gone)} for {image_or_part.os}, {item.architecture}"
-        systems = self.image_set.matrix.operating_systems
-        absent = base_images.missing(self.services, systems, image_or_part.os)
-        return f"{WAITING}: {absent}" if absent else ""
-
-    def _reason(self, key: tuple[str, str]) -> str:
-        """Why a part cannot be made here; of what it needs itself, if that is the reason."""
-        item = self.by_key[key]
-        if reason := self.hindrance(item):
-            return reason
-        failed = self.known.get(key)
-        if failed and failed.failed and failed.changed == self.date:
-            return f"its {failed.failed.get('step', 'build')} failed in this run"
-        for target in item.needs:
-            below = (target, item.architecture)
-            if not self.made(below) and (reason := self._reason(below)):
-                return reason
-        return ""
-
-    # ---- Indexes -----------------------------------------------------------------------------------------------------
-
-    def members(self, thing: Image | Part) -> tuple[tuple[str, str], ...]:
-        """The items that an image's, or part's, index is made of."""
-        return tuple((thing.target, architecture) for architecture in thing.architectures)
-
-    def unready(self, thing: Image | Part, serving: Sequence[str] = ()) -> str:
-        """Why no index of an image can be made; empty where it can.
-
-        Args:
-            thing: the image or part.
-            serving: the architectures that the registry serves; all of the matrix if empty.
-        """
-        keys = [key for key in self.members(thing) if not serving or key[1] in serving]
-        if not keys:
-            return f"it does not exist for {', '.join(serving)}"
-        for key in keys:
-            item, entry = self.by_key.get(key), self.known.get(key)
-            if item is None or entry is None or not entry.digest:
-                return f"{key[1]} is not there" + (f": {self.hindrance(item)}" if item and self.hindrance(item) else "")
-            if why := self.reasons(item):
-                return f"{key[1]}: {why[0]}"
-            if item.kind != "part" and not self.passed(item, entry):
-                failures = some(list(entry.failures)) if entry.failures else ""
-                return f"{key[1]}: tests " + (f"failed: {failures}" if failures else "have not passed")
-            if item.kind != "part" and (reason := self.unproven(item)):
-                return f"{key[1]}: {reason}"
-            if self.scanning and "scan" in self._checks(item, entry):
-                outcome = "not done by this policy" if entry.scanned == "clean" else entry.scanned or "not done"
-                return f"{key[1]}: scan: {outcome}"
-            if item.kind == "part" and not self._used(entry):
-                checks = "its tests and the scan" if self.scanning else "its tests"
-                return f"{key[1]}: no image that has it passed {checks} yet"
-        return ""
-
-    def _used(self, part: Entry) -> bool:
-        """Whether an image that has a part, this very one, passed its tests, and the scan where there is one."""
-        return any(
-            entry.parts.get(part.target) == part.digest and not self._checks(item, entry) and not self.unproven(item)
-            for key, item in self.by_key.items()
-            if item.kind == "joined" and item.architecture == part.architecture and (entry := self.known.get(key))
-        )
-
-    def things(self) -> tuple[Image | Part, ...]:
-        """Images and parts that get an index: those that are asked for, and what they stand on."""
-        return tuple({item.target: item.thing for item in self.items}.values())
+    def text(self) -> str:
+        """What `read_plan` reads."""
+        facts = self.model_dump(mode="json")
+        facts["tasks"] = [task.model_dump(mode="json", exclude_defaults=True) for task in self.tasks]
+        return json.dumps(facts, indent=2) + "\n"
 
 
-def survey(
-    services: Services,
-    image_set: ImageSet,
-    registry: Registry,
-    prefix: str,
-    only: Sequence[str] = (),
-    architectures: Sequence[str] = (),
-    force: bool = False,
-    scanning: str = "",
-    date: str = "",
-    inputs: Inputs | None = None,
-    upstream: Mapping[str, str] | None = None,
-    whole: bool = False,
-) -> Plan:
-    """Asks the registry and the repositories of packages how things are.
+def make_plan(state: State, shards: int, why: bool = False) -> Plan:
+    """What is to be done, and which machine builds what.
 
     Args:
-        services: what this machine has.
-        image_set: all that the matrix describes.
-        registry: where the images are. prefix: path of its repositories.
-        only: patterns of targets, or groups.
-        architectures: those to work for; the machine's own if empty.
-        force: make everything anew.
-        scanning: digest of the scanner's policy; empty where nothing is scanned.
-        date: of the run.
-        inputs: of the image set's targets, where they were read before.
-        upstream: of when the packages of distributions are, by a plan. All steps of a run take them to be of that moment;
-            what moves after the plan is the next run's, unless a build can have it no other way.
-        whole: what images stand on is judged for all of its architectures.
+        shards: how many machines there are at most. why: name the inputs that changed; the records are read for them.
 
     Raises:
-        RosmlError: the registry does not answer, or there is no such image or architecture.
+        RosmlError: the matrix does not say where an architecture is built (exit code 2).
     """
-    native = base_images.native_architecture()
-    require_architectures(image_set, architectures)
-    plan = Plan(
-        services,
-        image_set,
-        inputs or Inputs(services.root, image_set),
-        {},
-        dict(upstream or {}),
-        set(),
-        select(image_set, only),
-        tuple(architectures) or (native,),
-        force,
-        scanning,
-        date=date,
-        whole=whole,
+    tasks = state.tasks()
+    # What is only to be tested needs a machine as well. A scan needs none of a kind.
+    here = [task for task in tasks if task.item.architecture in state.architectures]
+    work = Work(
+        frozenset(task.item.key for task in here if task.item.making in task.steps),
+        frozenset(task.item.key for task in here if "test" in task.steps),
+        {key: entry.seconds for key, entry in state.known.items() if not entry.failed},
     )
-    plan.inputs.check()
-    book = Records(registry, prefix)
-    keys = [item.key for item in plan.items] + [(thing.target, INDEX) for thing in plan.things()]
-    keys += [
-        (target, item.architecture)
-        for item in plan.items
-        if isinstance(item.thing, Image)
-        for target in item.thing.proven_by
-    ]
-    plan.known = book.read_all(list(dict.fromkeys(keys)))
-    plan.present = present(registry, prefix, plan.known.values())
-    _ask(plan)
-    return plan
+    wanted = {image.target for image in state.images}
+    return Plan(
+        version=1,
+        date=state.date,
+        registry=str(state.place),
+        architectures=state.architectures,
+        serve=state.request.serve,
+        force=state.request.force,
+        package_state=state.package_state,
+        targets=tuple(image.target for image in state.images),
+        shards=deal(state.forecast, shards, lambda image: image.target in wanted, work),
+        tasks=tuple(
+            PlannedTask(
+                target=task.item.target,
+                architecture=task.item.architecture,
+                kind=task.item.kind,
+                steps=task.steps,
+                why=task.why,
+                hindered=task.hindered,
+                inputs=tuple(state.changes(task.item)) if why and task.steps else (),
+            )
+            for task in tasks
+            if task.steps or task.hindered
+        ),
+        unchanged=sum(not task.steps and not task.hindered for task in tasks),
+        remarks=tuple(state.remarks),
+    )
 
 
-def present(registry: Registry, prefix: str, entries: Iterable[Entry]) -> set[tuple[str, str]]:
-    """Target and architecture of the entries whose manifest is in the registry."""
+def read_plan(file: Path, shard: str = "") -> Plan:
+    """Reads plan.json.
 
-    def there(entry: Entry) -> bool:
-        repository = repository_path(prefix, entry.repository)
-        return bool(entry.digest and registry.head(repository, entry.digest))
+    Args:
+        file: what `plan` wrote.
+        shard: the targets and architecture of this one alone; of the whole plan if empty.
 
-    found = list(entries)
-    with ThreadPoolExecutor(store.READERS) as pool:
-        return {(e.target, e.architecture) for e, yes in zip(found, pool.map(there, found), strict=True) if yes}
-
-
-def _ask(plan: Plan) -> None:
-    """Asks the repositories of packages of the distributions that can be built here."""
-    rows: Mapping[str, Image] = {
-        item.thing.distribution: item.thing
-        for item in plan.items
-        if item.kind == "ros"
-        and isinstance(item.thing, Image)
-        and not plan.hindrance(item)
-        and item.thing.distribution not in plan.upstream
-    }
-
-    def asked(name: str) -> str | RosmlError:
-        try:
-            return upstreams.state(plan.services, plan.image_set.matrix, name)
-        except RosmlError as error:
-            return error
-
-    with ThreadPoolExecutor(8) as pool:
-        for name, answer in zip(rows, pool.map(asked, rows), strict=True):
-            if isinstance(answer, RosmlError):
-                if answer.exit_code == 2:  # what the user said is wrong, and not the network
-                    raise answer
-                remark = f"{name}: {answer.message}; its packages are taken for unchanged; {answer.remedy}"
-                plan.remarks.append(remark)
-            else:
-                plan.upstream[name] = answer
-    wanted: dict[tuple[str, str], list[str]] = {}
-    for item in plan.items:
-        if not isinstance(item.thing, Image) or item.kind != "ros" or item.architecture not in plan.architectures:
-            continue
-        row = item.thing.distribution
-        if row in rows and row in plan.upstream and plan.reasons(item):
-            wanted.setdefault((row, item.architecture), []).extend(item.thing.packages.split())
-
-    def absent(key: tuple[str, str]) -> frozenset[str]:
-        try:
-            return frozenset(upstreams.lacking(plan.services, plan.image_set.matrix, *key, wanted[key]))
-        except RosmlError as error:
-            plan.remarks.append(f"{key[0]}: {error.message}; {error.remedy}")
-            return frozenset()  # the build says more
-
-    with ThreadPoolExecutor(8) as pool:
-        plan.lacking = {key: found for key, found in zip(wanted, pool.map(absent, wanted), strict=True) if found}
-
-
-def changes(plan: Plan, book: Records, item: Item) -> list[str]:
-    """Which inputs of an item differ from those that it was made from, and those of its parts."""
-    old, new = book.inputs(*item.key), plan.inputs.of(item.target, item.architecture)
-    if not old:
-        return []
-    return sorted(name for name in old.keys() | new.keys() if old.get(name) != new.get(name))
+    Raises:
+        RosmlError: it is no plan, or has no such shard (exit code 2).
+    """
+    try:
+        found = Plan.model_validate_json(file.read_bytes())
+    except (OSError, ValidationError) as error:
+        reason = error.strerror if isinstance(error, OSError) else first_of(error)
+        text = f"{file} is no plan of this version: {reason}"
+        raise RosmlError(text, "write it anew with: rosml plan --output FILE", exit_code=2) from None
+    checked_date(found.date)
+    if not shard:
+        return found
+    shards = {item.name: item for item in found.shards}
+    if shard not in shards:
+        raise RosmlError(unknown("shard", shard, shards), f"there is {', '.join(shards) or 'none'}", exit_code=2)
+    part = shards[shard]
+    return found.model_copy(update={"targets": part.targets, "architectures": (part.architecture,)})

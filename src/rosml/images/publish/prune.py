@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from datetime import date, timedelta
 from functools import partial
@@ -22,13 +21,14 @@ from typing import Any, TypeVar
 from rosml.base.clock import is_date
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed
+from rosml.base.side_by_side import side_by_side
 from rosml.images.image_set.model import PARTS, ImageSet
 from rosml.images.matrix.names import DATED
-from rosml.images.records.store import READERS, REPOSITORY, Entry, Records, date_of
+from rosml.images.records.store import REPOSITORY, Entry, Records, date_of
 from rosml.images.records.tag_moves import UNDO, read_moves
-from rosml.registry.client import Registry, Undeletable
+from rosml.registry.client import Undeletable
 from rosml.registry.oci import INDEXES, Manifest
-from rosml.registry.repositories import repository_path
+from rosml.registry.place import Place
 
 FALLBACK = re.compile(r"sha256-[0-9a-f]{64}")
 """Tags under which a registry without the referrers API keeps what is attached to a manifest."""
@@ -78,13 +78,12 @@ class Pruner:
     """Looks for what can go, and removes it.
 
     Attributes:
-        registry: where. prefix: path of its repositories.
+        place: where.
         image_set: names the repositories.
         today: the day from which ages count. days: dated tags younger than that stay. newest: so many of each image stay in any case.
     """
 
-    registry: Registry
-    prefix: str
+    place: Place
     image_set: ImageSet
     today: date
     days: int = 30
@@ -112,9 +111,9 @@ class Pruner:
         self._runs = self._records_of_runs()
         roots, candidates, found.records = self._book()
         for repository in self._repositories():
-            path = self._path(repository)
+            path = self.place.path(repository)
             tags = self._tags(path)
-            manifests = dict(zip(tags, self._each(partial(self._manifest, path), tags), strict=True))
+            manifests = dict(zip(tags, side_by_side(partial(self._manifest, path), tags), strict=True))
             going = {tag for tag in self._old(tags, oldest) if is_date(date_of(manifests[tag]))}
             found.tags += sorted((repository, tag) for tag in going)
             found.kept += len(tags) - len(going)
@@ -142,18 +141,13 @@ class Pruner:
         found = self._known.get((path, digest))
         return {item.digest for item in found.members} if found else set()
 
-    def _each(self, work: Callable[[T], R], items: Iterable[T]) -> list[R]:
-        """Does some work for each of several things, side by side."""
-        with ThreadPoolExecutor(READERS) as pool:
-            return list(pool.map(work, items))
-
     def _tags(self, path: str) -> list[str]:
         """Tags of a repository, without those that stand in for the referrers API."""
-        return [tag for tag in self.registry.tags(path) if not FALLBACK.fullmatch(tag)]
+        return [tag for tag in self.place.client.tags(path) if not FALLBACK.fullmatch(tag)]
 
     def _manifest(self, path: str, reference: str) -> Manifest | None:
         """What is behind a tag or digest. What has a digest never changes: it is asked for once."""
-        found = self._known.get((path, reference)) or self.registry.manifest(path, reference)
+        found = self._known.get((path, reference)) or self.place.client.manifest(path, reference)
         if found:
             self._known[path, found.digest] = found
             self._images |= {(path, item.digest) for item in found.members if item.mediaType not in INDEXES}
@@ -166,8 +160,8 @@ class Pruner:
     def _book(self) -> tuple[Digests, Digests, list[str]]:
         """What the records say: digests by repository that its entries, or kept records of runs, name; those that may go;
         and records of runs that are too old."""
-        book = Records(self.registry, self.prefix)
-        names = self.registry.tags(book.repository)
+        book = Records(self.place)
+        names = self.place.client.tags(book.repository)
         records = sorted(name for name in names if name.startswith(UNDO))
         old = [name for name in records if _day(name.removeprefix(UNDO)[:8]) < self._oldest]
         roots: Digests = {}
@@ -176,7 +170,7 @@ class Pruner:
             candidates.setdefault(entry.repository, set()).update(entry.superseded)
             if entry.digest:
                 roots.setdefault(entry.repository, set()).add(entry.digest)
-        for name, moved in zip(records, self._each(partial(read_moves, book), records), strict=True):
+        for name, moved in zip(records, side_by_side(partial(read_moves, book), records), strict=True):
             for move in moved:  # a record that is kept must be able to bring back what it names
                 if move.old:
                     target = candidates if name in old else roots
@@ -185,9 +179,9 @@ class Pruner:
 
     def _records_of_runs(self) -> dict[str, str]:
         """Digests of the records of runs, by their tags."""
-        path = self._path(REPOSITORY)
-        names = [name for name in self.registry.tags(path) if name.startswith(UNDO)]
-        return dict(zip(names, self._each(partial(self.registry.head, path), names), strict=True))
+        path = self.place.path(REPOSITORY)
+        names = [name for name in self.place.client.tags(path) if name.startswith(UNDO)]
+        return dict(zip(names, side_by_side(partial(self.place.client.head, path), names), strict=True))
 
     def _needed(self, repository: str, without: str = "") -> set[str]:
         """What something leads to now, in a repository: a tag, the records, a record that is kept.
@@ -203,10 +197,10 @@ class Pruner:
         for name, digest in self._records_of_runs().items():
             if self._runs.get(name) != digest:
                 self._runs[name] = digest
-                moves = read_moves(Records(self.registry, self.prefix), name)
+                moves = read_moves(Records(self.place), name)
                 self._moved |= {(move.repository, end) for move in moves for end in (move.old, move.new) if end}
-        path = self._path(repository)
-        tags = self._each(partial(self.registry.head, path), [tag for tag in self._tags(path) if tag != without])
+        path = self.place.path(repository)
+        tags = side_by_side(partial(self.place.client.head, path), [tag for tag in self._tags(path) if tag != without])
         moved = {digest for place, digest in self._moved if place == repository}
         return self._reach(path, {*self._recorded, *moved, *tags})
 
@@ -241,27 +235,27 @@ class Pruner:
 
     def _remove_tag(self, found: Pruning, item: tuple[str, str]) -> str:
         repository, tag = item
-        path = self._path(repository)
-        digest = self.registry.head(path, tag)
+        path = self.place.path(repository)
+        digest = self.place.client.head(path, tag)
         if not digest:  # somebody else removed it
             return ""
         if digest != found.seen.get(item, digest):
             return f"{repository}:{tag}{STAYS}it has moved since"
         try:
-            self.registry.delete(path, tag)
+            self.place.client.delete(path, tag)
         except RosmlError as error:
             if (repository, digest) in found.needed or digest in self._needed(repository, without=tag):
                 found.needed.update((repository, needed) for needed in self._reach(path, [digest]))
                 return f"{repository}:{tag}{STAYS}{error.message}"
-            self.registry.delete(path, digest)  # the registry knows only digests, and no other tag has this one
+            self.place.client.delete(path, digest)  # the registry knows only digests, and no other tag has this one
             return f"{repository}:{tag} with {digest}"
         return f"{repository}:{tag}"
 
     def _remove_manifest(self, found: Pruning, item: tuple[str, str]) -> str:
         """Removes a manifest and what is attached to it."""
         repository, digest = item
-        path = self._path(repository)
-        if item in found.needed or not self.registry.head(path, digest):
+        path = self.place.path(repository)
+        if item in found.needed or not self.place.client.head(path, digest):
             return ""
         if repository != self._place or digest not in self._together:
             self._now = self._needed(repository)
@@ -269,25 +263,22 @@ class Pruner:
         if digest in self._now:
             return f"{repository}@{digest}{STAYS}something leads to it again"
         attached = [name for name in self._attached(path, digest) if name not in self._now]
-        self.registry.delete(path, digest)
-        if not self.registry.head(path, digest):  # nobody has made it anew meanwhile
-            self._each(partial(self.registry.delete, path), attached)
-            self.registry.forget(path, digest)
+        self.place.client.delete(path, digest)
+        if not self.place.client.head(path, digest):  # nobody has made it anew meanwhile
+            side_by_side(partial(self.place.client.delete, path), attached)
+            self.place.client.forget(path, digest)
         return f"{repository}@{digest}"
 
     def _remove_record(self, _: Pruning, name: str) -> str:
-        path = self._path(REPOSITORY)
+        path = self.place.path(REPOSITORY)
         try:
-            self.registry.delete(path, name)
+            self.place.client.delete(path, name)
         except RosmlError:  # the registry knows only digests, and a record has its own
-            self.registry.delete(path, self.registry.head(path, name))
+            self.place.client.delete(path, self.place.client.head(path, name))
         return f"{REPOSITORY}:{name}"
 
     def _repositories(self) -> Iterable[str]:
         return dict.fromkeys([*(facts.repository for facts in self.image_set.matrix.frameworks.values()), PARTS])
-
-    def _path(self, repository: str) -> str:
-        return repository_path(self.prefix, repository)
 
     def _entries(self, book: Records, names: Iterable[str]) -> Iterator[Entry]:
         keys = [(target, architecture) for target, _, architecture in (name.rpartition(".") for name in names)]
@@ -318,7 +309,7 @@ class Pruner:
         while todo:
             # An image is there if an index names it: a registry takes no index without its images.
             found |= {digest for digest in todo if (path, digest) in self._images}
-            manifests = [item for item in self._each(partial(self._manifest, path), todo - found) if item]
+            manifests = [item for item in side_by_side(partial(self._manifest, path), todo - found) if item]
             found |= {manifest.digest for manifest in manifests}
             todo = {item.digest for manifest in manifests for item in manifest.members} - found
         return found
@@ -327,7 +318,7 @@ class Pruner:
         """What is attached to a manifest, and to that; what is attached last comes first."""
         todo, found = [digest], list[str]()
         while todo:
-            below = [item["digest"] for item in self.registry.referrers(path, todo.pop(0))]
+            below = [item["digest"] for item in self.place.client.referrers(path, todo.pop(0))]
             todo += [item for item in below if item not in found]
             found += [item for item in below if item not in found]
         return found[::-1]

@@ -13,10 +13,9 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of
-from rosml.images.publish.pipeline import Outcome as Done
-from rosml.images.publish.pipeline import Pipeline
+from rosml.images.publish.run import Outcome, Run
 from rosml.images.records import store
-from rosml.images.scan.judge import Outcome
+from rosml.images.scan import judge
 from rosml.images.scan.trivy import WRITTEN_BYTES
 from rosml.registry.references import is_digest
 
@@ -32,7 +31,7 @@ class _Handed(_Facts):
     entries: list[Any]
 
 
-def record(pipeline: Pipeline, file: Path) -> None:
+def record(run: Run, file: Path) -> None:
     """Writes into the registry what a scan handed over.
 
     Raises:
@@ -49,18 +48,22 @@ def record(pipeline: Pipeline, file: Path) -> None:
         raise RosmlError(text, "write it again with: rosml publish scan --output FILE", exit_code=2) from None
     for found in entries:
         key = found.target, found.architecture
-        known = pipeline.plan.known.get(key)
+        known = run.state.known.get(key)
         if known is None or known.digest != found.digest:
-            pipeline.outcomes.append(Done("record", *key, "waits", "it was made anew since it was scanned"))
+            run.outcomes.append(Outcome("record", *key, "waits", "it was made anew since it was scanned"))
             continue
-        entry = replace(known, scanned=found.scanned, scan=found.scan, changed=pipeline.plan.date)
-        pipeline.records.write(entry)
-        pipeline.plan.known[key] = entry
-        pipeline.outcomes.append(Done("record", *key, "done", found.scanned))
+        entry = replace(known, scanned=found.scanned, scan=found.scan, changed=run.state.date)
+        run.records.write(entry)
+        run.state.known[key] = entry
+        run.outcomes.append(Outcome("record", *key, "done", found.scanned))
 
 
 def _entry(item: Any) -> store.Entry:
     found = store.parse(item)
-    if found is None or found.scanned not in {outcome.value for outcome in Outcome} or not is_digest(found.digest):
+    if (
+        found is None
+        or found.scanned not in {outcome.value for outcome in judge.Outcome}
+        or not is_digest(found.digest)
+    ):
         raise ValueError("an outcome in it is none")
     return found

@@ -10,12 +10,60 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from typing import Annotated
+
+from pydantic import BaseModel, ConfigDict, Field
 
 from rosml.base.errors import RosmlError
 from rosml.images.builds import disk
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix.model import Size
-from rosml.images.publish.plan_file import Estimates, Shard
+
+Named = Annotated[tuple[str, ...], Field(min_length=1)]
+"""Names of what is meant: none would mean all that there are."""
+
+
+class Fact(BaseModel):
+    """Something that a plan says; it is written by one job and read by others."""
+
+    model_config = ConfigDict(frozen=True, strict=True)
+
+
+class Estimates(Fact):
+    """What a shard takes.
+
+    Attributes:
+        download_mb: what the network brings: base images, Debian packages and wheels, compressed.
+        disk_mb: room that it needs at its peak, which is its end, with the reserve; counted as `machine/disk.py` counts.
+        seconds: time of building and testing: what each took the last time, or else by the matrix' rates.
+    """
+
+    download_mb: int
+    disk_mb: int
+    seconds: int
+
+
+class Shard(Fact):
+    """What one machine of a run builds.
+
+    Attributes:
+        name: `amd64-1`; an architecture's longest shard has the number 1.
+        architecture: under BuildKit's name. platform: the same as BuildKit calls it.
+        runner: label of the machines in CI.
+        distributions: what it builds, in the order of the matrix.
+        targets: bake targets in build order: of each distribution the ROS images from the lowest up, then the others.
+        parts: names of the parts that it assembles.
+    """
+
+    name: str
+    architecture: str
+    platform: str
+    runner: str
+    distributions: tuple[str, ...]
+    targets: Named
+    parts: tuple[str, ...]
+    estimates: Estimates
+
 
 Costs = dict[tuple[str, str], int]
 """Seconds by what is built: its kind and its name. What two units both have, they share."""

@@ -14,10 +14,8 @@ from rosml.base.clock import TIME, is_ahead, is_date
 from rosml.images.image_set import missing
 from rosml.images.image_set.missing import UNLOCKED
 from rosml.images.image_set.model import Image, Part, repository_of, tags_of
-from rosml.images.publish.plan import ELSEWHERE, WAITING, Item, Plan
-from rosml.images.records.store import INDEX, Entry, date_of
-from rosml.registry.client import Registry
-from rosml.registry.repositories import repository_path
+from rosml.images.publish.state import ELSEWHERE, WAITING, Item, State
+from rosml.images.records.store import Entry, date_of
 
 STATES = {
     "published": "green",
@@ -60,44 +58,42 @@ class ImageStatus:
         return {**vars(self), "platforms": list(self.platforms)}
 
 
-def read(plan: Plan, registry: Registry, prefix: str, now: str, serving: Sequence[str] = ()) -> Iterator[ImageStatus]:
+def read(state: State, now: str) -> Iterator[ImageStatus]:
     """How every image, and part, that is asked for stands.
 
     Args:
-        plan: what there is to do.
-        registry: where the tags are. prefix: path of its repositories.
+        state: what is known of them.
         now: the time from which ages count, as a run's date is written.
-        serving: the architectures that the registry serves; all of the matrix if empty.
     """
-    for thing in plan.things():
+    for thing in state.things():
         repository, main = repository_of(thing), tags_of(thing)[0]
-        found = registry.manifest(repository_path(prefix, repository), main)
+        found = state.place.client.manifest(state.place.path(repository), main)
         date = date_of(found)
         members = found.members if found else []
         platforms = tuple((item.platform and item.platform.architecture) or "" for item in members)
         made, today = _moment(date), _moment(now)
-        state, reason = _state(plan, thing, found.digest if found else "", serving)
+        stands, reason = _stands(state, thing, found.digest if found else "")
         if odd := _odd(date, now):
             reason = f"{reason}; {odd}" if reason else odd
         yield ImageStatus(
             thing.target,
-            state,
+            stands,
             reason,
             f"{repository}:{main}",
             found.digest if found else "",
             date,
             (today - made).total_seconds() if made and today else None,
             platforms,
-            _log(plan, thing) if state == "failed" else "",
+            _log(state, thing) if stands == "failed" else "",
         )
 
 
-def _state(plan: Plan, thing: Image | Part, tagged: str, serving: Sequence[str]) -> tuple[str, str]:
-    members = [key for key in plan.members(thing) if not serving or key[1] in serving]
-    index = plan.known.get((thing.target, INDEX))
+def _stands(state: State, thing: Image | Part, tagged: str) -> tuple[str, str]:
+    members = state.members(thing)
+    index = state.index_of(thing)
     still = f"its tags were moved back on {index.held[:10]}" if index and index.held else "its tags have not moved yet"
-    entries = [entry for key in members if (entry := plan.known.get(key))]
-    failures = [f"{e.architecture}: {_reason(e)}" for e in entries if e.failed and not _over(plan, e)]
+    entries = [entry for key in members if (entry := state.known.get(key))]
+    failures = [f"{e.architecture}: {_reason(e)}" for e in entries if e.failed and not _over(state, e)]
     if failures:
         return "failed", "; ".join(failures)
     lacking = sum(len(missing.on(thing, architecture)) for _, architecture in members)
@@ -105,7 +101,7 @@ def _state(plan: Plan, thing: Image | Part, tagged: str, serving: Sequence[str])
         if isinstance(thing, Image) and thing.damaged:
             return UNLOCKED, missing.reason(thing)
         return UNLOCKED, f"{lacking} of its locks are missing"
-    why = [f"{key[1]}: {_first(plan, key)}" for key in members if _first(plan, key)]
+    why = [f"{key[1]}: {_first(state, key)}" for key in members if _first(state, key)]
     if index and index.failed and all(item.endswith(ELSEWHERE) for item in why):
         return "failed", _reason(index)
     if tagged:
@@ -113,23 +109,23 @@ def _state(plan: Plan, thing: Image | Part, tagged: str, serving: Sequence[str])
         if current and all(item.endswith(ELSEWHERE) for item in why):
             absent = [item.partition(":")[0] for item in why]
             return "published", f"not published: {', '.join(absent)}" if absent else ""
-        return "outdated", "; ".join(why or _unproven(plan, members)) or still
-    hindered = [plan.task(plan.by_key[key]).hindered for key in members]
+        return "outdated", "; ".join(why or _unproven(state, members)) or still
+    hindered = [state.task(state.by_key[key]).hindered for key in members]
     if all(hindered) and (waiting := [reason for reason in hindered if reason.startswith(WAITING)]):
         return WAITING, waiting[0].removeprefix(WAITING).lstrip(": ")
-    return "missing", "; ".join(why or _unproven(plan, members)) or still
+    return "missing", "; ".join(why or _unproven(state, members)) or still
 
 
-def _unproven(plan: Plan, members: Sequence[tuple[str, str]]) -> list[str]:
+def _unproven(state: State, members: Sequence[tuple[str, str]]) -> list[str]:
     """What other images were to prove of an image and did not, by architecture."""
-    items = [plan.by_key[key] for key in members if key in plan.known]
-    return [f"{item.architecture}: {why}" for item in items if item.kind != "part" and (why := plan.unproven(item))]
+    items = [state.by_key[key] for key in members if key in state.known]
+    return [f"{item.architecture}: {why}" for item in items if item.kind != "part" and (why := state.unproven(item))]
 
 
-def _log(plan: Plan, thing: Image | Part) -> str:
+def _log(state: State, thing: Image | Part) -> str:
     """What the records have of a failure, if that is more than a line."""
-    entries = (entry for key in plan.members(thing) if (entry := plan.known.get(key)))
-    texts = (entry.failed.get("reason", "") for entry in entries if not _over(plan, entry))
+    entries = (entry for key in state.members(thing) if (entry := state.known.get(key)))
+    texts = (entry.failed.get("reason", "") for entry in entries if not _over(state, entry))
     return next((text for text in texts if "\n" in text), "")
 
 
@@ -174,19 +170,16 @@ def causes(found: Sequence[ImageStatus], architectures: Iterable[str]) -> list[C
     return sorted(made, key=lambda cause: (cause.state != "failed", order.index(cause.state), -len(cause.targets)))
 
 
-def ahead(plan: Plan, serving: Sequence[str] = ()) -> dict[str, int]:
-    """How often a further run would do each step, wherever its machines are.
-
-    Args:
-        plan: what there is to do. serving: the architectures that the registry serves; all of the matrix if empty.
-    """
+def ahead(state: State) -> dict[str, int]:
+    """How often a further run would do each step, wherever its machines are."""
+    serve = state.request.serve
     counts: Counter[str] = Counter()
-    for item in plan.items:
-        if missing.on(item.thing, item.architecture) or (serving and item.architecture not in serving):
+    for item in state.items:
+        if missing.on(item.thing, item.architecture) or (serve and item.architecture not in serve):
             continue
-        if plan.reasons(item):
+        if state.reasons(item):
             counts[item.making] += 1
-        if item.kind != "part" and (plan.reasons(item) or not plan.passed(item, plan.known[item.key])):
+        if item.kind != "part" and (state.reasons(item) or not state.passed(item, state.known[item.key])):
             counts["test"] += 1
     return {name: counts[name] for name in ("build", "join", "test") if counts[name]}
 
@@ -198,10 +191,10 @@ def _odd(date: str, now: str) -> str:
     return f"its date {date} is in the future" if date and is_ahead(date, now) else ""
 
 
-def _over(plan: Plan, entry: Entry) -> bool:
+def _over(state: State, entry: Entry) -> bool:
     """Whether a failure is of the past: what failed is as it should be, since the change that broke it was taken back."""
-    item = plan.by_key[entry.target, entry.architecture]
-    return plan.made(item.key) and (item.kind == "part" or plan.passed(item, entry))
+    item = state.by_key[entry.target, entry.architecture]
+    return state.made(item.key) and (item.kind == "part" or state.passed(item, entry))
 
 
 def _reason(entry: Entry) -> str:
@@ -209,39 +202,39 @@ def _reason(entry: Entry) -> str:
     return next(iter(entry.failed.get("reason", "").splitlines()), "nobody knows why")
 
 
-def _first(plan: Plan, key: tuple[str, str]) -> str:
+def _first(state: State, key: tuple[str, str]) -> str:
     """Why an item is not as it should be; the first reason."""
-    task = plan.task(plan.by_key[key])
-    if found := _broken(plan, plan.by_key[key]):
+    task = state.task(state.by_key[key])
+    if found := _broken(state, state.by_key[key]):
         return found
-    if task.hindered and key not in plan.known:
+    if task.hindered and key not in state.known:
         return task.hindered
     if task.hindered == ELSEWHERE:
-        return _late(plan, plan.by_key[key])
-    if task.hindered and plan.made(key):  # what cannot be made here is there as it should be
+        return _late(state, state.by_key[key])
+    if task.hindered and state.made(key):  # what cannot be made here is there as it should be
         return ""
     return task.why[0] if task.why else task.hindered
 
 
-def _broken(plan: Plan, item: Item) -> str:
+def _broken(state: State, item: Item) -> str:
     """What failed below an item when it was last made, in whichever run that was, so that the item waits; empty if nothing did."""
     for target in item.needs:
-        need = plan.by_key[target, item.architecture]
-        if plan.made(need.key):
+        need = state.by_key[target, item.architecture]
+        if state.made(need.key):
             continue
-        failed = plan.known[need.key].failed if need.key in plan.known else {}
+        failed = state.known[need.key].failed if need.key in state.known else {}
         if failed.get("step") == need.making:
             return f"{need.making} of {target} failed"
-        if found := _broken(plan, need):
+        if found := _broken(state, need):
             return found
     return ""
 
 
-def _late(plan: Plan, item: Item) -> str:
+def _late(state: State, item: Item) -> str:
     """Why an item is not what the matrix says now, or what it is put together from, whoever can make it; empty where it is."""
-    if own := plan.reasons(item):
+    if own := state.reasons(item):
         return own[0]
-    below = (target for target in item.needs if _late(plan, plan.by_key[target, item.architecture]))
+    below = (target for target in item.needs if _late(state, state.by_key[target, item.architecture]))
     return next((f"{target} is made anew" for target in below), "")
 
 

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 from rosml.base.errors import RosmlError
+from rosml.base.side_by_side import side_by_side
 from rosml.images.image_set.labels import TITLE
 from rosml.images.image_set.model import PARTS
 from rosml.images.matrix.names import part_target
-from rosml.images.publish.pipeline import Outcome
-from rosml.images.records.store import INDEX, READERS, Records
+from rosml.images.publish.run import Outcome
+from rosml.images.records.store import INDEX, Records
 from rosml.images.records.tag_moves import UNDO, Move, read_moves, record_name
 
 
@@ -37,18 +37,17 @@ def undo(book: Records, date: str, run: str = "") -> list[Outcome]:
         text = f"there is no record of {'a run of ' + run if run else 'any run'}"
         raise RosmlError(text, f"there is: {dates}" if known else "no run has moved a tag in this registry yet")
     recorded = list(reversed(read_moves(book, name)))
-    with ThreadPoolExecutor(READERS) as pool:
-        there = list(pool.map(lambda move: book.registry.head(book.path(move.repository), move.tag), recorded))
-        now = list(zip(recorded, there, strict=True))
-        # Before the first tag moves: one who is killed between them leaves nothing that the next night moves there again.
-        held = {(move.repository, move.new) for move, where in now if where in (move.old, move.new)}
-        list(pool.map(lambda item: _hold(book, item[0], item[1], date), sorted(held)))
-        images: dict[tuple[str, str], list[tuple[Move, str]]] = {}
-        for move, where in now:
-            images.setdefault((move.repository, move.new), []).append((move, where))
-        # Tags of one image in their order, images side by side.
-        found = pool.map(lambda item: [_back(book, name, move, where) for move, where in item], images.values())
-        outcomes = [outcome for several in found for outcome in several if outcome]
+    there = side_by_side(lambda move: book.registry.head(book.place.path(move.repository), move.tag), recorded)
+    now = list(zip(recorded, there, strict=True))
+    # Before the first tag moves: one who is killed between them leaves nothing that the next night moves there again.
+    held = {(move.repository, move.new) for move, where in now if where in (move.old, move.new)}
+    side_by_side(lambda item: _hold(book, item[0], item[1], date), sorted(held))
+    images: dict[tuple[str, str], list[tuple[Move, str]]] = {}
+    for move, where in now:
+        images.setdefault((move.repository, move.new), []).append((move, where))
+    # Tags of one image in their order, images side by side.
+    found = side_by_side(lambda item: [_back(book, name, move, where) for move, where in item], images.values())
+    outcomes = [outcome for several in found for outcome in several if outcome]
     return outcomes or [Outcome("undo", name, "", "done", "nothing was left to move back")]
 
 
@@ -58,7 +57,7 @@ def _back(book: Records, record: str, move: Move, there: str) -> Outcome | None:
     Raises:
         RosmlError: the registry does not answer.
     """
-    repository, text = book.path(move.repository), f"{move.repository}:{move.tag}"
+    repository, text = book.place.path(move.repository), f"{move.repository}:{move.tag}"
     if there == move.old:
         return None
     if there != move.new:
@@ -77,7 +76,7 @@ def _back(book: Records, record: str, move: Move, there: str) -> Outcome | None:
 
 def _hold(book: Records, repository: str, digest: str, date: str) -> None:
     """Writes down that an index gets no tags any more: in the entry of the image, or part, that its title names."""
-    index = book.registry.manifest(book.path(repository), digest)
+    index = book.registry.manifest(book.place.path(repository), digest)
     title = index.annotations.get(TITLE, "") if index else ""
     entry = book.read(part_target(title) if repository == PARTS else title, INDEX) if title else None
     if entry and not entry.held and (entry.repository, entry.digest) == (repository, digest):

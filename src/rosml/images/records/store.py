@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping
-from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
 from typing import Any, ClassVar
@@ -19,9 +18,9 @@ from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
 
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
-from rosml.registry.client import Registry
+from rosml.base.side_by_side import side_by_side
 from rosml.registry.oci import Manifest
-from rosml.registry.repositories import repository_path
+from rosml.registry.place import Place
 
 INPUTS = "io.rosml.inputs"
 
@@ -39,9 +38,6 @@ INDEX = "index"
 CREATED = "org.opencontainers.image.created"
 """The annotation with the time by which the newest of several artifacts is known."""
 
-READERS = 16
-"""How many entries are read at a time: the registry answers one in some milliseconds."""
-
 
 @dataclass(frozen=True)
 class Entry:
@@ -50,7 +46,7 @@ class Entry:
     Attributes:
         target: bake target. architecture: under BuildKit's name.
         inputs: digest of what it is made from; empty where nothing was made yet.
-        upstream: of when the packages are that it was built from; empty where no repository decides.
+        package_state: of the repositories that its packages came from; empty where no repository decides.
         repository: without the registry's prefix. digest: of the image manifest; empty where nothing was made yet.
         parts: of an image that was put together, the digests of its parts by target.
         size: bytes of its layers, compressed. unpacked: bytes of its root file system; 0 where nobody counted.
@@ -72,7 +68,7 @@ class Entry:
     target: str
     architecture: str
     inputs: str = ""
-    upstream: str = ""
+    package_state: str = ""
     repository: str = ""
     digest: str = ""
     parts: Mapping[str, str] = field(default_factory=dict)
@@ -118,7 +114,10 @@ def tag(target: str, architecture: str) -> str:
 
 
 def parse(content: Any) -> Entry | None:
-    """An entry of its plain data; None where that is no entry, or of a later version of this program."""
+    """An entry of its plain data; None if that is no entry, or of a later version of this program."""
+    if isinstance(content, dict) and "upstream" in content:  # what older versions of this program wrote
+        content = {**content, "package_state": content["upstream"]}
+        del content["upstream"]
     try:
         return _ADAPTER.validate_python(content)
     except ValidationError:
@@ -137,19 +136,16 @@ class _Inputs(BaseModel):
 class Records:
     """The entries of a registry.
 
-    Args:
-        registry: where they are.
-        prefix: path of the repositories, such as `rosml`.
+    Attributes:
+        place: where they are.
+        registry: the client of that place.
+        repository: the path of the repository with the records.
     """
 
-    def __init__(self, registry: Registry, prefix: str) -> None:
-        self.registry = registry
-        self.prefix = prefix
-        self.repository = self.path(REPOSITORY)
-
-    def path(self, repository: str) -> str:
-        """Path of a repository in the registry."""
-        return repository_path(self.prefix, repository)
+    def __init__(self, place: Place) -> None:
+        self.place = place
+        self.registry = place.client
+        self.repository = place.path(REPOSITORY)
 
     def read(self, target: str, architecture: str) -> Entry | None:
         """The entry of an image on an architecture; None where there is none, or none that can be read."""
@@ -165,9 +161,8 @@ class Records:
     def read_all(self, wanted: Iterable[tuple[str, str]]) -> dict[tuple[str, str], Entry]:
         """Entries by target and architecture; those that are not there are left out."""
         keys = list(wanted)
-        with ThreadPoolExecutor(READERS) as pool:
-            found = pool.map(lambda key: self.read(*key), keys)
-            return {key: entry for key, entry in zip(keys, found, strict=True) if entry}
+        found = side_by_side(lambda key: self.read(*key), keys)
+        return {key: entry for key, entry in zip(keys, found, strict=True) if entry}
 
     def inputs(self, target: str, architecture: str) -> dict[str, str]:
         """The inputs by name of what an entry is about; empty where they are not known."""
@@ -201,12 +196,12 @@ class Records:
         Raises:
             RosmlError: the image is not there; the registry does not answer or refuses.
         """
-        place = self.path(entry.repository)
-        subject = self.registry.manifest(place, entry.digest)
+        path = self.place.path(entry.repository)
+        subject = self.registry.manifest(path, entry.digest)
         if subject is None:
-            raise RosmlError(f"{place}@{entry.digest} is not in the registry any more", "publish it again")
+            raise RosmlError(f"{path}@{entry.digest} is not in the registry any more", "publish it again")
         data = json.dumps({"entry": entry.to_json(), "inputs": dict(inputs)}, sort_keys=True).encode()
-        self.registry.attach(place, subject.descriptor, ARTIFACT, data, LAYER, {CREATED: entry.changed})
+        self.registry.attach(path, subject.descriptor, ARTIFACT, data, LAYER, {CREATED: entry.changed})
 
     def attached(self, repository: str, digest: str) -> Entry | None:
         """The newest entry that is attached to an image; None where there is none that can be read and is about that image.
@@ -214,13 +209,13 @@ class Records:
         Args:
             repository: without the registry's prefix. digest: of the manifest.
         """
-        place = self.path(repository)
+        path = self.place.path(repository)
         found = []
-        for item in self.registry.referrers(place, digest, ARTIFACT):
+        for item in self.registry.referrers(path, digest, ARTIFACT):
             try:
-                manifest = self.registry.manifest(place, item["digest"])
+                manifest = self.registry.manifest(path, item["digest"])
                 (layer,) = manifest.layers if manifest else []
-                entry = parse(untrusted.json_value(self.registry.part(place, layer))["entry"])
+                entry = parse(untrusted.json_value(self.registry.part(path, layer))["entry"])
             except (KeyError, TypeError, ValueError, RosmlError):
                 continue
             if entry and (entry.repository, entry.digest) == (repository, digest):

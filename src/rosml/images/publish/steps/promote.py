@@ -10,19 +10,20 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Iterable
-from concurrent.futures import ThreadPoolExecutor
 from itertools import chain, count
 from typing import Any
 
 from rosml.base import clock
 from rosml.base.errors import RosmlError
+from rosml.base.side_by_side import side_by_side
 from rosml.images.image_set import labels
 from rosml.images.image_set.labels import TITLE
 from rosml.images.image_set.model import Image, Part, tags_of
 from rosml.images.matrix.names import dated
-from rosml.images.publish.pipeline import Outcome, Pipeline, side_by_side
+from rosml.images.publish.run import Outcome, Run
+from rosml.images.publish.steps.sign import sign
 from rosml.images.records import store
-from rosml.images.records.store import ANNOTATION, INDEX, READERS, Entry
+from rosml.images.records.store import ANNOTATION, INDEX, Entry
 from rosml.images.records.tag_moves import Move, read_moves, record_name
 from rosml.registry.oci import Manifest
 
@@ -30,28 +31,31 @@ BATCH = 64
 """So many images are prepared, and their moves recorded, before their tags move."""
 
 
-class Promotion:
-    """Moves the tags of a run."""
+def promote(run: Run) -> list[Move]:
+    """Moves the tags of all images whose index is as it should be. If the registry refuses one image, the others still move.
 
-    def __init__(self, pipeline: Pipeline) -> None:
-        self.pipeline = pipeline
-        self.registry = pipeline.registry
-        self.date = pipeline.plan.date
+    Images side by side. The first ones have their tags before the last ones are looked at: a run that is ended, as by a
+    limit of time, has moved theirs.
+
+    Raises:
+        RosmlError: the registry does not answer, or takes no record of where tags were; then none of those moves.
+    """
+    return _Promotion(run).moves()
+
+
+class _Promotion:
+    def __init__(self, run: Run) -> None:
+        self.run = run
+        self.state = run.state
+        self.registry = run.state.place.client
+        self.date = run.state.date
         self._there: dict[tuple[str, str], str] = {}
         self._silent: RosmlError | None = None
 
-    def run(self) -> list[Move]:
-        """Moves the tags of all images whose index is as it should be. One that the registry refuses is no other's trouble.
-
-        Images side by side. The first ones have their tags before the last ones are looked at: a run that is ended, as by a
-        limit of time, has moved theirs.
-
-        Raises:
-            RosmlError: the registry does not answer, or takes no record of where tags were; then none of those moves.
-        """
-        before, every = len(self.pipeline.outcomes), list[Move]()
+    def moves(self) -> list[Move]:
+        before, every = len(self.run.outcomes), list[Move]()
         self._there = self._pointing()
-        ready = [thing for thing in self.pipeline.plan.things() if self._ready(thing)]
+        ready = [thing for thing in self.state.things() if self._ready(thing)]
         while ready:
             batch, ready = ready[:BATCH], ready[BATCH:]
             planned = [item for item in side_by_side(self._prepared, batch) if item[1]]
@@ -60,13 +64,13 @@ class Promotion:
                 self._record(moves)
             every += moves
             side_by_side(self._move, planned)  # tags of one image in their order
-        self.pipeline.put_in_order(before)
+        self.run.put_in_order(before)
         return every
 
     def _ready(self, thing: Image | Part) -> bool:
         """Whether an image's index is as it should be; if not, that is reported."""
-        entry = self.pipeline.plan.known.get((thing.target, INDEX))
-        if reason := self.pipeline.plan.unready(thing, self.pipeline.serving):
+        entry = self.state.index_of(thing)
+        if reason := self.state.unready(thing):
             self._say(thing, "waits", reason)
         elif entry is None or not self._current(thing, entry):
             self._say(thing, "waits", "its index is not made yet")
@@ -81,25 +85,25 @@ class Promotion:
     def _prepared(self, thing: Image | Part) -> tuple[Image | Part, list[Move]]:
         """The moves of an image, whose index is signed by then, with what the records say attached; none where one of that
         fails."""
-        entry = self.pipeline.plan.known[thing.target, INDEX]
+        entry = self.state.known[thing.target, INDEX]
         moves = list(self._moves(thing, entry))
-        if (moves or self.pipeline.signer) and (wrong := self._wrong(thing, entry)):
+        if (moves or self.run.signer) and (wrong := self._wrong(thing, entry)):
             self._say(thing, "failed", wrong)
-        elif self.pipeline.signed(thing, moving=bool(moves)) and moves and self._attached(thing):
+        elif sign(self.run, thing, moving=bool(moves)) and moves and self._attached(thing):
             return thing, moves
         return thing, []
 
     def _say(self, thing: Image | Part, state: Any, reason: str, seconds: float = 0.0) -> None:
-        self.pipeline.outcomes.append(Outcome("promote", thing.target, "", state, reason, seconds))
+        self.run.outcomes.append(Outcome("promote", thing.target, "", state, reason, seconds))
 
     def _current(self, thing: Image | Part, entry: Entry) -> bool:
-        known = self.pipeline.plan.known
-        members = {key[1]: known[key].digest for key in self.pipeline.members(thing)}
-        return entry.parts == members and entry.inputs == self.pipeline.plan.inputs.together(thing)
+        known = self.state.known
+        members = {key[1]: known[key].digest for key in self.state.members(thing)}
+        return entry.parts == members and entry.inputs == self.state.inputs.together(thing)
 
     def _wrong(self, thing: Image | Part, entry: Entry) -> str:
         """Why what the records name as an image's index is not that; empty where it is."""
-        found = self.registry.manifest(self.pipeline.repository(entry.repository), entry.digest)
+        found = self.registry.manifest(self.state.place.path(entry.repository), entry.digest)
         if found is None:
             return f"its index {entry.digest} is not in the registry any more"
         name = found.annotations.get(TITLE, "")
@@ -110,12 +114,12 @@ class Promotion:
 
     def _attached(self, thing: Image | Part) -> bool:
         """Attaches what the records say of an index's images to them, for the catalogue's history; whether it could."""
-        plan, started = self.pipeline.plan, time.monotonic()
+        started = time.monotonic()
         try:
-            for key in self.pipeline.members(thing):
-                self.pipeline.records.attach(plan.known[key], plan.inputs.of(*key))
+            for key in self.state.members(thing):
+                self.run.records.attach(self.state.known[key], self.state.inputs.of(*key))
         except RosmlError as error:
-            answers(self.pipeline)
+            _require_answer(self.run)
             self._say(thing, "failed", error.message, time.monotonic() - started)
             return False
         return True
@@ -124,19 +128,18 @@ class Promotion:
         """Where tags of all indexes point, by repository and tag. Most of them need no move on most nights: they are asked for
         side by side, since one after the other would take minutes on a registry that is far away.
         """
-        known = self.pipeline.plan.known
+        known = self.state.known
         wanted = [
-            (self.pipeline.repository(entry.repository), tag)
-            for thing in self.pipeline.plan.things()
+            (self.state.place.path(entry.repository), tag)
+            for thing in self.state.things()
             if (entry := known.get((thing.target, INDEX))) and entry.digest
             for tag in (dated(tags_of(thing)[0], entry.date), *tags_of(thing))
         ]
-        with ThreadPoolExecutor(READERS) as pool:
-            return dict(zip(wanted, pool.map(lambda item: self.registry.head(*item), wanted), strict=True))
+        return dict(zip(wanted, side_by_side(lambda item: self.registry.head(*item), wanted), strict=True))
 
     def _moves(self, thing: Image | Part, entry: Entry) -> Iterable[Move]:
         """The moves of an image, in their order. A move that would go back, or lose an architecture, is reported and left out."""
-        repository = self.pipeline.repository(entry.repository)
+        repository = self.state.place.path(entry.repository)
         tags = tags_of(thing)
         main = tags[0]
         day = dated(main, entry.date)
@@ -163,12 +166,12 @@ class Promotion:
             return ""
         date = store.date_of(found)
         if date and not clock.is_date(date):
-            self.pipeline.say(
+            self.run.say(
                 f"{repository}@{old} says {date[:40]!r} of when it was made, which is no date: taken for older"
             )
         elif date > entry.date and not clock.is_ahead(date, clock.now()):
             return f"it points at something newer, of {date}"
-        elif date > entry.date and not self.pipeline.plan.force:
+        elif date > entry.date and not self.state.request.force:
             return f"it points at something of {date}, which is in the future: undo that run, or move it with --force"
         platforms = [item.platform for item in found.members if item.platform]
         lost = {item.architecture or "" for item in platforms} - set(entry.parts) - {"unknown", ""}
@@ -177,7 +180,7 @@ class Promotion:
     def _record(self, planned: list[Move]) -> None:
         """Writes where tags were. A run that is called again keeps what it wrote first."""
         name = record_name(self.date)
-        before = {(move.repository, move.tag): move for move in read_moves(self.pipeline.records, name)}
+        before = {(move.repository, move.tag): move for move in read_moves(self.run.records, name)}
         merged = dict(before)
         for move in planned:
             first = before.get((move.repository, move.tag))
@@ -186,7 +189,7 @@ class Promotion:
             )
         content = {"date": self.date, "moves": [move.to_json() for move in merged.values()]}
         text = json.dumps(content, sort_keys=True)
-        self.pipeline.records.artifact(name, text.encode(), {ANNOTATION: json.dumps({"undo": self.date})})
+        self.run.records.artifact(name, text.encode(), {ANNOTATION: json.dumps({"undo": self.date})})
 
     def _move(self, planned: tuple[Image | Part, list[Move]]) -> None:
         """Moves the tags of an image. A tag that is protected, or an index that somebody removed, is no other image's fault.
@@ -201,10 +204,10 @@ class Promotion:
             for move in moves:
                 if self._silent:
                     raise self._silent
-                self.registry.tag(self.pipeline.repository(move.repository), move.new, move.tag)
+                self.registry.tag(self.state.place.path(move.repository), move.new, move.tag)
         except RosmlError as error:
             try:
-                answers(self.pipeline)
+                _require_answer(self.run)
             except RosmlError as silent:
                 self._silent = silent
                 raise
@@ -218,10 +221,10 @@ def _members(index: Manifest) -> dict[str, str]:
     return {(item.platform and item.platform.architecture) or "": item.digest for item in index.members}
 
 
-def answers(pipeline: Pipeline) -> None:
+def _require_answer(run: Run) -> None:
     """Checks that the registry answers, after it failed: if not, asking it for each other tag would take the night.
 
     Raises:
         RosmlError: it does not.
     """
-    pipeline.registry.head(pipeline.records.repository, record_name(pipeline.plan.date))
+    run.state.place.client.head(run.records.repository, record_name(run.state.date))

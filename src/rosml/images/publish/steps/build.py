@@ -1,0 +1,83 @@
+"""Builds ROS images and parts that are not as they should be, and pushes them by digest."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from rosml.base.clock import now
+from rosml.base.errors import RosmlError
+from rosml.images.builds import package_state
+from rosml.images.builds.maker import Made
+from rosml.images.image_set.model import Part
+from rosml.images.publish.made import after
+from rosml.images.publish.run import Postponed, Run
+from rosml.images.publish.state import Item
+from rosml.images.records.store import Entry
+
+RESTARTS = 2
+"""How often a run may restart a distribution after ROS publishes packages."""
+
+
+def build(run: Run) -> None:
+    """Builds ROS images and parts.
+
+    If ROS publishes new packages after the plan was made, all components of that distribution are built of these: the packages
+    of an image are of one time.
+    """
+    items = [item for item in run.state.items if item.kind != "joined"]
+    for left in range(RESTARTS, -1, -1):
+        before = len(run.outcomes)
+        if not run.each("build", items, partial(_build, run, left > 0)):
+            return
+        # What stands on what was not built waits no more: all are gone through once again.
+        run.outcomes[before:] = [outcome for outcome in run.outcomes[before:] if outcome.state != "waits"]
+
+
+def _build(run: Run, may_restart: bool, item: Item, entry: Entry) -> Entry:
+    started = now()
+    if isinstance(item.thing, Part):
+        made = run.maker.build_part(item.thing, item.architecture)
+    else:  # packages whose repository did not answer are taken for those of the last build
+        packages = run.state.package_state.get(item.thing.distribution, entry.package_state)
+        try:
+            made = run.maker.build_image(item.thing, item.architecture, run.parts(item), packages)
+        except RosmlError:
+            if may_restart:
+                _ask_again(run, item.thing.distribution, packages)
+            raise
+    run.pushed += _new_bytes(run, item, entry, made)
+    return after(run, item, entry, made, started)
+
+
+def _ask_again(run: Run, distribution: str, before: str) -> None:
+    """Asks, after a build failed, whether ROS published new packages since the plan was made.
+
+    Raises:
+        Postponed: it did, and the distribution is to be built of these.
+    """
+    state = run.state
+    try:
+        found = package_state.state(state.request.services, state.image_set.matrix, distribution)
+    except RosmlError:  # what the build said stands
+        return
+    if package_state.ros_date(found) > package_state.ros_date(before):
+        state.package_state[distribution] = found
+        raise Postponed(
+            f"ROS published new packages of {distribution} meanwhile ({found}); its images are built of these"
+        )
+
+
+def _new_bytes(run: Run, item: Item, before: Entry, made: Made) -> int:
+    """Bytes of the layers of what was built, without those of what it stands on and of what was in its place."""
+    own = _sizes(run, item, made.digest)
+    there = _sizes(run, item, before.digest)
+    for target, digest in made.parts.items():
+        there |= _sizes(run, run.state.by_key[target, item.architecture], digest)
+    return sum(size for layer, size in own.items() if layer not in there)
+
+
+def _sizes(run: Run, item: Item, digest: str) -> dict[str, int]:
+    """Bytes of the layers of a manifest by their digests; none if it is not in the registry."""
+    place = run.state.place
+    found = place.client.manifest(place.path(item.repository), digest) if digest else None
+    return {layer.digest: layer.size for layer in found.layers} if found else {}

@@ -1,0 +1,152 @@
+"""Makes an index of every image whose architectures are all there, tested and alike. Nobody sees it yet: no tag moves."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import counted
+from rosml.base.side_by_side import side_by_side
+from rosml.images.image_set.labels import OCI, REVISION, SOURCE, TITLE, title
+from rosml.images.image_set.model import Image, Part, repository_of
+from rosml.images.publish import provenance
+from rosml.images.publish.run import Outcome, Run, failure
+from rosml.images.publish.steps import same_content
+from rosml.images.publish.steps.sign import sign
+from rosml.images.records.store import DATE, INDEX, INPUTS, Entry
+from rosml.images.scan import sbom
+from rosml.registry import oci
+from rosml.registry.oci import Config, Manifest
+
+
+def index(run: Run) -> None:
+    """Makes and signs indexes, side by side: one after the other, hundreds take hours on a registry that is far away."""
+    before, wanted = len(run.outcomes), list[Image | Part]()
+    for thing in run.state.things():
+        if reason := run.state.unready(thing):
+            run.outcomes.append(Outcome("index", thing.target, "", "waits", reason))
+        elif not _is_made(run, thing):
+            wanted.append(thing)
+    side_by_side(partial(_make, run), wanted)
+    run.put_in_order(before)
+
+
+def _is_made(run: Run, thing: Image | Part) -> bool:
+    """Whether an image's index is of these very images, and there."""
+    state, entry = run.state, run.state.index_of(thing)
+    if entry is None or (thing.target, INDEX) not in state.present:
+        return False
+    if state.request.force and entry.date != state.date:
+        return False
+    digests = {entry.architecture: entry.digest for entry in _members(run, thing)}
+    return entry.parts == digests and entry.inputs == state.inputs.together(thing) and not entry.failed
+
+
+def _members(run: Run, thing: Image | Part) -> list[Entry]:
+    """Entries of what an index of an image is made of."""
+    return [run.state.known[key] for key in run.state.members(thing)]
+
+
+def _make(run: Run, thing: Image | Part) -> None:
+    """Makes and signs the index of an image, and writes down what came of it."""
+    started, state = time.monotonic(), run.state
+    members, inputs = _members(run, thing), state.inputs.together(thing)
+    entry = state.index_of(thing) or Entry(thing.target, INDEX)
+    try:
+        facts = {
+            "inputs": inputs,
+            "repository": repository_of(thing),
+            "parts": {member.architecture: member.digest for member in members},
+            "date": state.date,
+        }
+        entry = entry.made(_put(run, thing, members, inputs), **facts)
+        reason = counted(len(members), "architecture")
+    except RosmlError as error:
+        entry, reason = replace(entry, failed=failure("index", error.message, error.remedy)), error.message
+    run.write_index(thing, entry)
+    seconds = time.monotonic() - started
+    run.outcomes.append(Outcome("index", thing.target, "", "failed" if entry.failed else "done", reason, seconds))
+    if not entry.failed:
+        sign(run, thing)
+
+
+def _put(run: Run, thing: Image | Part, members: Sequence[Entry], inputs: str) -> str:
+    """Puts an index into the registry; gives its digest. Nothing is pulled.
+
+    Raises:
+        RosmlError: its architectures do not hold the same; or the records name another image's manifest.
+    """
+    place = run.state.place
+    repository = place.path(repository_of(thing))
+    images = {entry.architecture: _image(run, repository, entry.digest) for entry in members}
+    configs = {architecture: config for architecture, (_, config) in images.items()}
+    for entry in members:
+        _require_own(thing, entry, configs[entry.architecture])
+    versions = {entry.architecture: entry.versions for entry in members}
+    released = [item.name for item in thing.brought if item.released] if isinstance(thing, Image) else []
+    contents = {architecture: config.content for architecture, config in configs.items()}
+    same_content.require(thing.target, contents, versions, released)
+    labels = configs[members[0].architecture].labels
+    annotations = _checkout(run) | {name: text for name, text in labels.items() if name.startswith(OCI)}
+    annotations |= {INPUTS: inputs, DATE: run.state.date}
+    manifests = [
+        {**manifest.descriptor, "platform": _platform(config), **_covered(run, entry)}
+        for entry, (manifest, config) in zip(members, images.values(), strict=True)
+    ]
+    content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": manifests, "annotations": annotations}
+    return place.client.put_manifest(repository, "", content, oci.INDEX)
+
+
+def _image(run: Run, repository: str, digest: str) -> tuple[Manifest, Config]:
+    """A manifest and its config."""
+    registry = run.state.place.client
+    manifest = registry.manifest(repository, digest)
+    if manifest is None:
+        raise RosmlError(f"{repository}@{digest} is not in the registry any more", "run 'build' and 'join' again")
+    return manifest, registry.config(repository, manifest)
+
+
+def _require_own(thing: Image | Part, entry: Entry, config: Config) -> None:
+    """Checks that a manifest is that of the image which the records say it is.
+
+    Raises:
+        RosmlError: it is not.
+    """
+    found = config.labels.get(TITLE, ""), config.facts.architecture or ""
+    if found != (title(thing), entry.architecture):
+        raise RosmlError(
+            f"the records' entry {entry.tag} names {entry.digest},"
+            f" which is {found[0] or 'an image without a title'} for {found[1] or 'no architecture'}",
+            "publish it again with --force",
+        )
+
+
+def _platform(config: Config) -> dict[str, str]:
+    """What an index says of the machines on which an image runs."""
+    facts = config.facts
+    found = {"os": facts.os or "linux", "architecture": facts.architecture, "variant": facts.variant}
+    return {name: value for name, value in found.items() if value}
+
+
+def _covered(run: Run, entry: Entry) -> dict[str, dict[str, str]]:
+    """What an index says of one of its images besides: which statements and SBOMs are the publisher's, by their digests. A
+    signature of the index covers them then."""
+    found = {provenance.COVERED: " ".join(sorted(entry.provenance.values()))} if entry.provenance else {}
+    item = run.state.by_key[entry.target, entry.architecture]
+    for target in item.needs if item.kind == "joined" else (item.target,):
+        part = run.state.known.get((target, entry.architecture))
+        if part and part.sbom and part.digest == entry.parts.get(target, entry.digest):
+            found[sbom.COVERED + target] = f"{part.repository}@{part.sbom}"
+    return {"annotations": found} if found else {}
+
+
+def _checkout(run: Run) -> dict[str, str]:
+    """What an index says of the checkout that it was made in: its address, and its revision unless files differ from it.
+    Images say no revision: every commit would change all of them."""
+    found = next(iter(run.source), {})
+    address, revision = found.get("uri", "").removeprefix("git+"), found.get("digest", {}).get("gitCommit", "")
+    said = {SOURCE: address, REVISION: "" if "annotations" in found else revision}
+    return {name: text for name, text in said.items() if text}

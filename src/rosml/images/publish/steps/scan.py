@@ -1,0 +1,116 @@
+"""Scans images for known vulnerabilities, and records what was found."""
+
+from __future__ import annotations
+
+import hashlib
+import time
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import replace
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from rosml.images.publish.run import Outcome, Run
+from rosml.images.records.store import Entry
+from rosml.images.scan import judge, sarif
+from rosml.images.scan.policy import Rules
+from rosml.images.scan.results import Results
+from rosml.images.scan.trivy import ScannerFailed, Trivy
+
+
+def scan(
+    run: Run,
+    rules: Rules,
+    trivy: Trivy | ScannerFailed,
+    reports: Path | None = None,
+    results: Results | None = None,
+) -> judge.Run:
+    """Scans all images that are there, on whatever architecture: what a scan reads is in the registry. Each is recorded as
+    soon as it was scanned, so that a run that ends early keeps what it got to.
+
+    An image that was clean by the same policy and the same database before is left alone: it would be so again.
+
+    Args:
+        rules: the policy.
+        trivy: the scanner, with its database; or why there is none.
+        reports: a folder for a SARIF file of each image.
+        results: get what was found; then nothing is written into the registry.
+    """
+    state, policy, database = run.state, policy_digest(rules, run.state.date), _database(trivy)
+
+    def keep(found: judge.Scanned) -> None:
+        facts = {
+            "policy": policy,
+            "database": found.database.digest if found.database else "",
+            "updated": found.database.updated if found.database else "",
+            "packages": found.packages,
+            "findings": dict(Counter(finding.severity for finding in found.findings)),
+            "failing": sorted({finding.id for finding in found.failing}),
+        }
+        key = found.target, found.architecture
+        entry = replace(state.known[key], scanned=found.outcome.value, scan=facts, changed=state.date)
+        if results is None:
+            run.write(state.by_key[key], entry)
+        else:
+            results.add(entry)
+
+    wanted = _wanted(run, lambda entry: _is_clean(entry, policy, database))
+    # Nothing can be known of those that are not there: they may lack a lock.
+    there = {item.key for item in state.items if item.kind != "part"} & state.present
+    whole = wanted.keys() == there and len(state.images) == len(state.image_set.images)
+    started, date, targets = time.monotonic(), _time(state.date), state.image_set.by_target
+    images = list(wanted.values())
+    if isinstance(trivy, ScannerFailed):
+        found = judge.summarise(judge.unscanned(images, trivy, keep), rules, date.date(), whole, targets)
+    else:
+        facts: dict[str, Any] = {"now": date, "whole": whole, "targets": targets}
+        found = judge.scan_images(images, rules, trivy, run.shelf, **facts, say=run.say, keep=keep)
+    seconds = (time.monotonic() - started) / max(1, len(found.images))
+    for image in found.images:
+        clean = image.outcome is judge.Outcome.CLEAN
+        reason = image.reason if clean else f"{image.outcome.value}: {image.reason}"
+        key = image.target, image.architecture
+        run.outcomes.append(Outcome("scan", *key, "done" if clean else "failed", reason, seconds))
+    if reports:
+        sarif.write(reports, found)
+    run.outcomes += [Outcome("scan", "policy", "", "failed", problem) for problem in found.problems]
+    return found
+
+
+def _wanted(run: Run, clean: Callable[[Entry], bool]) -> dict[tuple[str, str], judge.Image]:
+    """The images that are to be scanned, by target and architecture."""
+    state, found = run.state, dict[tuple[str, str], judge.Image]()
+    for item in state.items:
+        entry = state.known.get(item.key)
+        if item.kind == "part" or entry is None or not entry.digest or item.key not in state.present or clean(entry):
+            continue
+        needs = item.needs if item.kind == "joined" else (item.target,)
+        parts = tuple(run.scanned_part(target, item.architecture) for target in needs)
+        found[item.key] = judge.Image(*item.key, parts)
+    return found
+
+
+def _is_clean(entry: Entry, policy: str, database: str) -> bool:
+    """Whether an image was found clean by a policy and a database before."""
+    same = database and entry.scan.get("policy") == policy and entry.scan.get("database") == database
+    return bool(same and entry.scanned == judge.Outcome.CLEAN.value)
+
+
+def _database(trivy: Trivy | ScannerFailed) -> str:
+    """The digest of the scanner's database; empty if there is none, of which the scan tells."""
+    try:
+        return "" if isinstance(trivy, ScannerFailed) else trivy.database().digest
+    except ScannerFailed:
+        return ""
+
+
+def policy_digest(rules: Rules, date: str) -> str:
+    """Stands for what a scan policy says at the date of a run, not for how it is written. An ignore entry that has expired
+    by then says nothing, so that a scan that was clean thanks to it does not count any more."""
+    return hashlib.sha256(rules.in_force(_time(date).date()).model_dump_json().encode()).hexdigest()
+
+
+def _time(date: str) -> datetime:
+    """A run's date."""
+    return datetime.fromisoformat(date.replace("Z", "+00:00"))

@@ -1,0 +1,47 @@
+"""Runs the structure tests of images that have not passed them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
+
+from rosml.base.problems import some
+from rosml.images.image_set.model import Image
+from rosml.images.publish.run import Run, failure
+from rosml.images.publish.state import Item
+from rosml.images.records.store import Entry
+
+
+def test(run: Run, targets: Sequence[str] = ()) -> None:
+    """Tests images. What failed in this run is left to the next one.
+
+    Args:
+        targets: test these alone; all if empty.
+    """
+    failed = {(it.target, it.architecture) for it in run.outcomes if (it.step, it.state) == ("test", "failed")}
+    wanted = [i for i in run.state.items if i.kind != "part" and (not targets or i.target in targets)]
+    run.each("test", [item for item in wanted if item.key not in failed], partial(_test, run))
+
+
+def test_at_once(run: Run, item: Item) -> None:
+    """Tests an image that was just made, if it is to be tested here."""
+    task = run.state.task(item, ahead=False)
+    if task.steps[:1] == ("test",):
+        run.do("test", item, "(as soon as it is there)", task.why, partial(_test, run))
+
+
+def _test(run: Run, item: Item, entry: Entry) -> Entry:
+    assert isinstance(item.thing, Image)
+    names = run.state.tests(item)
+    found = run.maker.test(item.thing, item.architecture, entry.digest, run.parts(item), names)
+    reason = f"tests failed: {some(list(found.failures))}\n{found.said}".strip()
+    return replace(
+        entry,
+        tested=run.state.tests_digest(item),
+        passed=found.passed,
+        failures=found.failures,
+        unpacked=found.unpacked,
+        versions=found.versions,
+        failed=failure("test", reason) if found.failures else {},
+    )

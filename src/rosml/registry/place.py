@@ -1,0 +1,72 @@
+"""Where images are, and go: a registry, the path before the names of its repositories, and paths below it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rosml.base.errors import RosmlError
+from rosml.registry import oci, references
+from rosml.registry.client import Registry
+
+MADE = "application/vnd.rosml.repository.v1"
+"""The type of the artifact by which a repository is made. It has no tag."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """A registry, and a path in it below which images go.
+
+    Attributes:
+        client: talks to the registry.
+        prefix: the path before the names of repositories, such as `me/rosml`; it may be empty.
+    """
+
+    client: Registry
+    prefix: str = ""
+
+    @classmethod
+    def at(cls, text: str, ca_bundle: str = "") -> Place:
+        """The place that a text such as `ghcr.io/me/rosml` names. Nothing is asked of the registry.
+
+        Args:
+            ca_bundle: a file of certificates to trust.
+
+        Raises:
+            RosmlError: the text names no place (exit code 2).
+        """
+        host, _, prefix = text.rstrip("/").partition("/")
+        if not references.is_place(host, prefix):
+            text = f"{text!r} is no place for images"
+            raise RosmlError(text, "name a registry and a path in it, such as ghcr.io/me/rosml", exit_code=2)
+        return cls(Registry(host, ca_bundle=ca_bundle), prefix)
+
+    def path(self, repository: str) -> str:
+        """The path of a repository in the registry."""
+        return f"{self.prefix}/{repository}" if self.prefix else repository
+
+    def reference(self, repository: str, digest: str = "") -> str:
+        """A repository with the registry before it; with a digest, of a manifest there."""
+        return f"{self.client.host}/{self.path(repository)}" + (f"@{digest}" if digest else "")
+
+    def __str__(self) -> str:
+        """As people write it."""
+        return f"{self.client.host}/{self.prefix}".rstrip("/")
+
+    def make(self, repository: str) -> bool:
+        """Has the registry make a repository, by an artifact of some bytes, if it did not do so before.
+
+        Registries such as ghcr.io make a repository when somebody pushes into it first, and refuse others who push there meanwhile.
+
+        Returns:
+            Whether it was made now.
+
+        Raises:
+            RosmlError: the registry does not answer or refuses.
+        """
+        path = self.path(repository)
+        artifact = oci.encoded(oci.artifact(MADE, oci.EMPTY_BLOB, oci.EMPTY))
+        if self.client.head(path, oci.digest_of(artifact)):
+            return False
+        self.client.put_blob(path, oci.EMPTY_BLOB)
+        self.client.put_manifest(path, "", artifact)
+        return True
