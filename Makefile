@@ -16,7 +16,7 @@ export TARGET PLATFORM SHARD
 unexport PYTHONPATH PYTHONHOME PYTHONOPTIMIZE
 
 # A typo must not build something else: `make image TRAGET=x`, `make image jazzy-base`.
-COMMANDS := help image test test-all proofs lint unit page bench docs clean test-scanner test-signer test-packages
+COMMANDS := help image test test-all lint unit page bench docs clean test-scanner test-signer test-packages
 VARIABLES := TARGET PLATFORM SHARD PROOF COVERAGE PATH SHELL ROSML_% ROS_% BUILDX_% OS_%
 UNKNOWN := $(filter-out $(VARIABLES),$(foreach name,$(.VARIABLES),$(if $(filter command,$(origin $(name))),$(name)))) $(filter-out $(COMMANDS),$(MAKECMDGOALS))
 $(if $(strip $(UNKNOWN)),$(error nothing was done: make has no command or variable $(strip $(UNKNOWN)); see make's words with: make, all others with: ./rosml --help))
@@ -39,9 +39,6 @@ test: ## what every change must pass: linters, unit tests, the catalogue's page,
 
 test-all: ## that, and every proof: SHARD=1/3 is the part of the first of three machines, PROOF=cuda one proof
 	@$(SETUP) linters; .venv/bin/python -m tests.suite --check --all --shard "$$SHARD" $(PROOF:%=--proof "%"); $(SUITE) --all --shard "$$SHARD" $(PROOF:%=--proof "%")
-
-proofs: ## when each proof last ran, and how many commits touched its files since
-	@$(SETUP) python; .venv/bin/python -m tests.suite --list
 
 lint: ## the linters
 	@$(SETUP) linters; .venv/bin/python -m pytest tests/lint

@@ -8,9 +8,9 @@ import subprocess
 
 import pytest
 
-from tests import proof
 from tests.fork import skip_ours
 from tests.limits import set_limits
+from tests.proofs import PROOFS
 from tests.skips import pytest_make_collect_report, pytest_runtest_makereport  # noqa: F401 (hooks)
 
 if not __debug__:
@@ -30,5 +30,5 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     set_limits(items)
     for item in items:
         for mark in item.iter_markers("full"):
-            if mark.args or mark.kwargs.get("proof") not in proof.names():
-                raise pytest.UsageError(f"{item.nodeid}: mark it full(proof=NAME), where tests/proofs/ has NAME.yaml")
+            if mark.args or mark.kwargs.get("proof") not in PROOFS:
+                raise pytest.UsageError(f"{item.nodeid}: mark it full(proof=NAME), a name of tests/proofs.py")

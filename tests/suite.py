@@ -1,7 +1,7 @@
-"""Runs the suite, says where its time went, and records how proofs ended.
+"""Runs the suite, and says where its time went.
 
-`make test` is what every change must pass. `make test-all` is that and every proof in tests/proofs/; `SHARD=i/n` deals them out
-to n machines, `PROOF=name` runs one of them. `make proofs` lists when each last ran.
+`make test` is what every change must pass. `make test-all` is that and every proof of tests/proofs.py; `SHARD=i/n` deals them out
+to n machines, `PROOF=name` runs one of them.
 """
 
 from __future__ import annotations
@@ -16,15 +16,14 @@ import xml.etree.ElementTree as ElementTree
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from datetime import UTC, datetime
 from pathlib import Path
 
 import click
 
 from rosml.cli import command
-from tests.proof import ROOT, Proof, Run, head, names
-from tests.proof import table as proof_table
+from tests.proofs import PROOFS
 
+ROOT = Path(__file__).resolve().parent.parent
 LOGS = ROOT / ".state" / "log"
 LANES = ("--numprocesses=2", "--dist=loadfile", "--no-loadscope-reorder", "--verbose")
 QUIET = ("--quiet", "--override-ini=log_cli=false")
@@ -56,7 +55,6 @@ class Outcome:
     passed: int = 0
     failed: int = 0
     skipped: int = 0
-    log: Path = Path()
 
 
 def in_memory() -> dict[str, str]:
@@ -89,9 +87,11 @@ QUICK = {
 """What `make test` runs after the set-up, by the name of each for --phase."""
 
 
-def proof_phase(proof: Proof) -> Phase:
+def proof_phase(name: str) -> Phase:
     """The call that proves something."""
-    return Phase(f"proof: {proof.name}", pytest(*LANES, *proof.arguments), proof.environment)
+    proof = PROOFS[name]
+    tests = proof.tests or ("-m", f'full(proof="{name}")', "tests/e2e")
+    return Phase(f"proof: {name}", pytest(*LANES, *tests), proof.environment)
 
 
 def environment() -> dict[str, str]:
@@ -131,7 +131,7 @@ def run(phase: Phase) -> Outcome:
             process.wait()
             raise
         code = process.wait()
-    return Outcome(phase.name, time.monotonic() - started, code, *_counts(counts), log)
+    return Outcome(phase.name, time.monotonic() - started, code, *_counts(counts))
 
 
 def _counts(file: Path) -> tuple[int, int, int]:
@@ -148,33 +148,18 @@ def _counts(file: Path) -> tuple[int, int, int]:
     return total - failed - errors - skipped, failed + errors, skipped
 
 
-def deal(proofs: Sequence[Proof], shard: int, shards: int) -> tuple[bool, list[Proof]]:
+def deal(shard: int, shards: int) -> tuple[bool, list[str]]:
     """What one of several machines runs: whether `make test` is in it, and which proofs; the longest are dealt first, each to
     the machine that has least."""
     loads = [0.0] * shards
     loads[0] = QUICK_MINUTES
     mine = []
-    for proof in sorted(proofs, key=lambda proof: (-proof.minutes, proof.name)):
+    for name in sorted(PROOFS, key=lambda name: (-PROOFS[name].minutes, name)):
         least = loads.index(min(loads))
-        loads[least] += proof.minutes
+        loads[least] += PROOFS[name].minutes
         if least == shard - 1:
-            mine.append(proof)
-    return shard == 1, sorted(mine, key=lambda proof: proof.name)
-
-
-def record(proof: Proof, outcome: Outcome) -> str:
-    """Writes how a proof ended into its file.
-
-    Returns:
-        What is wrong; empty where all of its tests passed.
-    """
-    today = datetime.now(UTC).date().isoformat()
-    last = Run(today, head(), outcome.passed, outcome.failed, outcome.skipped)
-    proof.record(last)
-    passed = outcome.passed and not (
-        outcome.code or outcome.failed
-    )  # a skip that tests/skips.yaml does not list has failed
-    return "" if passed else f"{proof.name}: {last.outcome}"
+            mine.append(name)
+    return shard == 1, sorted(mine)
 
 
 def set_up(need: str) -> Outcome:
@@ -218,14 +203,8 @@ class Shard(click.ParamType[tuple[int, int]]):
 @click.option(
     "--phase", "phases", type=click.Choice(list(QUICK)), multiple=True, help="Run this part of `make test` alone."
 )
-@click.option("--proof", "wanted", type=click.Choice(names()), multiple=True, help="Run this proof alone.")
+@click.option("--proof", "wanted", type=click.Choice(list(PROOFS)), multiple=True, help="Run this proof alone.")
 @click.option("--check", is_flag=True, help="Only see whether this could run.")
-@click.option(
-    "--list",
-    "listed",
-    is_flag=True,
-    help="List when each proof last ran, and how many commits touched its files since.",
-)
 @click.option("--coverage", is_flag=True, help="Measure what the tests run of rosml/.")
 @click.option("--started", type=float, help="When the set-up began, in seconds since 1970.")
 def main(
@@ -234,38 +213,31 @@ def main(
     phases: tuple[str, ...],
     wanted: tuple[str, ...],
     check: bool,
-    listed: bool,
     coverage: bool,
     started: float | None,
 ) -> None:
     """Runs the suite; set-up comes first: `make test`, `make test-all`."""
-    quick, proofs = not wanted, [Proof.load(name) for name in wanted]
+    quick, proofs = not wanted, list(wanted)
     if everything and not wanted:
-        quick, proofs = deal([Proof.load(name) for name in names()], *shard)
+        quick, proofs = deal(*shard)
     if check:
         return
-    if listed:
-        click.echo(proof_table([Proof.load(name) for name in names()]))
-        return
     outcomes = [Outcome("set-up", time.time() - started, 0)] if started else []
-    for name, phase in QUICK.items() if quick else ():
-        if name in (phases or QUICK):
-            measured = replace(phase, command=[*phase.command, "--cov=rosml"]) if coverage else phase
-            outcomes.append(run(measured))
-    wrong = [f"{outcome.name}: failed" for outcome in outcomes if outcome.code]
-    wrong += [f"{outcome.name}: no test ran" for outcome in outcomes if outcome.log.name and not outcome.passed]
-    for need in sorted({need for proof in proofs for need in proof.needs}):
+    todo = [phase for name, phase in QUICK.items() if quick and name in (phases or QUICK)]
+    if coverage:
+        todo = [replace(phase, command=[*phase.command, "--cov=rosml"]) for phase in todo]
+    ended = [run(phase) for phase in todo]
+    wrong = []
+    for need in sorted({need for name in proofs for need in PROOFS[name].needs}):
         outcomes.append(set_up(need))
         if outcomes[-1].code:
-            lacking = [proof for proof in proofs if need in proof.needs]
-            wrong.append(f"{need} failed, which these need: not run: {', '.join(proof.name for proof in lacking)}")
-            proofs = [proof for proof in proofs if proof not in lacking]
-    for proof in proofs:
-        outcomes.append(run(proof_phase(proof)))
-        wrong += filter(None, [record(proof, outcomes[-1])])
-    click.echo(f"\n{table(outcomes)}")
-    if everything or wanted:
-        click.echo(f"\n{proof_table([Proof.load(name) for name in names()])}")
+            lacking = [name for name in proofs if need in PROOFS[name].needs]
+            wrong.append(f"{need} failed, which these need: not run: {', '.join(lacking)}")
+            proofs = [name for name in proofs if name not in lacking]
+    ended += [run(proof_phase(name)) for name in proofs]
+    wrong += [f"{outcome.name}: failed" for outcome in ended if outcome.code]
+    wrong += [f"{outcome.name}: no test ran" for outcome in ended if not (outcome.code or outcome.passed)]
+    click.echo(f"\n{table([*outcomes, *ended])}")
     for line in wrong:
         click.secho(line, fg="red", err=True)
     sys.exit(1 if wrong else 0)

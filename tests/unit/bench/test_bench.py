@@ -31,7 +31,6 @@ def test_synthetic_matrices_are_valid(images: int) -> None:
     assert images <= len(parse(text).images) < images + synthetic.IMAGES
 
 
-@pytest.mark.full(proof="bench")
 def test_work_grows_with_the_images_and_not_with_their_square() -> None:
     """Eight times the images are less than eight times the work; with their square it would be 64 times."""
     few, many = (synthetic.matrix(images) for images in (500, 4_000))
@@ -71,7 +70,6 @@ def quick(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
         monkeypatch.setattr(generator, limit, 1_000.0)
 
 
-@pytest.mark.full(proof="bench")
 @pytest.mark.usefixtures("quick")
 def test_numbers(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert command.run(cli.main, arguments=["--generator", "--json"]) == 0
@@ -82,7 +80,6 @@ def test_numbers(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert (tmp_path / "report/generator.svg").is_file()
 
 
-@pytest.mark.full(proof="bench")
 @pytest.mark.usefixtures("quick")
 def test_too_slow(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.setattr(generator, "LARGEST_SECONDS", 0.0)

@@ -89,7 +89,6 @@ def left(registry: StandIn, *words: str) -> Mapping[str, object]:
     return {"manifests": manifests, "tags": tags} if manifests or tags else {}
 
 
-@pytest.mark.full(proof="bench")
 def test_tags_are_joined_counted_and_removed(here: Here, registry: StandIn) -> None:
     found = measured(here)
     assert [row.tags for row in found.rows] == [2, 3]
@@ -104,7 +103,6 @@ def test_tags_are_joined_counted_and_removed(here: Here, registry: StandIn) -> N
 # ---- A second run ----------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.full(proof="bench")
 def test_a_second_run_finds_nothing_to_do(here: Here, image_set: ImageSet, registry: StandIn) -> None:
     found = idle_run.measure(here.services, image_set, "bench/night", DAY, lambda _: None)
     things: list[Image | Part] = [*image_set.images, *image_set.parts]

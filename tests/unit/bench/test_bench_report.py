@@ -40,7 +40,6 @@ GROWN = Grown(
 WHOLE = {**GENERATOR, "comparison": COMPARED.to_json(), "growth_of_tags": GROWN.to_json()}
 
 
-@pytest.mark.full(proof="bench")
 def test_the_whole_report(tmp_path: Path) -> None:
     """Every picture that the page shows is there, and every number that it shows was measured."""
     page = report.write(WHOLE, tmp_path / "a/b", LIMITS)

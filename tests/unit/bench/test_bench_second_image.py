@@ -315,7 +315,6 @@ def test_json_has_everything() -> None:
         assert all(name.endswith(("_seconds", "_bytes")) for name in found[side])
 
 
-@pytest.mark.full(proof="bench")
 def test_the_command(stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     """Both tables, or both as one JSON object."""
     monkeypatch.setattr(generator, "SIZES", (96, 192))

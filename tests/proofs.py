@@ -1,0 +1,75 @@
+"""What only `make test-all` runs: tests that are marked `full(proof=NAME)`, and those that a proof names itself."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True)
+class Proof:
+    """One or several tests that take too long for every change.
+
+    Attributes:
+        minutes: about how long they take on two cores.
+        needs: commands of scripts/bootstrap.py that set up for them.
+        tests: what pytest runs; the tests with the proof's mark if empty.
+        environment: of that run.
+    """
+
+    minutes: float
+    needs: Sequence[str] = ()
+    tests: Sequence[str] = ()
+    environment: Mapping[str, str] = field(default_factory=dict)
+
+
+PROOFS = {
+    # Every component of every distribution, from signed apt repositories; an image from an archive of somebody's own.
+    "apt": Proof(6),
+    # Images for arm64 under emulation; a part for arm64 without it.
+    "arm64": Proof(45, needs=("emulate",)),
+    # The runtime contract of an image with TensorFlow, whoever starts it.
+    "contract": Proof(8),
+    # Images with CUDA, PyTorch and TensorFlow: their layers, and programs in Python and C++ that use all of it.
+    "cuda": Proof(40),
+    # Windows of desktop images: rviz by X11, and Qt by Wayland.
+    "desktop": Proof(25),
+    # rosml run and rosml attach with podman, with root and without it.
+    "engines": Proof(4),
+    # What users install next by pip and uv leaves PyTorch, TensorFlow, CUDA and ROS as they are.
+    "everyday": Proof(20),
+    # A fork made from the documentation, step by step, passes its own unit tests.
+    "fork": Proof(8),
+    # C++ headers of PyTorch and TensorFlow compile, alone and together.
+    "includes": Proof(45),
+    # What people install is as new as the packages allow that keep their version in an image.
+    "installs": Proof(30),
+    # Publishing runs killed thirty times, and containerize killed twenty times, lose and repeat nothing.
+    "kills": Proof(14),
+    # A night whose jobs set themselves up, for two architectures; a night in which much fails, and the next one.
+    "night": Proof(9, needs=("emulate",)),
+    # A thousand examples for each property, 10,000 commands for rosml run, 5,000 damaged documents for each parser.
+    "properties": Proof(
+        15,
+        tests=(
+            "tests/unit/images/test_matrix.py",
+            "tests/unit/images/test_plan.py",
+            "tests/unit/run/test_run_words.py",
+            "tests/unit/cli/test_parsers.py",
+        ),
+        environment={"HYPOTHESIS_PROFILE": "thorough"},
+    ),
+    # A build without any cache, and one in another folder, give the same layers.
+    "rebuild": Proof(12),
+    # The base layer on Debian's relatives of Ubuntu 20.04 and 26.04.
+    "relatives": Proof(8),
+    # The real trivy finds what it must.
+    "scanner": Proof(18, needs=("scanner",)),
+    # The real cosign signs with a key, once, before tags move.
+    "signer": Proof(18, needs=("signer",)),
+    # Debian trixie with TensorFlow.
+    "trixie": Proof(12),
+    # ROS 2 from Python wheels: built, started, and an app built on it.
+    "wheels": Proof(8),
+}
+"""By name, for `make test-all PROOF=NAME`."""
