@@ -4,7 +4,7 @@ Both are built twice on the same pair of ROS images, yesterday's and today's, wh
 stands for changed ROS packages. Yesterday's images are there already when today's, the second ones, are measured, as in
 real life. Both install the versions of the same locks, checked by hash, and are compressed and pushed in the same way.
 
-Everything is pushed by digest into a namespace of its own: no tag is ever made, and none can move.
+Everything is pushed by digest into a namespace of its own, and removed at the end: no tag is ever made, and none can move.
 """
 
 from __future__ import annotations
@@ -14,34 +14,37 @@ import secrets
 import shutil
 import subprocess
 import time
-from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
-from dataclasses import asdict, dataclass, field, replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from bench.here import Here
 from rosml.base import files
 from rosml.base.errors import RosmlError
-from rosml.base.terminal import console, show, table
+from rosml.base.terminal import show, table
 from rosml.base.units import duration, size
 from rosml.images.bake import bake_file, hcl
 from rosml.images.builds import base_images, disk
 from rosml.images.builds.maker import require_buildable
-from rosml.images.builds.push import COMPRESSION, push_by_digest
+from rosml.images.builds.push import push_by_digest
+from rosml.images.builds.variables import variables
 from rosml.images.image_set import lock_file
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.machine import buildx, regctl
-from rosml.machine.progress import BuildProgress
 from rosml.machine.services import Services
 
 NAMESPACE = "bench"
 """Namespace in the local registry: nothing of anybody else is in it."""
 
 DAYS = ("yesterday", "today")
+WAYS = ("ours", "usual")
 
 ROUNDS = 2
 """Imports of each image, of which the faster counts: the first one reads from the disk."""
+
+PRUNE_SECONDS = 600.0
+"""What removing some gigabytes from the builder's cache may take."""
 
 CHANGE = """\
 FROM ros AS {marker}
@@ -65,148 +68,63 @@ COPY <<"EOF" /import.py
 import importlib, json, sys, time
 start = time.perf_counter()
 versions = {{name: importlib.import_module(name).__version__ for name in sys.argv[1:]}}
-print(json.dumps({{"import_seconds": time.perf_counter() - start, "versions": versions}}))
+print(json.dumps({{"seconds": time.perf_counter() - start, "versions": versions}}))
 EOF
-COPY <<"EOF" /shell.py
-import json, subprocess, sys, time
-def seconds(*command):
-    start = time.perf_counter()
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    return time.perf_counter() - start
-way, *names = sys.argv[1:]
-if way == "ours":
-    commands = [("bash", "-ic", "true"), ("/usr/local/share/rosml/banner.sh",)]
-else:
-    asked = [(sys.executable, "-c", f"import {{name}}; print({{name}}.__version__)") for name in names]
-    commands = [("bash", "--norc", "-ic", "true"), *asked]
-with open("/import.json") as file:
-    found = json.load(file)
-source = 'setup=/opt/ros/$ROS_DISTRO/setup.bash; if [ -f "$setup" ]; then . "$setup"; fi; exec true'
-start, sourcing = (
-    min(seconds(*command) for _ in range(5)) for command in (("/entrypoint.sh", "true"), ("bash", "-c", source))
-)
-shell = sum(seconds(*command) for command in commands)
-print(json.dumps({{**found, "shell_seconds": shell, "start_seconds": max(0.0, start - sourcing)}}))
-EOF
-RUN --network=none : {marker}; python3 /import.py {modules} >/import.json && \\
-    python3 /shell.py {way} {modules} >/result.json
+RUN --network=none : {marker}; python3 /import.py {modules} >/result.json
 FROM scratch
 COPY --from={marker} /result.json /
 """
-"""A fresh container that imports. Then the start of an interactive shell that says what the image holds, which the usual
-banner finds out by importing each framework. Then what the entrypoint takes beyond sourcing ROS."""
+"""A fresh container that imports."""
 
 
 @dataclass(frozen=True)
 class Side:
-    """What one way of making the second image came to.
+    """What one way of making the second image came to: wall time in seconds, and bytes as the registry stores them.
 
     Attributes:
-        build_and_push_seconds: wall time of building and pushing today's image.
-        registry_new_bytes: of today's image what neither yesterday's nor today's ROS image had brought: layers, config
-            and manifest, as they are stored.
-        pull_bytes: layers of today's image that whoever has yesterday's does not have.
-        import_seconds: importing the frameworks in a fresh container, without the start of the interpreter.
-        shell_seconds: starting an interactive shell with a banner that names the frameworks' versions.
-        first_image_seconds: wall time of building and pushing yesterday's image.
-        install_seconds: the builder's work on the framework in today's image: `pip install`; 0 where layers are joined.
-        image_bytes: all layers of today's image, as they are stored.
-        start_seconds: what the entrypoint takes beyond sourcing ROS; both ways stand on the same ROS image, and so on the
-            same entrypoint.
+        second, first: building and pushing today's image, and yesterday's. imported: importing the frameworks in a fresh
+            container, without the start of the interpreter.
+        new: of today's image what neither yesterday's nor today's ROS image had brought: layers, config and manifest.
+        pulled: layers of today's image that whoever has yesterday's does not have.
     """
 
-    build_and_push_seconds: float = 0.0
-    registry_new_bytes: int = 0
-    pull_bytes: int = 0
-    import_seconds: float = 0.0
-    first_image_seconds: float = 0.0
-    install_seconds: float = 0.0
-    image_bytes: int = 0
-    shell_seconds: float = 0.0
-    start_seconds: float = 0.0
+    second: float
+    first: float
+    imported: float
+    new: int
+    pulled: int
 
 
-INSIDE = ("import_seconds", "shell_seconds", "start_seconds")
-"""What is measured in a container."""
-
-PRUNE_SECONDS = 600.0
-"""What removing some gigabytes from the builder's cache may take."""
-
-ROWS = {
-    "build_and_push_seconds": "second image: build and push",
-    "registry_new_bytes": "second image: new in the registry",
-    "pull_bytes": "to pull after a change of ROS",
-    "import_seconds": "import, in a fresh container",
-    "shell_seconds": "interactive shell, with versions",
-    "first_image_seconds": "first image: build and push",
-    "image_bytes": "an image, compressed",
-}
-"""What is shown of both sides, with the ratio, in this order."""
+def print_table(image: Image, sides: Mapping[str, Side]) -> None:
+    """Prints both ways side by side."""
+    ours, usual = (sides[way] for way in WAYS)
+    numbers = ("ours", "RUN pip install")
+    made = table(image.target, *numbers, right=numbers)
+    made.add_row("second image: build and push", duration(ours.second), duration(usual.second))
+    made.add_row("second image: new in the registry", size(ours.new), size(usual.new))
+    made.add_row("to pull after a change of ROS", size(ours.pulled), size(usual.pulled))
+    made.add_row("import, in a fresh container", duration(ours.imported), duration(usual.imported))
+    made.add_row("first image: build and push", duration(ours.first), duration(usual.first))
+    show(made)
 
 
-@dataclass(frozen=True)
-class Comparison:
-    """Both ways side by side.
-
-    Attributes:
-        target: the image that was built.
-        ours, usual: what each came to.
-        versions: what was imported, the same in both.
-        packages: how many packages the locks pin.
-        assembling_seconds: the builder's work of assembling parts, once for all images of a stack; 0 if they were
-            there already.
-        compression: how layers were compressed and pushed, on both sides.
-        left: manifests that could not be removed from the registry.
-    """
-
-    target: str
-    ours: Side
-    usual: Side
-    versions: dict[str, str]
-    packages: int
-    assembling_seconds: float
-    compression: str = COMPRESSION
-    left: tuple[str, ...] = ()
-
-    @property
-    def ratios(self) -> dict[str, float | None]:
-        """How many times as much the usual way takes, by row; None where ours takes nothing."""
-        ours, usual = asdict(self.ours), asdict(self.usual)
-        return {row: usual[row] / ours[row] if ours[row] else None for row in ROWS}
-
-    def to_json(self) -> dict[str, Any]:
-        """For `--json`: units are in the names."""
-        return {**asdict(self), "left": list(self.left), "ratios": self.ratios}
-
-
-def require_comparable(image: Image, image_set: ImageSet, root: Path) -> None:
+def require_comparable(image: Image, root: Path, image_set: ImageSet) -> None:
     """Checks, before anything is set up, that an image can be built in both ways.
-
-    Args:
-        image: what is to be compared.
-        image_set: all that the matrix describes.
-        root: the checkout with the locks.
 
     Raises:
         RosmlError: there is no framework to compare, a lock is missing, or pip would need another index (exit code 2).
     """
     require_buildable(image, base_images.native_architecture())
-    if not frameworks(image, image_set):
-        raise RosmlError(
-            f"{image.target} has no framework: there is nothing to compare",
-            "take an image with PyTorch or TensorFlow: rosml list torch",
-            exit_code=2,
-        )
-    for name, version in pins(image, image_set, root).items():
-        if "+" in version:
-            raise RosmlError(
-                f"{name} {version} is on PyTorch's own index alone, where pip does not look by itself",
-                "take a target of another stack: rosml list cu128",
-                exit_code=2,
-            )
+    if not frameworks(image):
+        remedy = "take an image with PyTorch or TensorFlow: rosml list torch"
+        raise RosmlError(f"{image.target} has no framework: there is nothing to compare", remedy, exit_code=2)
+    for path in locks(image, image_set):
+        if any("+" in version for version in lock_file.versions((root / path).read_text()).values()):
+            text = f"{path} has wheels of PyTorch's own index alone, where pip does not look by itself"
+            raise RosmlError(text, "take a target of another stack: rosml list cu128", exit_code=2)
 
 
-def frameworks(image: Image, image_set: ImageSet) -> tuple[str, ...]:
+def frameworks(image: Image) -> tuple[str, ...]:
     """What is imported: the modules of an image's frameworks."""
     return tuple(item.name for item in image.brought if item.released)
 
@@ -218,59 +136,26 @@ def locks(image: Image, image_set: ImageSet) -> tuple[str, ...]:
     return tuple(part.locks[part.architectures.index(architecture)] for part in parts)
 
 
-def pins(image: Image, image_set: ImageSet, root: Path) -> dict[str, str]:
-    """What is installed in both ways: packages and their versions."""
-    found: dict[str, str] = {}
-    for path in locks(image, image_set):
-        found.update(lock_file.versions((root / path).read_text()))
-    return found
-
-
-def needed_mb(image_set: ImageSet, image: Image, built: set[str]) -> int:
+def needed_mb(image_set: ImageSet, image: Image) -> int:
     """Megabytes that a comparison takes: ours as `rosml image` does, and the usual image twice, each unpacked in the
     builder and compressed in builder and registry; pip keeps all wheels of one beside it until it is done."""
     sizes = [image_set.part_by_name[name].disk for name in image.parts]
     unpacked, compressed = sum(size.unpacked for size in sizes), sum(size.compressed for size in sizes)
-    usual = len(DAYS) * (unpacked + 2 * compressed) + compressed
-    return disk.needed_mb(image_set, image, built) + usual
+    return disk.needed_mb(image_set, image, set()) + len(DAYS) * (unpacked + 2 * compressed) + compressed
 
 
-def compare(here: Here, target: str) -> Comparison:
-    """Builds and measures both ways, and removes from the registry what it pushed.
-
-    Args:
-        here: with a namespace of the bench's own.
-        target: an image with a framework.
+def compare(services: Services, image_set: ImageSet, image: Image, say: Callable[[str], None]) -> dict[str, Side]:
+    """Builds and measures both ways, and removes from registry and builder what it left there.
 
     Raises:
-        RosmlError: unknown target, nothing to compare, no room, a service is down, a build failed.
+        RosmlError: no room, a service is down, a build failed.
     """
-    image = here.image_set.image(target)
-    services = here.services
-    require_comparable(image, here.image_set, services.root)
     services.require_registry()
     services.require_builder()
-    needed = needed_mb(here.image_set, image, set())
-    disk.require(services.state, needed, f"{image.target} in both ways")
-    bench = _Bench(here, image, secrets.token_hex(6))
-    try:
-        found = bench.measure()
-    finally:
-        left = bench.clean()
-    return replace(found, left=tuple(left))
-
-
-@dataclass(frozen=True)
-class _Pushed:
-    """An image that was pushed: repository and digest, seconds of wall time, and what the builder did."""
-
-    reference: str
-    seconds: float
-    progress: BuildProgress
-
-    def seconds_of(self, command: str) -> float:
-        """Seconds of the steps whose command line has some text in it."""
-        return sum(step.seconds for step in self.progress.steps.values() if command in step.name)
+    disk.require(services.state, needed_mb(image_set, image), f"{image.target} in both ways")
+    bench = _Bench(services, image_set, image, say)
+    with bench.cleaned():
+        return bench.measure()
 
 
 @dataclass
@@ -278,155 +163,126 @@ class _Bench:
     """One comparison.
 
     Attributes:
-        here, image: what is compared.
         run: tells this comparison's steps in the builder from all others'.
         pushed: manifests that are to be removed.
     """
 
-    here: Here
+    services: Services
+    image_set: ImageSet
     image: Image
-    run: str
+    say: Callable[[str], None]
+    run: str = field(default_factory=lambda: f"bench-{secrets.token_hex(6)}")
     variables: dict[str, str] = field(default_factory=dict)
     pushed: list[str] = field(default_factory=list)
 
-    def measure(self) -> Comparison:
-        """All builds and imports, one after the other."""
-        image_set, image, say = self.here.image_set, self.image, self.here.say
-        say("base image")
-        self.variables = self.here.variables(image)
-        self._write()
-
-        say(f"{image.parent}, yesterday's and today's")
-        parent = image_set.by_target[image.parent].repository
-        ros = {day: self._push(self._name("ros", day), parent, "").reference for day in DAYS}
-
-        ours, usual = {}, {}
-        for day in DAYS:
-            say(f"{day}'s image, ours: joined with parts")
-            ours[day] = self._push(image.target, image.repository, ros[day])
-            say(f"{day}'s image, the usual way: pip install")
-            usual[day] = self._push(self._name("usual", day), image.repository, ros[day])
-            if day == "yesterday":  # gigabytes that would push the parts out of the builder's cache
-                self._prune(self._name("usual", day))
-
-        say(f"import {', '.join(frameworks(image, image_set))} in fresh containers")
-        both = {"ours": ours["today"].reference, "usual": usual["today"].reference}
-        imports = [{way: self._import(way, number, both[way]) for way in both} for number in range(ROUNDS)]
-        versions = [imported[way]["versions"] for imported in imports for way in both]
-        if any(others != versions[0] for others in versions):
-            raise RosmlError(f"the two ways did not install the same: {versions[0]} and {versions[1]}")
-
-        best = {way: {key: min(imported[way][key] for imported in imports) for key in INSIDE} for way in both}
-        return Comparison(
-            target=image.target,
-            ours=replace(self._side(ours, ros), **best["ours"]),
-            usual=replace(self._side(usual, ros), **best["usual"]),
-            versions=versions[0],
-            packages=len(pins(image, image_set, self.here.services.root)),
-            assembling_seconds=ours["yesterday"].seconds_of("/assemble.sh"),
-        )
-
-    def clean(self) -> list[str]:
-        """Removes what was pushed, and the builder's cache of it; returns the manifests that could not be removed."""
-        left = []
-        for reference in self.pushed:
-            try:
-                regctl.regctl(self.here.services, "manifest", "delete", reference)
-            except RosmlError:
-                left.append(reference)
-        self._prune(self._name())
-        self._prune(f"{self.here.prefix}/")
-        if left:
-            self.here.say(f"left in the registry, without a tag: {', '.join(left)}")
-        return left
-
-    def _name(self, *words: str) -> str:
-        """A bake target, a stage and a marker in one: ``bench-0123456789ab-usual-today``."""
-        return "-".join(("bench", self.run, *words))
+    @property
+    def _prefix(self) -> str:
+        return f"{self.services.registry}/{NAMESPACE}"
 
     @property
     def _file(self) -> Path:
-        return self.here.services.state / "bake" / f"bench-{self.image.target}.hcl"
+        return self.services.state / "bake" / f"bench-{self.image.target}.hcl"
+
+    def measure(self) -> dict[str, Side]:
+        """All builds and imports, one after the other."""
+        image, services = self.image, self.services
+        architecture = base_images.native_architecture()
+        self.variables = variables(services, self.image_set, image, architecture, self._prefix, self.say)
+        self._write()
+        self.say(f"{image.parent}, yesterday's and today's")
+        ros = {day: self._push(f"{self.run}-ros-{day}", "ros")[0] for day in DAYS}
+        made: dict[tuple[str, str], tuple[str, float]] = {}
+        for day in DAYS:
+            self.say(f"{day}'s image, ours: joined with parts")
+            made["ours", day] = self._push(image.target, "image", ros[day])
+            self.say(f"{day}'s image, the usual way: pip install")
+            made["usual", day] = self._push(f"{self.run}-usual-{day}", "image", ros[day])
+            if day == "yesterday":  # gigabytes that would push the parts out of the builder's cache
+                self._prune(f"{self.run}-usual-{day}")
+        self.say(f"import {', '.join(frameworks(image))} in fresh containers")
+        imports = {
+            way: [self._import(f"{self.run}-import-{way}-{number}", made[way, "today"][0]) for number in range(ROUNDS)]
+            for way in WAYS
+        }
+        if any(versions != imports["ours"][0][1] for found in imports.values() for _, versions in found):
+            raise RosmlError(f"the two ways did not install the same: {imports}")
+        sides = {}
+        for way in WAYS:
+            today, yesterday = (stored(services, made[way, day][0]) for day in ("today", "yesterday"))
+            there = {**yesterday, **stored(services, ros["today"])}
+            layers = {layer.digest: layer.size for layer in regctl.layers(services, made[way, "today"][0])}
+            sides[way] = Side(
+                second=made[way, "today"][1],
+                first=made[way, "yesterday"][1],
+                imported=min(seconds for seconds, _ in imports[way]),
+                new=sum(size for digest, size in today.items() if digest not in there),
+                pulled=sum(size for digest, size in layers.items() if digest not in yesterday),
+            )
+        return sides
+
+    @contextmanager
+    def cleaned(self) -> Iterator[None]:
+        """Removes what was pushed, and the builder's cache of it, however the measurement ends."""
+        try:
+            yield
+        finally:
+            for reference in self.pushed:
+                try:
+                    regctl.regctl(self.services, "manifest", "delete", reference)
+                except RosmlError:
+                    self.say(f"left in the registry, without a tag: {reference}")
+            self._prune(self.run)
+            self._prune(f"{self._prefix}/")
 
     def _write(self) -> None:
         """The bake file: ours as it always is, the usual one, and what both need."""
-        image_set, image = self.here.image_set, self.image
-        requirements = " ".join(f"--requirement /{path}" for path in locks(image, image_set))
-        dockerfiles = {
-            **{self._name("ros", day): CHANGE for day in DAYS},
-            **{self._name("usual", day): USUAL for day in DAYS},
-            **{self._name(way, str(number)): IMPORT for way in ("ours", "usual") for number in range(ROUNDS)},
+        facts = {
+            "requirements": " ".join(f"--requirement /{path}" for path in locks(self.image, self.image_set)),
+            "modules": " ".join(frameworks(self.image)),
         }
+        texts = {f"{self.run}-{way}-{day}": text for way, text in (("ros", CHANGE), ("usual", USUAL)) for day in DAYS}
+        texts |= {f"{self.run}-import-{way}-{number}": IMPORT for way in WAYS for number in range(ROUNDS)}
         blocks = [
             hcl.block(
                 "target",
                 name,
                 {
                     "inherits": ["_common"],
-                    "dockerfile-inline": text.format(
-                        marker=name,
-                        requirements=requirements,
-                        modules=" ".join(frameworks(image, image_set)),
-                        way="usual" if "usual" in name else "ours",
-                    ),
+                    "dockerfile-inline": text.format(marker=name, **facts),
                     "platforms": [self.variables["PLATFORM"]],
-                    "contexts": {"ros": f"target:{image.parent}"} if text is CHANGE else {},
+                    "contexts": {"ros": f"target:{self.image.parent}"} if text is CHANGE else {},
                 },
             )
-            for name, text in dockerfiles.items()
+            for name, text in texts.items()
         ]
         self._file.parent.mkdir(parents=True, exist_ok=True)
-        files.write(self._file, "\n".join([bake_file.excerpt(image_set, (image.target,)), *blocks]))
+        files.write(self._file, "\n".join([bake_file.excerpt(self.image_set, (self.image.target,)), *blocks]))
 
-    def _push(self, target: str, repository: str, ros: str) -> _Pushed:
-        """Builds a target on a ROS image, or on the bake file's own, and pushes it by digest."""
-        repository = f"{self.here.prefix}/{repository}"
+    def _push(self, target: str, repository: str, ros: str = "") -> tuple[str, float]:
+        """Builds a target on a ROS image, or on the bake file's own, and pushes it: its reference, and seconds."""
         sets = [f"{target}.tags="] if target == self.image.target else []
-        if ros:
-            sets.append(f"{target}.contexts.ros=docker-image://{ros}")
+        sets += [f"{target}.contexts.ros=docker-image://{ros}"] if ros else []
         start = time.monotonic()
-        progress, digest = push_by_digest(self.here.services, self._call(target, sets), repository)
-        seconds = time.monotonic() - start
-        reference = f"{repository}@{digest}"
+        _, digest = push_by_digest(self.services, self._call(target, sets), f"{self._prefix}/{repository}")
+        reference = f"{self._prefix}/{repository}@{digest}"
         self.pushed.append(reference)
-        return _Pushed(reference, seconds, progress)
+        return reference, time.monotonic() - start
 
     def _call(self, target: str, sets: Sequence[str]) -> buildx.Bake:
-        name = target.replace(f"-{self.run}", "") if self.run in target else f"bench-{target}"
-        return buildx.Bake(target, name, self._file, sets, self.variables)
+        return buildx.Bake(target, target.replace(self.run, "bench"), self._file, sets, self.variables)
 
-    def _import(self, way: str, number: int, reference: str) -> dict[str, Any]:
+    def _import(self, target: str, reference: str) -> tuple[float, Mapping[str, Any]]:
         """Seconds and versions of an import in a container that has just been made."""
-        name = self._name(way, str(number))
-        folder = self.here.services.state / "bench" / way
+        folder = self.services.state / "bench"
         shutil.rmtree(folder, ignore_errors=True)
-        sets = (f"{name}.contexts.image=docker-image://{reference}", f"{name}.output=type=local,dest={folder}")
-        buildx.run(self.here.services, self._call(name, sets))
-        try:
-            content = json.loads((folder / "result.json").read_text())
-            return {**{key: float(content[key]) for key in INSIDE}, "versions": dict(content["versions"])}
-        except (OSError, ValueError, TypeError, KeyError) as error:
-            raise RosmlError(f"importing in {reference} gave no result: {error}", "run it again") from None
-
-    def _side(self, images: dict[str, _Pushed], ros: dict[str, str]) -> Side:
-        """What a way came to, from its two images."""
-        services, today, yesterday = self.here.services, images["today"], images["yesterday"]
-        there = {**stored(services, yesterday.reference), **stored(services, ros["today"])}
-        pulled = {layer.digest for layer in regctl.layers(services, yesterday.reference)}
-        layers = regctl.layers(services, today.reference)
-        now = stored(services, today.reference)
-        return Side(
-            build_and_push_seconds=today.seconds,
-            registry_new_bytes=sum(size for digest, size in now.items() if digest not in there),
-            pull_bytes=sum(layer.size for layer in layers if layer.digest not in pulled),
-            first_image_seconds=yesterday.seconds,
-            install_seconds=today.seconds_of("pip install"),
-            image_bytes=sum(layer.size for layer in layers),
-        )
+        sets = (f"{target}.contexts.image=docker-image://{reference}", f"{target}.output=type=local,dest={folder}")
+        buildx.run(self.services, self._call(target, sets))
+        found = json.loads((folder / "result.json").read_text())
+        return float(found["seconds"]), found["versions"]
 
     def _prune(self, words: str) -> None:
         """Removes from the builder's cache what is described with some words: a marker, or where it was pulled from."""
-        services = self.here.services
+        services = self.services
         argv = [*services.buildx, "prune", "--force", "--all", "--filter", f"description~={words}"]
         with suppress(OSError, subprocess.TimeoutExpired):  # the builder forgets them by itself, only later
             subprocess.run(
@@ -437,62 +293,6 @@ class _Bench:
                 timeout=PRUNE_SECONDS,
                 check=False,
             )
-
-
-def print_table(found: Comparison) -> None:
-    """Prints both ways side by side, and what has to be known to judge them."""
-    numbers = ("ours", "RUN pip install", "ratio")
-    made = table(found.target, *numbers, right=numbers)
-    for row in cells(found.to_json()):
-        made.add_row(*row)
-    show(made)
-    out = console()
-    for line in notes(found):
-        out.print(line, style="dim")
-
-
-def cells(found: Mapping[str, Any]) -> list[tuple[str, str, str, str]]:
-    """The rows of both ways side by side, for people: what was measured, ours, the usual way's, ratio.
-
-    Args:
-        found: as `Comparison.to_json` gives it.
-    """
-    rows = []
-    for row, title in ROWS.items():
-        ours, usual = (shown(row)(found[way][row]) for way in ("ours", "usual"))
-        rows.append((title, ours, usual, times(found["ratios"][row])))
-    return rows
-
-
-def shown(row: str) -> Callable[[Any], str]:
-    """How a row's numbers are shown, which its name's unit tells."""
-    return duration if row.endswith("_seconds") else size
-
-
-def times(ratio: float | None) -> str:
-    """``12.34`` -> ``12 x``; small ones keep a decimal, and beyond a thousand it is no measure any more."""
-    if ratio is None:
-        return ""
-    if ratio > 1_000:
-        return "> 1,000 x"
-    return f"{ratio:.0f} x" if ratio >= 10 else f"{ratio:.1f} x"
-
-
-def notes(found: Comparison) -> list[str]:
-    """What was measured, and how."""
-    versions = ", ".join(f"{name} {version}" for name, version in found.versions.items())
-    assembled = (
-        f"{duration(found.assembling_seconds)} of work in this run" if found.assembling_seconds else "before this run"
-    )
-    return [
-        f"{versions}: the same {found.packages} pinned packages both ways, {found.compression.split(',oci')[0]}",
-        f"pip's download and installation took {duration(found.usual.install_seconds)} of the usual second image",
-        f"the parts of ours were assembled once, {assembled}",
-        "the usual banner imports each framework to ask for its version",
-        f"our entrypoint takes {found.ours.start_seconds * 1000:.0f} ms beyond sourcing ROS",
-        "ROS's change is a file of some bytes; a real one adds its own size to the pull both ways",
-        "nothing was tagged, and the manifests are removed; their layers stay until 'rosml setup clean', which removes all there is",
-    ]
 
 
 def stored(services: Services, reference: str) -> dict[str, int]:

@@ -11,15 +11,11 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-from bench.limits import Held
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 
 ROUNDS = 15
 """Pairs of calls, of which the median counts."""
-
-SECONDS = 0.1
-"""What `rosml run` may take longer."""
 
 WORDS = ("run", "--rm", "ubuntu", "true")
 
@@ -32,12 +28,12 @@ case $1 in
 esac
 """
 
-ROSML = "import sys; sys.argv[0] = 'rosml'; from rosml.cli.main import run; sys.exit(run())"
+ROSML = (sys.executable, "-c", "import sys; sys.argv[0] = 'rosml'; from rosml.cli.main import run; sys.exit(run())")
 """What the installed command does."""
 
 
-def held() -> Held:
-    """The median beside its limit.
+def seconds() -> float:
+    """The median of what a call takes longer.
 
     Raises:
         RosmlError: a call failed, or started nothing.
@@ -46,30 +42,20 @@ def held() -> Held:
         engine = Path(folder, "docker")
         engine.write_text(ENGINE)
         engine.chmod(0o755)
-        pairs = [
-            (_seconds(engine, [sys.executable, "-c", ROSML]), _seconds(engine, [str(engine)])) for _ in range(ROUNDS)
-        ]
-    return Held("rosml run, beyond docker run", statistics.median(ours - theirs for ours, theirs in pairs), SECONDS)
+        return statistics.median(_seconds(engine, ROSML) - _seconds(engine, [str(engine)]) for _ in range(ROUNDS))
 
 
 def _seconds(engine: Path, program: Sequence[str]) -> float:
-    """How long a call takes.
-
-    Raises:
-        RosmlError: it failed, or started nothing.
-    """
     calls = engine.with_name("docker.calls")
-    calls.unlink(missing_ok=True)
-    environment = {
+    calls.write_text("")
+    env = {
         "PATH": f"{engine.parent}:{os.environ['PATH']}",
         "PYTHONPATH": str(ROOT / "src"),
         "HOME": str(engine.parent),
     }
     begun = time.perf_counter()
-    done = subprocess.run(
-        [*program, *WORDS], env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
-    )
-    seconds = time.perf_counter() - begun
-    if done.returncode or not any(line.startswith("run ") for line in calls.read_text().splitlines()):
-        raise RosmlError(f"{' '.join(WORDS)} failed:\n{done.stderr.strip()}")
-    return seconds
+    done = subprocess.run([*program, *WORDS], env=env, stdin=subprocess.DEVNULL, capture_output=True, check=False)
+    took = time.perf_counter() - begun
+    if done.returncode or "\nrun " not in f"\n{calls.read_text()}":
+        raise RosmlError(f"{' '.join(WORDS)} failed:\n{done.stderr.decode(errors='replace').strip()}")
+    return took

@@ -31,7 +31,6 @@ OURS = frozenset(
         "page/",
         "unit/images/test_bake.py::test_frameworks_that_do_not_go_together_are_not_named",
         "unit/images/test_catalogue.py",
-        "unit/bench/test_bench_second_image.py::test_wrong_targets",
         "unit/images/test_design.py",
         "unit/project/test_docs.py::test_every_image_that_a_page_builds_on_is_one_that_there_is",
         "unit/project/test_docs.py::test_old_tags_lead_to_tags_that_there_are",

@@ -493,8 +493,7 @@ def test_commands_of_ros_are_completed(container: Container) -> None:
 def test_a_start_takes_few_processes(
     container: Container, environment: dict[str, str], command: tuple[str, ...], most: int
 ) -> None:
-    """A container counts its processes from 1: the number of the last one says how many there were before it. How long a
-    start takes is measured by `make bench`."""
+    """A container counts its processes from 1: the number of the last one says how many there were before it."""
     done = container.run(*command, "sh -c 'echo number $$'", options=env(environment))
     number = int(done.out.split("number ")[1])
     assert number <= most, number

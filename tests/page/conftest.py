@@ -15,7 +15,6 @@ from typing import Any
 import pytest
 from shelf import FIRST, Shelf, shown
 
-from bench import synthetic
 from rosml import ROOT
 from rosml.images.catalogue import site
 from rosml.images.catalogue.model import Published
@@ -24,6 +23,7 @@ from rosml.images.image_set import load
 from rosml.images.matrix import source
 from rosml.machine.setup.tools import BROWSERS
 from rosml.registry.place import Place
+from tests import synthetic
 
 NOW = "2026-11-22T06:00:00Z"
 REGISTRY = "ghcr.io/me/rosml"

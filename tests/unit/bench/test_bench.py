@@ -1,104 +1,182 @@
-"""The generator's work grows with the images and not with their square, and what `make bench` says when it is too slow."""
+"""`make bench`: both ways are built alike and counted rightly, and nothing is left; with local replacements for buildx and
+regctl. And the start of `rosml run`."""
 
 from __future__ import annotations
 
 import json
-import sys
+import re
+import shutil
 from pathlib import Path
 
 import pytest
-from conftest import parse
-from counting import calls
+from conftest import write_locks
+from stubs import buildx, calls, executable, services
 
-from bench import cli, generator, start, synthetic
-from bench.generator import Measured
+from bench import cli, second_image, start
+from bench.second_image import Side
 from rosml.base.errors import RosmlError
 from rosml.cli import command
-from rosml.images.bake import bake_file
+from rosml.images.builds.push import COMPRESSION
+from rosml.images.image_set.model import ImageSet
 
-FINE = [Measured(1_000, 0.2), Measured(10_000, 2.0)]
+TARGET = "alpha-base-torch-cu1"
+
+BAKE = """
+case $1 in prune) exit 0 ;; esac
+[ "$target" != "$(cat "$here/broken" 2>/dev/null)" ] || exit 1
+if [ -n "$report" ]; then mkdir -p "$report" && cp "$here/${target##*-}.json" "$report/result.json"; exit; fi
+echo "$target" >>"$here/pushed"
+printf '{"%s": {"containerimage.digest": "sha256:%s"}}' "$target" "$(grep -c . "$here/pushed")" >"$metadata"
+"""
+"""Every image that is pushed gets the next number as its digest."""
+
+REGCTL = """
+here='{folder}'
+echo "regctl $*" >>"$here/calls"
+for word; do :; done
+case "$1 $2" in
+"manifest get") cat "$here/manifest-${{word##*:}}" ;;
+"manifest head") echo 50 ;;
+"manifest delete") ;;
+*) echo "unknown: $*" >&2; exit 1 ;;
+esac
+"""
+
+PUSHED = {
+    "ros-yesterday": {"os": 100, "change 1": 5},
+    "ros-today": {"os": 100, "change 2": 6},
+    "ours-yesterday": {"os": 100, "change 1": 5, "part": 1_000},
+    "usual-yesterday": {"os": 100, "change 1": 5, "pip 1": 1_100},
+    "ours-today": {"os": 100, "change 2": 6, "part": 1_000},
+    "usual-today": {"os": 100, "change 2": 6, "pip 2": 1_101},
+}
+"""Layers of the images in the order in which they are pushed, with their sizes."""
+
+CONFIG, MANIFEST = 7, 50
 
 
-@pytest.mark.parametrize("word", ["-h", "--help"])
-def test_help(word: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert command.run(cli.main, arguments=[word]) == 0
-    assert "--generator" in capsys.readouterr().out
+class Stage:
+    """A checkout with local replacements."""
 
+    def __init__(self, folder: Path, registry: str, image_set: ImageSet) -> None:
+        self.folder, self.image_set, self.said = folder, image_set, list[str]()
+        for number, layers in enumerate(PUSHED.values(), 1):
+            entries = [{"digest": name, "size": size} for name, size in layers.items()]
+            content = {"layers": entries, "config": {"digest": f"config {number}", "size": CONFIG}}
+            (folder / f"manifest-{number}").write_text(json.dumps(content))
+        for number, seconds in enumerate((4.0, 2.0)):
+            self.imports(number, seconds)
+        write_locks(folder, image_set)
+        regctl = executable(folder / "regctl", REGCTL.format(folder=folder))
+        self.services = services(folder, registry, buildx=buildx(folder, BAKE), regctl=regctl)
 
-@pytest.mark.parametrize("images", [1, 500])
-def test_synthetic_matrices_are_valid(images: int) -> None:
-    text = synthetic.matrix(images)
-    assert images <= len(parse(text).images) < images + synthetic.IMAGES
+    def imports(self, number: int, seconds: float, version: str = "2.10.0") -> None:
+        """What imports of a round say."""
+        content = {"seconds": seconds, "versions": {"torch": version}}
+        (self.folder / f"{number}.json").write_text(json.dumps(content))
 
+    def compare(self) -> dict[str, Side]:
+        return second_image.compare(self.services, self.image_set, self.image_set.image(TARGET), self.said.append)
 
-def test_work_grows_with_the_images_and_not_with_their_square() -> None:
-    """Eight times the images are less than eight times the work; with their square it would be 64 times."""
-    few, many = (synthetic.matrix(images) for images in (500, 4_000))
-    assert calls(lambda: bake_file.render(parse(many))) < 8 * calls(lambda: bake_file.render(parse(few)))
+    def calls(self, start: str) -> list[str]:
+        return [call for call in calls(self.folder) if call.startswith(start)]
 
-
-def test_within_the_limits() -> None:
-    assert generator.missed(0.49, FINE) == []
-
-
-@pytest.mark.parametrize(
-    ("real", "sizes", "message"),
-    [
-        (0.5, FINE, "the real matrix takes 0.50 s; the limit of 0.5 s holds"),
-        (0.1, [Measured(1_000, 0.3), Measured(10_000, 3.0)], "10000 images take 3.00 s; the limit of 3.0 s holds"),
-        (
-            0.1,
-            [Measured(1_000, 0.1), Measured(10_000, 1.6)],
-            "160 µs among 10000 and 100 µs among 1000; the limit of 1.5 times that holds",
-        ),
-    ],
-)
-def test_a_limit_is_missed(real: float, sizes: list[Measured], message: str) -> None:
-    (found,) = generator.missed(real, sizes)
-    assert message in found
+    @property
+    def removed(self) -> list[str]:
+        """The numbers of the manifests that were removed."""
+        return [call.rpartition(":")[2] for call in self.calls("regctl manifest delete")]
 
 
 @pytest.fixture
-def quick(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """A bench of a moment."""
-    monkeypatch.setattr(cli, "REPORT", tmp_path / "report")
-    monkeypatch.setattr(generator, "SIZES", (96, 192))
-    monkeypatch.setattr(generator, "ROUNDS", 1)
-    monkeypatch.setattr(generator, "RUNS", 1)
-    monkeypatch.setattr(start, "ROUNDS", 1)
-    for limit in ("REAL_SECONDS", "LARGEST_SECONDS", "GROWTH", "PLAN_SECONDS", "DIGESTS_SECONDS"):
-        monkeypatch.setattr(generator, limit, 1_000.0)
+def stage(tmp_path: Path, registry: str, small: ImageSet, monkeypatch: pytest.MonkeyPatch) -> Stage:
+    free(monkeypatch, 1_000_000)
+    return Stage(tmp_path, registry, small)
 
 
-@pytest.mark.usefixtures("quick")
-def test_numbers(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert command.run(cli.main, arguments=["--generator", "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
-    assert found.keys() == {"machine", "real_seconds", "sizes", "growth", "limits"}
-    assert len(found["limits"]) == 3 and all(item["seconds"] > 0 for item in found["limits"])
-    assert [size["images"] for size in found["sizes"]] == [96, 192]
-    assert (tmp_path / "report/generator.svg").is_file()
+def free(monkeypatch: pytest.MonkeyPatch, megabytes: int) -> None:
+    """A file system with so much free space."""
+    usage = shutil.disk_usage("/")
+    monkeypatch.setattr(shutil, "disk_usage", lambda path: usage._replace(free=megabytes * 1_000_000))
 
 
-@pytest.mark.usefixtures("quick")
-def test_too_slow(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    monkeypatch.setattr(generator, "LARGEST_SECONDS", 0.0)
-    assert command.run(cli.main, arguments=["--generator", "--check"]) == 1
-    done = capsys.readouterr()
-    assert "192 images" in done.out
-    assert "too slow: 192 images take" in done.err
-    assert "cProfile" in done.err
+def test_what_is_counted(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
+    """Of today's image: the registry had the ROS image of today, somebody's machine only yesterday's image."""
+    found = stage.compare()
+    ours, usual = found["ours"], found["usual"]
+    assert (ours.new, usual.new) == (CONFIG + MANIFEST, 1_101 + CONFIG + MANIFEST)
+    assert (ours.pulled, usual.pulled) == (6, 6 + 1_101)
+    assert ours.imported == usual.imported == 2.0, "the faster one"
+    assert min(ours.second, ours.first, usual.second, usual.first) > 0
+    second_image.print_table(stage.image_set.image(TARGET), found)
+    assert re.search(r"to pull after a change of ROS +6 B +1\.1 kB", capsys.readouterr().out)
 
 
-def test_a_run_that_fails_is_no_measurement(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(sys, "executable", "false")
-    with pytest.raises(RosmlError, match="--check failed"):
-        generator.whole_run()
-    with pytest.raises(RosmlError, match="run --rm ubuntu true failed"):
-        start.held()
+def test_both_ways_are_built_alike(stage: Stage) -> None:
+    """On the same ROS images, compressed alike, pushed by digest, from the same locks."""
+    stage.compare()
+    pushes = [call for call in stage.calls("buildx bake") if "push=true" in call]
+    assert len(pushes) == len(PUSHED)
+    assert all(f",push=true,push-by-digest=true,{COMPRESSION} " in call for call in pushes)
+    for day, number in (("yesterday", 1), ("today", 2)):
+        parent = f".contexts.ros=docker-image://{stage.services.registry}/bench/ros@sha256:{number} "
+        ours, usual = (call.split()[-1] for call in pushes if parent in call)
+        assert ours == TARGET and usual.endswith(f"-usual-{day}")
+    text = (stage.folder / f".state/bake/bench-{TARGET}.hcl").read_text()
+    locks = (stage.image_set.part_by_name[name].locks[0] for name in stage.image_set.image(TARGET).parts)
+    assert text.count(" ".join(f"--requirement /{lock}" for lock in locks)) == 2
 
 
-def test_the_start_of_a_container(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_nothing_is_tagged_and_nothing_is_left(stage: Stage) -> None:
+    stage.compare()
+    assert stage.removed == list("123456")
+    yesterday, marked, pulled = [call.partition("description~=")[2].split()[0] for call in stage.calls("buildx prune")]
+    file = (stage.folder / f".state/bake/bench-{TARGET}.hcl").read_text()
+    assert yesterday == f"{marked}-usual-yesterday"
+    assert all(f"# {marked}-usual-{day}\\n" in file for day in ("yesterday", "today")), "pip's step is among them"
+    assert pulled == f"{stage.services.registry}/bench/", "what others built is left alone"
+
+
+def test_a_build_that_fails_leaves_nothing(stage: Stage) -> None:
+    (stage.folder / "broken").write_text(TARGET)
+    with pytest.raises(RosmlError, match=f"building {TARGET} failed"):
+        stage.compare()
+    assert stage.removed == ["1", "2"]
+
+
+def test_other_versions_are_no_comparison(stage: Stage) -> None:
+    stage.imports(1, 2.0, "2.11.0")
+    with pytest.raises(RosmlError, match="did not install the same"):
+        stage.compare()
+
+
+def test_no_room(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    """torch, cuda and common: 3,300 MB unpacked and 330 MB compressed; the usual image twice, its wheels, and ours."""
+    free(monkeypatch, 3 * (3_300 + 2 * 330))
+    with pytest.raises(RosmlError, match=f"not enough disk space to build {TARGET} in both ways"):
+        stage.compare()
+    assert not stage.calls("buildx bake")
+
+
+def test_a_lock_for_another_index(stage: Stage) -> None:
+    image = stage.image_set.image(TARGET)
+    lock = stage.folder / second_image.locks(image, stage.image_set)[-1]
+    lock.write_text(lock.read_text().replace("torch==2.10.0", "torch==2.10.0+cpu"))
+    with pytest.raises(RosmlError, match="PyTorch's own index") as caught:
+        second_image.require_comparable(image, stage.folder, stage.image_set)
+    assert caught.value.exit_code == 2
+
+
+@pytest.mark.parametrize("target", ["ros1-bookworm-base", "ros1-bookworm-bose-torch-cu128"])
+def test_wrong_targets(target: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.run(cli.main, arguments=[f"--target={target}"]) == 2
+    assert target in capsys.readouterr().err
+
+
+def test_the_start_of_a_container(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     """It is measured beyond the engine's own, and reaches the engine."""
     monkeypatch.setattr(start, "ROUNDS", 1)
-    assert 0 < start.held().seconds < 10
+    assert command.run(cli.main, arguments=["--start"]) == 0
+    assert "longer than docker run (median of 1)" in capsys.readouterr().out
+    monkeypatch.setattr(start, "ROSML", ("true",))
+    with pytest.raises(RosmlError, match="run --rm ubuntu true failed"):
+        start.seconds()

@@ -16,7 +16,6 @@ from conftest import ROOT, SMALL, changed, parse
 from counting import calls
 from projects import copy_for_generator
 
-from bench import synthetic
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.cli import command, main
@@ -25,6 +24,7 @@ from rosml.images.bake import bake_file, hcl, targets
 from rosml.images.image_set import apt_source, expand, labels, load
 from rosml.images.image_set.model import ImageSet
 from rosml.images.matrix import model, schema, source
+from tests import synthetic
 
 SCRIPT = ROOT / "scripts/generate_bake.py"
 

@@ -20,13 +20,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from profiles import PROFILE, PROFILE_NAME
 
-from bench import synthetic
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
 from rosml.images.bake import bake_file
 from rosml.images.image_set import load
 from rosml.images.image_set import model as sets
 from rosml.images.matrix import model, schema, source
+from tests import synthetic
 
 Strategy = st.SearchStrategy[Any]
 

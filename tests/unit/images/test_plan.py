@@ -9,11 +9,11 @@ import pytest
 from conftest import ROOT, changed, parse
 from counting import calls
 
-from bench import synthetic
 from rosml.base.errors import RosmlError
 from rosml.images.builds import disk
 from rosml.images.image_set.model import ImageSet
 from rosml.images.publish import shards as dealing
+from tests import synthetic
 
 
 @pytest.fixture(scope="module")

@@ -1,4 +1,4 @@
-"""A matrix of any size, for measurements: shaped like the real one, with everything that costs the generator time."""
+"""A matrix of any size: shaped like the real one, with everything that costs the generator time."""
 
 from __future__ import annotations
 
