@@ -247,7 +247,7 @@ class _Bench:
                 "target",
                 name,
                 {
-                    "inherits": ["_common"],
+                    "inherits": ["_every"],
                     "dockerfile-inline": text.format(marker=name, **facts),
                     "platforms": [self.variables["PLATFORM"]],
                     "contexts": {"ros": f"target:{self.image.parent}"} if text is CHANGE else {},

@@ -9,6 +9,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+from bakes import printed
 from conftest import write_locks
 from stubs import buildx, calls, executable, services
 
@@ -124,6 +125,8 @@ def test_both_ways_are_built_alike(stage: Stage) -> None:
     text = (stage.folder / f".state/bake/bench-{TARGET}.hcl").read_text()
     locks = (stage.image_set.part_by_name[name].locks[0] for name in stage.image_set.image(TARGET).parts)
     assert text.count(" ".join(f"--requirement /{lock}" for lock in locks)) == 2
+    targets = [call.split()[-1] for call in stage.calls("buildx bake")]
+    assert printed(*targets, file=stage.folder / f".state/bake/bench-{TARGET}.hcl").keys() >= {*targets}
 
 
 def test_nothing_is_tagged_and_nothing_is_left(stage: Stage) -> None:
