@@ -46,11 +46,15 @@ def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Publisher:
     return publisher(project, services(project), monkeypatch)
 
 
-def test_nobody_is_told_elsewhere(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_nobody_is_told_elsewhere(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
     for name in (ci.SUMMARY, ci.OUTPUT):
         monkeypatch.delenv(name, raising=False)
     ci.summary("text")
     ci.output("name", "value")
+    assert [*tmp_path.iterdir()] == [] and capsys.readouterr() == ("", "")
 
 
 def test_outputs_and_summaries_add_up(told: Path) -> None:

@@ -169,7 +169,7 @@ def test_without_a_signature_no_tag(registry: Publisher, image_set: ImageSet) ->
     registry.pen.broken = "the key is gone"
     run = registry.publish(image_set, only=ONLY)
     assert run.failed and registry.tagged("ros") == {}
-    assert Outcome("sign", "alpha-core", "", "failed", "the key is gone").reason in {o.reason for o in signing(run)}
+    assert ("alpha-core", "failed", "the key is gone") in [(it.target, it.state, it.reason) for it in signing(run)]
     assert registry.pen.asked == PATIENCE, "a signer that is broken is not asked for every image"
     registry.pen.broken = ""
     mended = registry.publish(image_set, only=ONLY)
