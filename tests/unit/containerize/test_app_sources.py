@@ -620,6 +620,27 @@ def test_a_submodule_without_a_url(place: Place) -> None:
         assert [text for text in place.said if f"the submodule {name} has no URL" in text]
 
 
+def test_a_submodule_below_a_link(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its files would land wherever the link leads. Today's git makes no such index, whatever the tree is that a server sends."""
+    lost = commit(place.root / "sub", {"s": "1"})
+    a, elsewhere = place.root / "a", place.root / "elsewhere"
+    (elsewhere / "sub").mkdir(parents=True)
+    (elsewhere / "sub/mine").write_text("1")
+    commit(a, {".gitmodules": '[submodule "x"]\n\tpath = link/sub\n\turl = ../sub\n'})
+    (a / "link").symlink_to(elsewhere)
+    commit(a, {})
+    (place.root / "programs").mkdir()
+    (place.root / "programs/git").write_text(
+        f'#!/bin/sh\n{shutil.which("git")} "$@" || exit\n'
+        f'case " $* " in *" ls-files "*) printf \'160000 {lost} 0\\tlink/sub\\0\' ;; esac\n'
+    )
+    (place.root / "programs/git").chmod(0o755)
+    monkeypatch.setenv("PATH", f"{place.root}/programs:{os.environ['PATH']}")
+    place.put(repos(a=(a, "main")))
+    assert "the submodule link/sub leads out of its repository" in place.refused().message
+    assert [file.name for file in (elsewhere / "sub").iterdir()] == ["mine"]
+
+
 POINTER = f"version https://git-lfs.github.com/spec/v1\noid sha256:{'1' * 64}\nsize 3\n"
 
 GIT_LFS = f"""#!{sys.executable}
