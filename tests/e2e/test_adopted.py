@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from rosml import ROOT
-from rosml.containerize import build, inputs
+from rosml.containerize import app_inputs, build
 from rosml.images.builds import base_images
 from rosml.images.image_set import load
 from rosml.machine.services import Services
@@ -98,7 +98,7 @@ RUN test -e /root/.cache/model -a -e /tmp/sdk/licence -a -e /var/log/sdk.log -a 
     source.write_text(source.read_text() + f"// {secrets.token_hex()}\n")
     said: list[str] = []
     fresh = dataclasses.replace(services, builder=beside.builder)
-    again = build.App(folder, inputs.values(options, folder, {}), {}, fresh, said.append).build()
+    again = build.App(folder, app_inputs.values(options, folder, {}), {}, fresh, said.append).build()
     assert again.tests.count == 2
     assert ran(services, name) == {"sources", "built", "tested", "app-files"}, "ROS is not installed again"
 

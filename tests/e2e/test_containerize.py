@@ -24,7 +24,7 @@ import pytest
 
 from rosml import ROOT
 from rosml.base.errors import RosmlError
-from rosml.containerize import build, inputs
+from rosml.containerize import app_inputs, build
 from rosml.machine import regctl
 from rosml.machine.services import Services
 from rosml.registry import oci, references
@@ -200,7 +200,7 @@ def test_a_machine_that_has_nothing_builds_nothing_twice(
 
     said: list[str] = []
     fresh = dataclasses.replace(services, builder=beside.builder)
-    app = build.App(folder, inputs.values(options, folder, {}), {}, fresh, said.append)
+    app = build.App(folder, app_inputs.values(options, folder, {}), {}, fresh, said.append)
     again = app.build()
     assert {image.target: image.digest for image in again.images}["run"] == first["run"]["digest"]
     assert f"nothing to build: {cache} has it" in said
@@ -217,7 +217,7 @@ def test_a_machine_that_has_nothing_builds_nothing_twice(
         assert registry.head(name, "latest") == first["run"]["digest"], "the tag stays where it was"
 
     untested = build.App(
-        folder, inputs.values(options | {"tests": "false"}, folder, {}), {}, fresh, said.append
+        folder, app_inputs.values(options | {"tests": "false"}, folder, {}), {}, fresh, said.append
     ).build()
     assert untested.tests.count == 0, "no result of the build before"
 

@@ -25,9 +25,9 @@ sys.path.insert(0, str(ROOT / "components/containerize"))  # where its scripts f
 
 from rosml.base import untrusted
 from rosml.containerize import (
-    ci,
+    app_inputs,
+    ci_job,
     contents,
-    inputs,
     junit,
     lock,
     names,
@@ -169,9 +169,11 @@ def left_of(document: bytes, folder: Path) -> object:
 def job_of(document: bytes, folder: Path) -> object:
     """What a job made for the one that makes the index, in its artifact."""
     given = {"image-name": "ghcr.io/me/robot", "platform": "amd64", "push": "true"}
-    job = ci.Job(inputs.values(given, folder, {}), {}, ci.Commit("main", "", True, folder), lambda line: None)
+    job = ci_job.Job(
+        app_inputs.values(given, folder, {}), {}, ci_job.Commit("main", "", True, folder), lambda line: None
+    )
     (folder / job.name).mkdir()
-    (folder / job.name / ci.FILE).write_bytes(document)
+    (folder / job.name / ci_job.FILE).write_bytes(document)
     return job.made(folder)
 
 
@@ -567,7 +569,7 @@ PLAN = {
 
 
 PARSERS: dict[str, Parser] = {
-    ".env": Parser("text", [ENV], written(".env", inputs.read_env)),
+    ".env": Parser("text", [ENV], written(".env", app_inputs.read_env)),
     ".repos": Parser(
         "yaml", [REPOS], written("a.repos", lambda file: repos_file.read([file], file.parent, "", local=False))
     ),

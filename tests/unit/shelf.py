@@ -42,7 +42,7 @@ class Shelf:
     """
 
     image_set: ImageSet
-    registry: MemoryRegistry = field(default_factory=MemoryRegistry)
+    registry: MemoryRegistry = field(default_factory=lambda: MemoryRegistry(host="ghcr.io/me"))
     ros: str = "1"
     torch: str = "1"
 

@@ -10,10 +10,10 @@ from rosml import ROOT
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
-from rosml.containerize import bake_file
-from rosml.containerize.base import Base
-from rosml.containerize.cache import BASE
-from rosml.containerize.inputs import Values
+from rosml.containerize import app_bake_file
+from rosml.containerize.app_base import Base
+from rosml.containerize.app_inputs import Values
+from rosml.containerize.stage_cache import BASE
 from rosml.images.builds import adopted, base_images, variables
 from rosml.images.builds.adopted import Adopted
 from rosml.images.image_set import system
@@ -111,7 +111,7 @@ def make(
     file = state / "bake.json"
     with turn(state / "lock", lambda: None):
         files.write(
-            file, bake_file.render_base(base, services, environment, platforms, tag, output, adopted.empty(state))
+            file, app_bake_file.render_base(base, services, environment, platforms, tag, output, adopted.empty(state))
         )
         call = buildx.Bake(BASE, f"image-{base.adopted.image.target}-on", file)
         _progress, metadata = buildx.run(services, call)

@@ -17,15 +17,26 @@ from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.base.problems import SHOWN, counted
 from rosml.base.units import duration
-from rosml.containerize import adopt, bake_file, contents, junit, lock, report, rosdep_index, sources, within, workspace
-from rosml.containerize import base as bases
-from rosml.containerize import cache as caches
-from rosml.containerize.cache import IDENTIFIED
+from rosml.containerize import (
+    adopt,
+    app_bake_file,
+    app_base,
+    contents,
+    junit,
+    lock,
+    report,
+    rosdep_index,
+    sources,
+    stage_cache,
+    within,
+    workspace,
+)
+from rosml.containerize.app_inputs import Values
 from rosml.containerize.git import Access
-from rosml.containerize.inputs import Values
 from rosml.containerize.left_out import LeftOut
 from rosml.containerize.names import SLIM, Names
 from rosml.containerize.outcome import Outcome
+from rosml.containerize.stage_cache import IDENTIFIED
 from rosml.images.image_set.system import CALLED, DEBIAN
 from rosml.machine import buildx, git
 from rosml.machine.services import Services
@@ -195,13 +206,13 @@ class App:
         locked = None if self._renew else lock.read(self._lock_file, self._folder)
         named = self._values.base_image
         digest = locked.base_image.of(named) if locked else ""
-        base = bases.find(named, self._services, self._names.platforms, digest)
+        base = app_base.find(named, self._services, self._names.platforms, digest)
         self._say(f"base image {base.name}")
         base = adopt.with_ros(base, self._services, self._values, self._names.platforms, self._say)
         if not self._names.loads:
             with Registries(self._services.ca_bundle) as registries:
                 tags = [tag for target in self._names.targets for tag in self._names.tags(target)]
-                bases.require_kept(registries, tags, self._names.platforms)
+                app_base.require_kept(registries, tags, self._names.platforms)
         if locked:
             self._say(f"{self._lock_file} says which versions")
             if missing := locked.lacks(self._names.platforms):
@@ -213,7 +224,7 @@ class App:
         with contextlib.ExitStack() as stack:
             cache = None
             if self._values.cache and not self._renew:
-                cache = stack.enter_context(caches.Cache(self._values.cache, self._services.ca_bundle))
+                cache = stack.enter_context(stage_cache.Cache(self._values.cache, self._services.ca_bundle))
             self._make(inputs, built, cache, locked)
         if self._renew and built.lock:
             self._write_lock(built.lock)
@@ -227,11 +238,14 @@ class App:
         return built
 
     def _make(
-        self, inputs: bake_file.Inputs, built: Built, cache: caches.Cache | None, locked: lock.Lock | None
+        self, inputs: app_bake_file.Inputs, built: Built, cache: stage_cache.Cache | None, locked: lock.Lock | None
     ) -> None:
         """Builds what no cache has, and joins the images."""
         file = self._state / "bake.json"
-        left = {name: self._state / f"{name}.tar" for name in (bake_file.REPORT, bake_file.RESULTS, bake_file.ASKED)}
+        left = {
+            name: self._state / f"{name}.tar"
+            for name in (app_bake_file.REPORT, app_bake_file.RESULTS, app_bake_file.ASKED)
+        }
         said: report.Said | None = None
         known: dict[str, str] = {}
         kept: dict[str, str] = {}
@@ -255,12 +269,12 @@ class App:
             shutil.rmtree(self.report, ignore_errors=True)
             for archive in left.values():
                 archive.unlink(missing_ok=True)
-            files.write(file, bake_file.render(*arguments))
-            self._packages(file, left[bake_file.ASKED])
-            said = report.Said(left[bake_file.REPORT], self._state / "said", self._names.platforms)
+            files.write(file, app_bake_file.render(*arguments))
+            self._packages(file, left[app_bake_file.ASKED])
+            said = report.Said(left[app_bake_file.REPORT], self._state / "said", self._names.platforms)
             _take(built, said, slim=inputs.slim is not None)
             if self._values.tests:
-                self._test(left[bake_file.RESULTS], built)
+                self._test(left[app_bake_file.RESULTS], built)
                 self._require_complete(built)
             if cache:
                 cache.keep(keys, built.outcome, built.tests, said.details())
@@ -274,7 +288,7 @@ class App:
         if locked and not locked.lacks(self._names.platforms):
             made = locked  # it may have more: of another platform, or of a slim image
         built.lock = made
-        files.write(file, bake_file.render(*arguments, unlinked=unlinked, lock=made.line()))
+        files.write(file, app_bake_file.render(*arguments, unlinked=unlinked, lock=made.line()))
         for target in self._names.targets:
             call = buildx.Bake(target, f"containerize-{self._state.name}-{target}", file)
             _progress, metadata = buildx.run(self._services, call)
@@ -297,7 +311,7 @@ class App:
         """
         jobs = {"PARALLEL_JOBS": self._values.parallel_jobs}
         name = f"containerize-{self._state.name}"
-        call = buildx.Bake(bake_file.PACKAGES, name, file, variables=jobs, foreign=bake_file.FOREIGN)
+        call = buildx.Bake(app_bake_file.PACKAGES, name, file, variables=jobs, foreign=app_bake_file.FOREIGN)
         try:
             buildx.run(self._services, call)
         except RosmlError as error:
@@ -315,7 +329,7 @@ class App:
         if not lacking:
             return
         with contextlib.suppress(RosmlError):
-            buildx.run(self._services, buildx.Bake(bake_file.ASKED, f"containerize-{self._state.name}-asked", file))
+            buildx.run(self._services, buildx.Bake(app_bake_file.ASKED, f"containerize-{self._state.name}-asked", file))
             asked = report.Said(left, self._state / "asked", self._names.platforms).dependencies()
             wrong = []
             for key, answers in asked.keys.items():
@@ -372,7 +386,7 @@ class App:
                 self._say(f"the lock file has no packages for {', '.join(lost)} any more: name all platforms at once")
         files.write(self._lock_file, made.text())
 
-    def _locked(self, inputs: bake_file.Inputs, built: Built) -> lock.Lock:
+    def _locked(self, inputs: app_bake_file.Inputs, built: Built) -> lock.Lock:
         """What the images are built from."""
         slim = inputs.slim and lock.Image(name=self._values.slim_base_image, digest=inputs.slim.digest)
         named, rosdep = self._values.rosdep_index, None
@@ -388,22 +402,22 @@ class App:
             pip=built.outcome.added.pip,
         )
 
-    def _slim(self, base: bases.Base, locked: lock.Lock | None) -> bases.Base | None:
+    def _slim(self, base: app_base.Base, locked: lock.Lock | None) -> app_base.Base | None:
         """The base image of the slim image; None if there is to be no slim image, or if none belongs to the base image."""
         if SLIM not in self._names.targets:
             return None
         named = self._values.slim_base_image
-        name = named or bases.runtime(base)
+        name = named or app_base.runtime(base)
         reason = f"there is no {name}" if name else f"{base.name} does not say which base image has no compilers"
         digest = locked.slim_base_image.of(named) if locked and locked.slim_base_image else ""
         if name:
             try:
-                found = bases.find(name, self._services, self._names.platforms, digest)
+                found = app_base.find(name, self._services, self._names.platforms, digest)
             except RosmlError as error:
                 if named or digest or not (error.exit_code == 2 or base.local):  # it was not found
                     raise
             else:
-                others = [] if named else bases.differing(base, found)
+                others = [] if named else app_base.differing(base, found)
                 if not others and locked and not digest:
                     raise RosmlError(
                         "the lock file has no slim image", f"{lock.RENEW} --enable-slim, or leave the image out", 2
@@ -453,7 +467,9 @@ class App:
         pins = locked.downstream if locked and locked.downstream else None
         return upstream, fetch(place, recursive=False, file=named, pins=pins)
 
-    def _inputs(self, base: bases.Base, slim: bases.Base | None, locked: lock.Lock | None) -> bake_file.Inputs:
+    def _inputs(
+        self, base: app_base.Base, slim: app_base.Base | None, locked: lock.Lock | None
+    ) -> app_bake_file.Inputs:
         """What the build reads, written down for it."""
         values, folder, state = self._values, self._folder, self._state
         distribution = base.environment.get("ROS_DISTRO") or values.ros_distro
@@ -473,7 +489,7 @@ class App:
         workspace.stage(folder, state / "staged" / "target", self._lock_file, LeftOut(folder))
         empty.mkdir(parents=True, exist_ok=True)
         roots = {"target": folder, "upstream": upstream, "downstream": downstream}
-        named = bake_file.mirrors_with_a_password(self._environment)
+        named = app_bake_file.mirrors_with_a_password(self._environment)
         if named and not values.allow_mirror_password:
             text = f"{' and '.join(named)} has a password, and steps that ask the mirror run code of the repository"
             remedy = "name a mirror without a password; if you trust all of that code, add --allow-mirror-password"
@@ -517,11 +533,11 @@ class App:
         for warning in () if hooked else workspace.stale(requests, manifests):  # a script may make such packages
             self._say(warning)
         commit = git.commit(folder, self._say) or git.Commit("", TIME)
-        return bake_file.Inputs(
+        return app_bake_file.Inputs(
             base, distribution, values, contexts, empty, hooked, commit.hash, commit.time, slim, conditions=conditions
         )
 
-    def _with_lists(self, inputs: bake_file.Inputs, locked: lock.Lock | None) -> bake_file.Inputs:
+    def _with_lists(self, inputs: app_bake_file.Inputs, locked: lock.Lock | None) -> app_bake_file.Inputs:
         """The same with rosdep's lists, if there are some beside those of the image."""
         named = self._values.rosdep_index
         pin = locked.rosdep_index.of(named) if locked and locked.rosdep_index else ""
@@ -534,7 +550,7 @@ class App:
             index = rosdep_index.copied(index, self._state / "rosdep")
         return replace(inputs, contexts={**inputs.contexts, "rosdep": index}, rosdep=digest)
 
-    def _keys(self, inputs: bake_file.Inputs) -> caches.Keys:
+    def _keys(self, inputs: app_bake_file.Inputs) -> stage_cache.Keys:
         """What the stages of the build are made from."""
         values, contexts = self._values, inputs.contexts
         names = ["manifests", "requests", "additional"]
@@ -542,14 +558,14 @@ class App:
             names.append("rosdep")
         given = {"base": inputs.base.digest, "platforms": self._names.platforms, "ros": inputs.distribution}
         if inputs.base.adopted:
-            given[caches.ADOPTED] = inputs.base.adopted.inputs
+            given[stage_cache.ADOPTED] = inputs.base.adopted.inputs
         if inputs.slim:
             given["slim"] = inputs.slim.digest
-        return caches.keys(
+        return stage_cache.keys(
             given | {"skip-keys": values.skip_keys, "conditions": inputs.conditions},
             [
                 *(contexts[name] for name in names),
-                *(bake_file.SCRIPTS / name for name in ("containerize", "build", "ros")),
+                *(app_bake_file.SCRIPTS / name for name in ("containerize", "build", "ros")),
             ],
             contexts["upstream"],
             contexts["target"],

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from rosml.base.errors import RosmlError
-from rosml.containerize import inputs
-from rosml.containerize.inputs import Input
+from rosml.containerize import app_inputs
+from rosml.containerize.app_inputs import Input
 
 
 @dataclass(frozen=True)
@@ -59,10 +59,10 @@ _DEFAULTS: dict[str, tuple[Any, ...]] = {
 }
 """Inputs of the table that CI knows a better default for: what their settings have."""
 
-SETTINGS = (*(Setting(item, *_DEFAULTS.get(item.name, ())) for item in inputs.TABLE), *OWN)
+SETTINGS = (*(Setting(item, *_DEFAULTS.get(item.name, ())) for item in app_inputs.TABLE), *OWN)
 """All inputs in CI, in their order."""
 
-SECRET = (*inputs.SECRET, "registry-password")
+SECRET = (*app_inputs.SECRET, "registry-password")
 """Inputs that a workflow is given as secrets."""
 
 

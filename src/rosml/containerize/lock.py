@@ -17,7 +17,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstra
 
 from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
-from rosml.containerize import inputs, within
+from rosml.containerize import app_inputs, within
 
 SUFFIX = ".lock"
 
@@ -172,7 +172,7 @@ def place(folder: Path, name: str, renew: bool) -> Path:
     within.require_own(file, folder)
     if renew and not file.parent.is_dir():
         raise RosmlError(f"lock-file: there is no folder {file.parent}", "make it, or name another file", exit_code=2)
-    if not (renew or there or name == inputs.default("lock-file")):
+    if not (renew or there or name == app_inputs.default("lock-file")):
         raise RosmlError(f"lock-file: there is no file {file}", "check its name, or write it with --lock", exit_code=2)
     return file
 

@@ -1,4 +1,4 @@
-"""The tables of inputs in docs/containerize.md, rendered from the table in inputs.py between markers."""
+"""The tables of inputs in docs/containerize.md, rendered from the table in app_inputs.py between markers."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from rosml.base.errors import RosmlError
-from rosml.containerize import ci_files, ci_inputs, inputs
+from rosml.containerize import app_inputs, ci_files, ci_inputs
 
 _BY = "written by rosml generate"
 
@@ -32,7 +32,7 @@ def render(page: str) -> str:
 def _inputs() -> Iterator[str]:
     yield "| input | what it says | if you say nothing | in `.env` |"
     yield "| --- | --- | --- | --- |"
-    for item in inputs.TABLE:
+    for item in app_inputs.TABLE:
         if not item.gone:
             yield f"| `{item.name}` | {item.help} | {_code(item.default)} | {item.in_repository} |"
 
@@ -56,4 +56,4 @@ def _code(text: str) -> str:
 def _gone() -> Iterator[str]:
     yield "| variable | why |"
     yield "| --- | --- |"
-    yield from (f"| `{item.variable}` | {item.gone} |" for item in inputs.TABLE if item.gone)
+    yield from (f"| `{item.variable}` | {item.gone} |" for item in app_inputs.TABLE if item.gone)

@@ -18,8 +18,7 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 
 from rosml.base import archives, untrusted
 from rosml.base.errors import RosmlError
-from rosml.containerize import base as bases
-from rosml.containerize import git, lock, within
+from rosml.containerize import app_base, git, lock, within
 from rosml.images.image_set.labels import PREFIX
 from rosml.machine.services import Services
 from rosml.registry import references
@@ -158,7 +157,7 @@ class Finder:
     def __init__(self, services: Services, folder: Path, say: Callable[[str], object]) -> None:
         self._services, self._folder, self._say = services, folder, say
 
-    def find(self, named: str, base: bases.Base, pin: str, locked: bool) -> tuple[Path, str] | None:
+    def find(self, named: str, base: app_base.Base, pin: str, locked: bool) -> tuple[Path, str] | None:
         """A folder with the lists, and their digest if they are of a registry: what the user names, or else the newest that
         are published beside a base image of ours. None if there are none.
 
@@ -184,7 +183,7 @@ class Finder:
             return None
         names: tuple[str, ...] = ()
         if named:
-            names = bases.candidates(named, self._services)
+            names = app_base.candidates(named, self._services)
         elif base.labels.get(f"{PREFIX}distribution") and not base.local:
             names = (f"{base.repository.rpartition('/')[0]}/{NAME}:latest",)
         if pin and (known := self._cached(pin)).is_dir():

@@ -14,8 +14,8 @@ from xml.etree import ElementTree
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.problems import near
-from rosml.containerize import inputs, within
-from rosml.containerize.inputs import Values
+from rosml.containerize import app_inputs, within
+from rosml.containerize.app_inputs import Values
 from rosml.containerize.left_out import LeftOut
 from rosml.containerize.store import is_pointer
 from rosml.containerize.within import SECRET
@@ -170,7 +170,7 @@ def _link(source: Path, target: Path, root: Path) -> None:
 def empty_submodules(folder: Path) -> list[str]:
     """The submodules of a repository that nobody fetched: as after a `git clone` without more, their folders are empty."""
     with contextlib.suppress(OSError, RosmlError):
-        text = files.limited(folder / ".gitmodules", inputs.LARGEST_TEXT).decode(errors="replace")
+        text = files.limited(folder / ".gitmodules", app_inputs.LARGEST_TEXT).decode(errors="replace")
         paths = re.findall(r"""^[ \t]*path[ \t]*=[ \t]*"?([^"\n]*[^"\s])"?[ \t]*$""", text, re.MULTILINE)
         return sorted(path for path in paths if path.isprintable() and not any(_listed(folder / path)))
     return []
@@ -225,7 +225,7 @@ def additional_files(name: str, folder: Path) -> Path | None:
 
 def _require_named(name: str, value: str, folder: Path, kind: str) -> None:
     """Checks that what a user named is there; a default need not be."""
-    if value != inputs.default(name) and not os.path.lexists(folder / value):
+    if value != app_inputs.default(name) and not os.path.lexists(folder / value):
         raise RosmlError(f"{name}: there is no {kind} {value} in {folder}", "check its name", exit_code=2)
 
 
@@ -246,9 +246,9 @@ def write_requests(values: Values, folder: Path, upstream: Path, environment: Ma
             return ""
         if not every:
             _require_named(name, values.named(name), folder, "file")
-        return inputs.text_of(folder, values.named(name), every, roots)
+        return app_inputs.text_of(folder, values.named(name), every, roots)
 
-    debs = inputs.lines_of(said("additional-debs-file", "enable-recursive-additional-debs"))
+    debs = app_inputs.lines_of(said("additional-debs-file", "enable-recursive-additional-debs"))
     if values.rmw_implementation and environment.get("ROS_VERSION") != "1":
         distribution = values.ros_distro or environment.get("ROS_DISTRO", "")
         debs.append(f"ros-{distribution}-{values.rmw_implementation.replace('_', '-')}")
@@ -261,7 +261,7 @@ def write_requests(values: Values, folder: Path, upstream: Path, environment: Ma
         "pip": said("additional-pip-file", "enable-recursive-additional-pip"),
         BLACKLIST: "".join(
             f"{line}\n"
-            for line in inputs.lines_of(said("blacklisted-packages-file", "enable-recursive-blacklisted-packages"))
+            for line in app_inputs.lines_of(said("blacklisted-packages-file", "enable-recursive-blacklisted-packages"))
         ),
         "identification.sh": said("before-dependency-identification-script"),
         "before.sh": said(

@@ -9,26 +9,26 @@ from pathlib import Path
 import pytest
 
 from rosml.base.errors import RosmlError
-from rosml.containerize import inputs
+from rosml.containerize import app_inputs
 
 
 def test_the_command_line_wins_over_the_environment_and_that_over_the_file(tmp_path: Path) -> None:
     (tmp_path / ".env").write_text("BASE_IMAGE=file\nCOMMAND=file\nIMAGE_TAG=file\n")
-    found = inputs.values({"base-image": "line"}, tmp_path, {"BASE_IMAGE": "variable", "COMMAND": "variable"})
+    found = app_inputs.values({"base-image": "line"}, tmp_path, {"BASE_IMAGE": "variable", "COMMAND": "variable"})
     assert (found.base_image, found.command, found.image_tag) == ("line", "variable", "file")
     assert found.cmake_args == "-DCMAKE_BUILD_TYPE=Release"
 
 
 def test_an_empty_value_counts_on_the_command_line_alone(tmp_path: Path) -> None:
     (tmp_path / ".env").write_text("CMAKE_ARGS=-DX=1\nIMAGE_TAG=\nIMAGE=robot:v1\n")
-    assert inputs.values({"cmake-args": ""}, tmp_path, {}).cmake_args == ""
-    assert inputs.values({}, tmp_path, {"CMAKE_ARGS": ""}).cmake_args == "-DX=1"
-    assert inputs.values({"image-name": ""}, tmp_path, {}).image_name == ""
+    assert app_inputs.values({"cmake-args": ""}, tmp_path, {}).cmake_args == ""
+    assert app_inputs.values({}, tmp_path, {"CMAKE_ARGS": ""}).cmake_args == "-DX=1"
+    assert app_inputs.values({"image-name": ""}, tmp_path, {}).image_name == ""
 
 
 @pytest.mark.parametrize("value", ["-DA=1 -DB='a;b'", '-DA="a b|c"', r"-DA=a\;b", "-DA=${HOME}", "-DA='x'\n-DB=y", ""])
 def test_arguments_of_cmake_are_a_shells_words(value: str, tmp_path: Path) -> None:
-    assert inputs.values({"cmake-args": value}, tmp_path, {}).cmake_args == value
+    assert app_inputs.values({"cmake-args": value}, tmp_path, {}).cmake_args == value
 
 
 @pytest.mark.parametrize(
@@ -53,31 +53,31 @@ def test_arguments_of_cmake_are_a_shells_words(value: str, tmp_path: Path) -> No
 )
 def test_a_value_that_a_step_could_not_use_is_refused(given: dict[str, str], says: str, tmp_path: Path) -> None:
     with pytest.raises(RosmlError, match=says) as caught:
-        inputs.values(given, tmp_path, {})
+        app_inputs.values(given, tmp_path, {})
     assert caught.value.exit_code == 2 and caught.value.remedy
 
 
 def test_a_file_of_variables_may_begin_with_a_byte_order_mark(tmp_path: Path) -> None:
     (tmp_path / ".env").write_bytes("COMMAND=ros2\n".encode("utf-8-sig"))
-    assert inputs.read_env(tmp_path / ".env") == {"COMMAND": "ros2"}
+    assert app_inputs.read_env(tmp_path / ".env") == {"COMMAND": "ros2"}
 
 
 def test_image_and_tag_may_be_one_variable(tmp_path: Path) -> None:
     """As docker-ros' local script has them."""
-    found = inputs.values({}, tmp_path, {"IMAGE": "127.0.0.1:5000/me/robot:v1"})
+    found = app_inputs.values({}, tmp_path, {"IMAGE": "127.0.0.1:5000/me/robot:v1"})
     assert (found.image_name, found.image_tag) == ("127.0.0.1:5000/me/robot", "v1")
-    found = inputs.values({}, tmp_path, {"IMAGE": "127.0.0.1:5000/me/robot"})
+    found = app_inputs.values({}, tmp_path, {"IMAGE": "127.0.0.1:5000/me/robot"})
     assert (found.image_name, found.image_tag) == ("127.0.0.1:5000/me/robot", "latest")
-    found = inputs.values({"image-name": "mine"}, tmp_path, {"IMAGE": "robot:v1"})
+    found = app_inputs.values({"image-name": "mine"}, tmp_path, {"IMAGE": "robot:v1"})
     assert (found.image_name, found.image_tag) == ("mine", "latest")
 
 
 def test_the_environment_wins_over_image_in_the_file(tmp_path: Path) -> None:
     (tmp_path / ".env").write_text("IMAGE=theirs:v1\n")
-    found = inputs.values({}, tmp_path, {"IMAGE_NAME": "mine"})
+    found = app_inputs.values({}, tmp_path, {"IMAGE_NAME": "mine"})
     assert (found.image_name, found.image_tag) == ("mine", "v1")
-    assert inputs.values({}, tmp_path, {"IMAGE": "mine:v2"}).image_tag == "v2"
-    assert inputs.values({}, tmp_path, {}).image_name == "theirs"
+    assert app_inputs.values({}, tmp_path, {"IMAGE": "mine:v2"}).image_tag == "v2"
+    assert app_inputs.values({}, tmp_path, {}).image_name == "theirs"
 
 
 PASSWORD, KEY = {"GIT_HTTPS_PASSWORD": "secret"}, {"GIT_SSH_PRIVATE_KEY": "key"}
@@ -108,7 +108,7 @@ def test_a_repository_does_not_decide_what_a_persons_rights_and_secrets_do(
     (tmp_path / ".env").write_text(f"# settings\nBASE_IMAGE=ros:jazzy\n{line}\n")
     variable = line.removeprefix("export ").partition("=")[0]
     with pytest.raises(RosmlError, match=rf"\.env:3: {variable} is not for a repository to say") as caught:
-        inputs.values(given, tmp_path, environment)
+        app_inputs.values(given, tmp_path, environment)
     assert caught.value.exit_code == 2 and re.search(remedy, caught.value.remedy)
     assert "secret" not in caught.value.message
 
@@ -130,9 +130,9 @@ def test_what_a_repository_may_say_counts(
 ) -> None:
     """And what a person says in its place is no error."""
     (tmp_path / ".env").write_text(f"{text}\n")
-    found = inputs.values(given, tmp_path, environment)
-    file = inputs.read_env(tmp_path / ".env")
-    for item in inputs.TABLE:
+    found = app_inputs.values(given, tmp_path, environment)
+    file = app_inputs.read_env(tmp_path / ".env")
+    for item in app_inputs.TABLE:
         told = given.get(item.name) or environment.get(item.variable) or file.get(item.variable)
         assert not told or item.gone or found.named(item.name) == told
 
@@ -162,14 +162,14 @@ def test_what_a_repository_may_say_counts(
 )
 def test_a_file_of_variables_is_read_as_a_shell_reads_it(line: str, value: str, tmp_path: Path) -> None:
     (tmp_path / ".env").write_text(f"\n{line}\n")
-    assert inputs.read_env(tmp_path / ".env") == {"COMMAND": value}
+    assert app_inputs.read_env(tmp_path / ".env") == {"COMMAND": value}
     shell = ["sh", "-c", '. ./.env; printf %s "$COMMAND"']
     assert subprocess.run(shell, cwd=tmp_path, capture_output=True, check=True).stdout.decode() == value
 
 
 def test_a_file_of_variables_from_windows(tmp_path: Path) -> None:
     (tmp_path / ".env").write_bytes(b"A=1\r\nB='2\r\n3'\r\n")
-    assert inputs.read_env(tmp_path / ".env") == {"A": "1", "B": "2\n3"}
+    assert app_inputs.read_env(tmp_path / ".env") == {"A": "1", "B": "2\n3"}
 
 
 @pytest.mark.parametrize(
@@ -188,19 +188,19 @@ def test_a_file_of_variables_from_windows(tmp_path: Path) -> None:
 def test_what_a_shell_would_be_needed_for_is_refused(text: str, says: str, tmp_path: Path) -> None:
     (tmp_path / ".env").write_text(text)
     with pytest.raises(RosmlError, match=says.replace(".", r"\.")) as caught:
-        inputs.read_env(tmp_path / ".env")
+        app_inputs.read_env(tmp_path / ".env")
     assert caught.value.exit_code == 2
 
 
 def test_a_flag_is_true_or_false(tmp_path: Path) -> None:
-    assert inputs.values({}, tmp_path, {"TESTS": "False"}).tests is False
+    assert app_inputs.values({}, tmp_path, {"TESTS": "False"}).tests is False
     with pytest.raises(RosmlError, match="tests is true or false, not 'no'"):
-        inputs.values({}, tmp_path, {"TESTS": "no"})
+        app_inputs.values({}, tmp_path, {"TESTS": "no"})
 
 
 def test_names_that_lost_their_meaning_are_answered(tmp_path: Path) -> None:
     (tmp_path / ".env").write_text("CUSTOM_SCRIPT_FILE=docker/custom.sh\nTARGTE=dev\n")
-    said = list(inputs.answers(tmp_path, {"SLIM_BUILD_ARGS": "--http-probe=false"}))
+    said = list(app_inputs.answers(tmp_path, {"SLIM_BUILD_ARGS": "--http-probe=false"}))
     assert len(said) == 3 and "TARGTE in .env is not used: there is no such input" in said
     assert "CUSTOM_SCRIPT_FILE is not used: it is after-dependency-installation-script" in said
 
@@ -208,17 +208,17 @@ def test_names_that_lost_their_meaning_are_answered(tmp_path: Path) -> None:
 def test_variables_of_industrial_ci_count_where_it_is_on(tmp_path: Path) -> None:
     (tmp_path / ".env").write_text("ROSDEP_SKIP_KEYS='a b'\nNOT_TEST_BUILD=true\n")
     for on, expected in (("true", ("a b", False)), ("", ("", True))):
-        found = inputs.values({}, tmp_path, {"ENABLE_INDUSTRIAL_CI": on})
+        found = app_inputs.values({}, tmp_path, {"ENABLE_INDUSTRIAL_CI": on})
         assert (found.skip_keys, found.tests) == expected
     own = {"ENABLE_INDUSTRIAL_CI": "true", "SKIP_KEYS": "c", "TESTS": "true"}
-    assert inputs.values({}, tmp_path, own).skip_keys == "c" and inputs.values({}, tmp_path, own).tests
-    [said] = inputs.answers(tmp_path, own)
+    assert app_inputs.values({}, tmp_path, own).skip_keys == "c" and app_inputs.values({}, tmp_path, own).tests
+    [said] = app_inputs.answers(tmp_path, own)
     assert said.startswith("ENABLE_INDUSTRIAL_CI is not used: tests run here without it; its ROSDEP_SKIP_KEYS")
 
 
 def test_every_name_of_docker_ros_is_known() -> None:
     """Of its action and of its local script, but for those that its workflow has for itself."""
-    known = {item.variable for item in inputs.TABLE} | {"IMAGE"}
+    known = {item.variable for item in app_inputs.TABLE} | {"IMAGE"}
     theirs = (
         "ADDITIONAL_DEBS_FILE ADDITIONAL_FILES_DIR ADDITIONAL_PIP_FILE ADDITIONAL_SLIM_BUILD_ARGS"
         " AFTER_DEPENDENCY_INSTALLATION_SCRIPT BASE_IMAGE BEFORE_DEPENDENCY_IDENTIFICATION_SCRIPT"
@@ -237,10 +237,10 @@ def test_lists_lose_comments_and_files_of_one_name_come_together(tmp_path: Path)
     for folder, text in (("a", "htop # tools\n"), ("b/c", "\n# none\nnano"), (".git/d", "no\n")):
         (tmp_path / folder).mkdir(parents=True)
         (tmp_path / folder / "debs.txt").write_text(text)
-    every = inputs.text_of(tmp_path, "docker/debs.txt", True, (tmp_path,))
-    assert inputs.lines_of("nano\u2028htop # a\u2028b\n") == ["nano\u2028htop"], (
+    every = app_inputs.text_of(tmp_path, "docker/debs.txt", True, (tmp_path,))
+    assert app_inputs.lines_of("nano\u2028htop # a\u2028b\n") == ["nano\u2028htop"], (
         "a line ends where git and apt see its end"
     )
-    assert inputs.lines_of(every) == ["htop", "nano"]
-    assert inputs.lines_of(inputs.text_of(tmp_path, "a/debs.txt", False, (tmp_path,))) == ["htop"]
-    assert inputs.text_of(tmp_path, "docker/debs.txt", False, (tmp_path,)) == ""
+    assert app_inputs.lines_of(every) == ["htop", "nano"]
+    assert app_inputs.lines_of(app_inputs.text_of(tmp_path, "a/debs.txt", False, (tmp_path,))) == ["htop"]
+    assert app_inputs.text_of(tmp_path, "docker/debs.txt", False, (tmp_path,)) == ""

@@ -16,7 +16,7 @@ from stubs import script_of_a_build
 
 from rosml.base.errors import RosmlError
 from rosml.containerize import rosdep_index
-from rosml.containerize.base import Base
+from rosml.containerize.app_base import Base
 from rosml.containerize.rosdep_index import Finder
 from rosml.machine.services import Services
 from rosml.registry import oci

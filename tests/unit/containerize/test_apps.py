@@ -29,16 +29,16 @@ from test_report import APP, DEPENDENCIES
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.containerize import (
-    bake_file,
-    base,
+    app_bake_file,
+    app_base,
+    app_inputs,
     build,
-    cache,
-    inputs,
     junit,
     lock,
     names,
     rosdep_index,
     sources,
+    stage_cache,
     workspace,
 )
 from rosml.images.builds import variables
@@ -99,24 +99,24 @@ def put(
 
 def test_a_short_name_is_the_local_registrys_or_docker_hubs(services: Services) -> None:
     local = services.registry
-    assert base.candidates("ros-tf:jazzy", services) == (
+    assert app_base.candidates("ros-tf:jazzy", services) == (
         f"{local}/rosml/ros-tf:jazzy",
         "docker.io/library/ros-tf:jazzy",
     )
-    assert base.candidates("me/robot", services)[-1] == "docker.io/me/robot"
-    assert base.candidates("ghcr.io/me/robot:1", services) == ("ghcr.io/me/robot:1",)
-    assert base.candidates("localhost/robot", services) == ("localhost/robot",)
+    assert app_base.candidates("me/robot", services)[-1] == "docker.io/me/robot"
+    assert app_base.candidates("ghcr.io/me/robot:1", services) == ("ghcr.io/me/robot:1",)
+    assert app_base.candidates("localhost/robot", services) == ("localhost/robot",)
 
 
 def test_a_base_image_is_read_and_held_by_its_digest(services: Services) -> None:
     digest = put(services, "rosml/ros:jazzy", "linux/amd64", "linux/arm64", ROS_DISTRO="jazzy")
-    found = base.find(f"{services.registry}/rosml/ros:jazzy", services, ("linux/arm64",))
+    found = app_base.find(f"{services.registry}/rosml/ros:jazzy", services, ("linux/arm64",))
     assert found.reference == f"{services.registry}/rosml/ros@{digest}"
     assert found.environment == {"ROS_DISTRO": "jazzy"}
     with pytest.raises(RosmlError, match=r"rosml/ros:jazzy is not for linux/riscv64"):
-        base.find(f"{services.registry}/rosml/ros:jazzy", services, ("linux/amd64", "linux/riscv64"))
+        app_base.find(f"{services.registry}/rosml/ros:jazzy", services, ("linux/amd64", "linux/riscv64"))
     with pytest.raises(RosmlError, match="there is no image") as caught:
-        base.find(f"{services.registry}/rosml/ros:jazy", services, ("linux/amd64",))
+        app_base.find(f"{services.registry}/rosml/ros:jazy", services, ("linux/amd64",))
     assert "rosml list" in caught.value.remedy and "did you mean 'jazzy'?" in caught.value.remedy
 
 
@@ -133,14 +133,14 @@ def test_debians_image_if_docker_hub_does_not_answer(
     made.chmod(0o755)
     behind = dataclasses.replace(services, bases=(str(made),))
     for pinned in ("", digest):
-        found = base.find("debian:bookworm", behind, ("linux/amd64",), pinned)
+        found = app_base.find("debian:bookworm", behind, ("linux/amd64",), pinned)
         assert (found.name, found.reference) == (
             "docker.io/library/debian:bookworm",
             f"docker.io/library/debian@{digest}",
         )
     for name, machine in (("debian:bookwrom", behind), ("debian:bookworm", services)):
         with pytest.raises(RosmlError, match=f"there is no image {name} in the local registry, and docker.io: "):
-            base.find(name, machine, ("linux/amd64",))
+            app_base.find(name, machine, ("linux/amd64",))
 
 
 OURS = {"io.rosml.distribution": "jazzy", "io.rosml.runtime": "base-run"}
@@ -162,7 +162,7 @@ SPELLED = {**STACK, "io.rosml.component": "base", "org.opencontainers.image.vers
     ],
 )
 def test_a_base_image_says_which_one_has_no_compilers(name: str, labels: dict[str, str], runtime: str) -> None:
-    assert base.runtime(base.Base(name, "sha256:1", {}, labels)) == runtime
+    assert app_base.runtime(app_base.Base(name, "sha256:1", {}, labels)) == runtime
 
 
 def test_a_slim_image_is_of_the_same_versions() -> None:
@@ -173,22 +173,25 @@ def test_a_slim_image_is_of_the_same_versions() -> None:
         "io.rosml.os": "x",
     }
     other = {"io.rosml.component": "base-run", "io.rosml.torch": "2.11.0", "io.rosml.os": "x", "io.rosml.cuda": "12"}
-    assert base.differing(base.Base("a", "", {}, labels), base.Base("b", "", {}, other)) == ["cuda", "torch"]
+    assert app_base.differing(app_base.Base("a", "", {}, labels), app_base.Base("b", "", {}, other)) == [
+        "cuda",
+        "torch",
+    ]
 
 
 @pytest.mark.parametrize(
     "name", ["localhost:5000/ros:1", "localhost:5000/ros@sha256:0", "localhost:5000/ros:1@sha256:0"]
 )
 def test_a_base_image_is_named_by_its_digest_alone(name: str) -> None:
-    assert base.Base(name, "sha256:1", {}).reference == "localhost:5000/ros@sha256:1"
+    assert app_base.Base(name, "sha256:1", {}).reference == "localhost:5000/ros@sha256:1"
 
 
 def test_a_base_image_of_a_lock_file_is_found_wherever_its_tag_is(services: Services) -> None:
     platform = f"linux/{native_architecture()}"
     first = put(services, "rosml/ros:jazzy", platform, ROS_DISTRO="jazzy", DAY="1")
     newer = put(services, "rosml/ros:jazzy", platform, ROS_DISTRO="jazzy", DAY="2")
-    assert base.find("ros:jazzy", services, ()).digest == newer
-    found = base.find("ros:jazzy", services, (), first)
+    assert app_base.find("ros:jazzy", services, ()).digest == newer
+    found = app_base.find("ros:jazzy", services, (), first)
     assert (found.digest, found.environment["DAY"], found.name) == (first, "1", f"{services.registry}/rosml/ros:jazzy")
 
 
@@ -200,10 +203,10 @@ def test_an_image_that_docker_alone_has(services: Services, tmp_path: Path, monk
     docker.chmod(0o755)
     monkeypatch.setenv("PATH", str(tmp_path), prepend=":")
     name = f"{services.registry}/mine:1"
-    found = base.find(name, dataclasses.replace(services, builder_kind="user"), ("linux/amd64",))
+    found = app_base.find(name, dataclasses.replace(services, builder_kind="user"), ("linux/amd64",))
     assert (found.reference, found.digest, found.environment) == (name, "sha256:7", {"ROS_DISTRO": "jazzy"})
     with pytest.raises(RosmlError, match="there is no image"):
-        base.find(name, services, ("linux/amd64",))
+        app_base.find(name, services, ("linux/amd64",))
 
 
 def test_a_tag_loses_no_platform(repository: Path, services: Services, calls: list[dict[str, Any]]) -> None:
@@ -226,9 +229,9 @@ def test_a_tag_loses_no_platform(repository: Path, services: Services, calls: li
     for tag, platform in (("one", "amd64"), ("new", "arm64")):
         app(repository, services, **given, image_tag=tag, platform=platform).build()
     with Registries() as registries:
-        base.require_kept(registries, [f"{local}:both", f"{local}:one", f"{local}:none"], (other, native))
+        app_base.require_kept(registries, [f"{local}:both", f"{local}:one", f"{local}:none"], (other, native))
         with pytest.raises(RosmlError, match="robot:one is for linux/amd64, and would be for linux/arm64 alone"):
-            base.require_kept(registries, [f"{local}:one"], (other,))
+            app_base.require_kept(registries, [f"{local}:one"], (other,))
     with pytest.raises(RosmlError, match=r"robot:latest is for"):
         latest = {"image_tag": "new", "platform": "amd64"}
         put(services, "me/robot:latest", native, other)
@@ -320,7 +323,7 @@ def catkin_pkg(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def requests(folder: Path, given: dict[str, str], environment: dict[str, str]) -> dict[str, str]:
-    values = inputs.values(given, folder, {})
+    values = app_inputs.values(given, folder, {})
     out = folder.parent / "requests"
     workspace.write_requests(values, folder, folder.parent / "upstream", environment, out)
     return {path.name: path.read_text() for path in out.iterdir()}
@@ -478,7 +481,7 @@ def test_a_pipe_in_a_folder_is_said(name: str, tmp_path: Path) -> None:
     (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
     os.mkfifo(tmp_path / name)
     with pytest.raises(RosmlError, match=r"neither a file nor a folder|it is no file") as caught:
-        inputs.values({}, tmp_path, {})
+        app_inputs.values({}, tmp_path, {})
         lock.read(tmp_path / "containerize.lock", tmp_path)
         requests(tmp_path, {}, {})
         workspace.write_manifests({"target": tmp_path}, tmp_path / "out")
@@ -490,7 +493,7 @@ def test_variables_are_read_through_no_link(tmp_path: Path) -> None:
     (tmp_path / "robot").mkdir()
     (tmp_path / "robot/.env").symlink_to("../secret")
     with pytest.raises(RosmlError, match="it is a link"):
-        inputs.values({}, tmp_path / "robot", {})
+        app_inputs.values({}, tmp_path / "robot", {})
 
 
 def test_a_lock_file_is_not_written_into_gits_folder(tmp_path: Path) -> None:
@@ -571,7 +574,7 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
 
 
 def app(folder: Path, services: Services, **given: str) -> build.App:
-    values = inputs.values({name.replace("_", "-"): value for name, value in given.items()}, folder, {})
+    values = app_inputs.values({name.replace("_", "-"): value for name, value in given.items()}, folder, {})
     return build.App(folder, values, {}, services, lambda line: None)
 
 
@@ -595,7 +598,7 @@ def test_images_are_joined_after_the_report_is_read(
     assert "ENV DEFAULT_CMD=$${APP_DEFAULT_CMD}" in lines, "bake makes one $ of it"
     assert run["args"]["APP_DEFAULT_CMD"] == command.replace("${", "$${").replace("%{", "%%{")
     assert run["args"]["APP_RMW_IMPLEMENTATION"] == "rmw_zenoh_cpp"
-    assert run["labels"][bake_file.BASE_DIGEST] == digest
+    assert run["labels"][app_bake_file.BASE_DIGEST] == digest
     assert dev["dockerfile-inline"].startswith("FROM workspace\n")
 
 
@@ -606,7 +609,7 @@ def test_a_name_to_leave_out_that_no_package_has_is_a_warning(
     put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
     (repository / "docker").mkdir()
     (repository / "docker/blacklisted-packages.txt").write_text("robott # once\nrobot\nof_another_time\n")
-    values = inputs.values({"base-image": "ros:jazzy", "command": "true", "target": "run"}, repository, {})
+    values = app_inputs.values({"base-image": "ros:jazzy", "command": "true", "target": "run"}, repository, {})
     said: list[str] = []
     build.App(repository, values, {}, services, said.append).build()
     told = "no package is called {}, which is to be left out; {}"
@@ -631,7 +634,7 @@ def test_submodules_that_nobody_fetched_are_named(
         f'[submodule "{name}"]\n\tpath = {name}\n' for name in ("src/robot", "src/empty", "src/gone away")
     )
     (repository / ".gitmodules").write_text(f"{sections}\turl = ../x\n")
-    values = inputs.values({"base-image": "ros:jazzy", "command": "true", "target": "run"}, repository, {})
+    values = app_inputs.values({"base-image": "ros:jazzy", "command": "true", "target": "run"}, repository, {})
     build.App(repository, values, {}, services, said.append).build()
     told = [line for line in said if "submodule" in line]
     remedy = "is not there: git submodule update --init --recursive"
@@ -647,7 +650,7 @@ def test_files_of_git_lfs_that_nobody_fetched_are_named(
     for name in ("arm.dae", "leg.dae"):
         (repository / name).write_text("version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 12345\n")
     (repository / "hand.dae").write_text("<COLLADA/>")
-    values = inputs.values({"base-image": "ros:jazzy", "command": "true", "target": "run"}, repository, {})
+    values = app_inputs.values({"base-image": "ros:jazzy", "command": "true", "target": "run"}, repository, {})
     build.App(repository, values, {}, services, said.append).build()
     assert not [line for line in said if "Git LFS" in line], "a test of something that reads pointers, perhaps"
     (repository / ".gitattributes").write_text("*.dae filter=lfs diff=lfs merge=lfs -text\n")
@@ -676,14 +679,14 @@ def test_the_number_of_compilers_is_no_part_of_what_a_step_is_made_from(
 
 def test_scripts_that_run_code_of_packages_are_those_of_the_build() -> None:
     """Their output is not searched for reasons of ours. Those that colcon, tests or CMake run in."""
-    dockerfile = (bake_file.SCRIPTS / "containerize/Dockerfile").read_text()
+    dockerfile = (app_bake_file.SCRIPTS / "containerize/Dockerfile").read_text()
     called = set(re.findall(r"/run/(scripts/containerize/\w+\.sh)(?= \w+$| /tests)", dockerfile, re.M))
     runs = {name for name in called if re.search(r"^ *colcon (build|test)\b", _script(name), re.M)}
-    assert runs == set(bake_file.FOREIGN)
+    assert runs == set(app_bake_file.FOREIGN)
 
 
 def _script(name: str) -> str:
-    return (bake_file.SCRIPTS / name.removeprefix("scripts/")).read_text()
+    return (app_bake_file.SCRIPTS / name.removeprefix("scripts/")).read_text()
 
 
 def test_a_run_image_starts_from_its_packages_where_they_replace_some_of_the_base(
@@ -710,7 +713,7 @@ def test_a_slim_image_starts_from_the_base_image_without_compilers(
     slim = calls[-1]
     assert slim["contexts"]["slim"] == f"docker-image://{services.registry}/rosml/ros@{digest}"
     assert slim["dockerfile-inline"].splitlines()[:2] == ["FROM slim", "COPY --link --from=slim-app / /"]
-    assert slim["args"]["APP_DEFAULT_CMD"] == "true" and slim["labels"][bake_file.BASE_DIGEST] == digest
+    assert slim["args"]["APP_DEFAULT_CMD"] == "true" and slim["labels"][app_bake_file.BASE_DIGEST] == digest
     assert calls[0]["target"] == "slim-report"
 
     monkeypatch.setitem(SLIM, "removed", ["usr/bin/less"])
@@ -738,7 +741,7 @@ def test_no_slim_image_is_made_where_no_base_image_is_found(
         (f"{local}/plain:1", f"{local}/plain:1 does not say which base image has no compilers"),
     ):
         given = {"base-image": name, "command": "true", "target": "run", "enable-slim": "true"}
-        build.App(repository, inputs.values(given, repository, {}), {}, services, said.append).build()
+        build.App(repository, app_inputs.values(given, repository, {}), {}, services, said.append).build()
         assert calls[-1]["name"] == "run"
         assert f"no slim image: {why}; name one with --slim-base-image" in said
     with pytest.raises(RosmlError, match="there is no image typo"):
@@ -774,20 +777,20 @@ def test_a_lock_file_is_written_then_followed(
     platform = f"linux/{native_architecture()}"
     digest = put(services, "rosml/ros:jazzy", platform, ROS_DISTRO="jazzy")
     options = {"base_image": "ros:jazzy", "command": "true"}
-    values = inputs.values({name.replace("_", "-"): value for name, value in options.items()}, repository, {})
+    values = app_inputs.values({name.replace("_", "-"): value for name, value in options.items()}, repository, {})
     said: list[str] = []
 
     built = build.App(repository, values, {}, services, said.append, renew=True).build()
     assert (Path(calls[0]["contexts"]["requests"]) / "renewed").exists(), "no step of an earlier build counts"
     file = repository / "containerize.lock"
     assert dict(built.summary())["lock"] == str(file)
-    label = calls[1]["labels"][bake_file.LOCK]
+    label = calls[1]["labels"][app_bake_file.LOCK]
     put(services, "rosml/ros:jazzy", platform, ROS_DISTRO="jazzy", NEWER="1")
     calls.clear()
     again = build.App(repository, values, {}, services, said.append).build()
     report, run, _ = calls
     assert not (Path(report["contexts"]["requests"]) / "renewed").exists()
-    assert report["contexts"]["base"].endswith(f"@{digest}") and run["labels"][bake_file.LOCK] == label
+    assert report["contexts"]["base"].endswith(f"@{digest}") and run["labels"][app_bake_file.LOCK] == label
     requests = Path(report["contexts"]["requests"])
     assert (requests / "lock/amd64/apt").read_text() == "tree 2.1\n"
     assert not (Path(report["contexts"]["target"]) / "target/containerize.lock").exists(), "it is no source"
@@ -867,7 +870,7 @@ def test_a_cache_that_knows_the_dependencies_is_asked_for_no_lists_of_rosdep(
     asked: list[str] = []
     monkeypatch.setattr(rosdep_index.Finder, "find", lambda _self, named, *_: asked.append(named))
     known: dict[str, str] = {}
-    monkeypatch.setattr(cache.Cache, "found", lambda *_: known)
+    monkeypatch.setattr(stage_cache.Cache, "found", lambda *_: known)
     given = {"base_image": "ros:jazzy", "command": "true", "cache": f"{services.registry}/me/cache"}
     app(repository, services, **given).build()
     known["identified"] = f"{services.registry}/me/cache@sha256:{'1' * 64}"
@@ -885,10 +888,10 @@ def test_a_stage_that_a_cache_has_lost_is_built_although_its_report_is_there(
     given = {"base_image": "ros:jazzy", "command": "true", "cache": f"{services.registry}/me/cache", "tests": "false"}
     there: set[str] = set()
 
-    def found(_: cache.Cache, keys: cache.Keys) -> dict[str, str]:
+    def found(_: stage_cache.Cache, keys: stage_cache.Keys) -> dict[str, str]:
         return {name: f"{services.registry}/me/cache@sha256:{'1' * 64}" for name in keys.stages if name in there}
 
-    monkeypatch.setattr(cache.Cache, "found", found)
+    monkeypatch.setattr(stage_cache.Cache, "found", found)
     app(repository, services, **given).build()
     there |= {"identified", "environment", "runtime", "upstream-built", "app", "workspace"}
     app(repository, services, **given).build()
@@ -912,10 +915,10 @@ def test_a_mirrors_password_reaches_code_of_the_repository_only_if_the_person_sa
     given = {"base-image": "ros:jazzy", "command": "true"}
     if named:
         with pytest.raises(RosmlError, match=f"^{' and '.join(named)} has a password") as caught:
-            build.App(repository, inputs.values(given, repository, {}), mirrors, services, lambda _: None).build()
+            build.App(repository, app_inputs.values(given, repository, {}), mirrors, services, lambda _: None).build()
         assert caught.value.exit_code == 2 and "--allow-mirror-password" in caught.value.remedy and not calls
         assert "secret" not in caught.value.message + caught.value.remedy
-    values = inputs.values({**given, "allow-mirror-password": "true"} if named else given, repository, {})
+    values = app_inputs.values({**given, "allow-mirror-password": "true"} if named else given, repository, {})
     build.App(repository, values, mirrors, services, lambda _: None).build()
     assert calls
 
@@ -1024,7 +1027,9 @@ def test_ros_is_installed_on_a_base_that_has_none(
     given = {"base_image": "plain:1", "command": "true", "cache": f"{services.registry}/me/cache"}
     said: list[str] = []
     for _ in range(2):
-        found_values = inputs.values({name.replace("_", "-"): value for name, value in given.items()}, repository, {})
+        found_values = app_inputs.values(
+            {name.replace("_", "-"): value for name, value in given.items()}, repository, {}
+        )
         build.App(repository, found_values, {}, services, said.append).build()
     assert "its entrypoint runs before each command: /opt/sdk/start.sh 'a ::error::b'" in said
     assert [call["name"] for call in calls].count("system") == 1
@@ -1075,8 +1080,8 @@ def test_each_script_that_a_build_calls_decides_what_a_cache_has(
 ) -> None:
     put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
     scripts = repository.parent / "components"
-    shutil.copytree(bake_file.SCRIPTS, scripts)
-    monkeypatch.setattr(bake_file, "SCRIPTS", scripts)
+    shutil.copytree(app_bake_file.SCRIPTS, scripts)
+    monkeypatch.setattr(app_bake_file, "SCRIPTS", scripts)
     given = {"base_image": "ros:jazzy", "command": "true", "cache": f"{services.registry}/me/cache"}
 
     def kept() -> str:
@@ -1215,7 +1220,7 @@ NAMES = ["robot", "me/robot", "me/a.b_c__d---e/f", "ghcr.io/me/robot", "localhos
 
 @pytest.mark.parametrize("name", NAMES)
 def test_names_are_those_that_registries_take(name: str, services: Services) -> None:
-    values = inputs.values({"image-name": name}, services.state, {})
+    values = app_inputs.values({"image-name": name}, services.state, {})
     assert names.Names(values, "robot", services_without_registry(services)).app == name
 
 
@@ -1225,7 +1230,7 @@ def test_names_are_those_that_registries_take(name: str, services: Services) -> 
 )
 def test_other_names_are_refused(name: str, services: Services) -> None:
     for given in ({"image-name": name}, {"image-name": "robot", "dev-image-name": name}):
-        values = inputs.values(given, services.state, {})
+        values = app_inputs.values(given, services.state, {})
         with pytest.raises(RosmlError, match="is no name of an image") as caught:
             names.Names(values, "robot", services_without_registry(services))
         assert caught.value.exit_code == 2
@@ -1243,14 +1248,14 @@ def test_an_old_docker_gets_layers_that_it_can_read(
     (tmp_path / "docker").write_text(f"#!/bin/sh\necho {version}\n")
     (tmp_path / "docker").chmod(0o755)
     monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
-    found = names.Names(inputs.values({}, services.state, {}), "robot", services_without_registry(services))
+    found = names.Names(app_inputs.values({}, services.state, {}), "robot", services_without_registry(services))
     assert found.loads and ("compression=uncompressed" in found.loading) is raw
 
 
 def test_images_go_to_docker_where_there_is_one(
     repository: Path, services: Services, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    values = inputs.values({"image-name": "ghcr.io/me/robot"}, repository, {})
+    values = app_inputs.values({"image-name": "ghcr.io/me/robot"}, repository, {})
     monkeypatch.setattr(shutil, "which", lambda name: f"/usr/bin/{name}")
     users = dataclasses.replace(services, builder_kind="user")
     found = names.Names(values, "robot", users)

@@ -13,7 +13,7 @@ from memory_registry import DAY, HOST, NEXT, PREFIX, Publisher, publisher, steps
 from projects import copy, diff
 from stubs import NO_FORMAT_1, services
 
-from rosml.base import ci, units
+from rosml.base import github, units
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted
 from rosml.cli.images import locks as lock
@@ -36,7 +36,7 @@ from rosml.images.records.store import Entry
 @pytest.fixture
 def told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The folder of the files that CI reads: summary and output."""
-    for name in (ci.SUMMARY, ci.OUTPUT):
+    for name in (github.SUMMARY, github.OUTPUT):
         monkeypatch.setenv(name, str(tmp_path / name))
     return tmp_path
 
@@ -50,24 +50,24 @@ def test_nobody_is_told_elsewhere(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    for name in (ci.SUMMARY, ci.OUTPUT):
+    for name in (github.SUMMARY, github.OUTPUT):
         monkeypatch.delenv(name, raising=False)
-    ci.summary("text")
-    ci.output("name", "value")
+    github.summary("text")
+    github.output("name", "value")
     assert [*tmp_path.iterdir()] == [] and capsys.readouterr() == ("", "")
 
 
 def test_outputs_and_summaries_add_up(told: Path) -> None:
-    ci.output("one", "1")
-    ci.output("two", "[]")
-    ci.summary(ci.table(("a", "b"), [("x|y", "1\n2")]))
-    assert (told / ci.OUTPUT).read_text() == "one=1\ntwo=[]\n"
-    assert (told / ci.SUMMARY).read_text() == "| a | b |\n| --- | --- |\n| x\\|y | 1<br>2 |\n"
+    github.output("one", "1")
+    github.output("two", "[]")
+    github.summary(github.table(("a", "b"), [("x|y", "1\n2")]))
+    assert (told / github.OUTPUT).read_text() == "one=1\ntwo=[]\n"
+    assert (told / github.SUMMARY).read_text() == "| a | b |\n| --- | --- |\n| x\\|y | 1<br>2 |\n"
 
 
 def test_an_output_sets_no_other_one(told: Path) -> None:
     with pytest.raises(ValueError, match="several lines"):
-        ci.output("one", "1\ntwo=2")
+        github.output("one", "1\ntwo=2")
 
 
 # ---- Plan ------------------------------------------------------------------------------------------------------------
@@ -81,12 +81,12 @@ def content(registry: Publisher, image_set: ImageSet, **options: Any) -> tuple[d
 def test_a_plan_is_the_matrix_of_the_jobs_that_build(registry: Publisher, image_set: ImageSet, told: Path) -> None:
     plan, told_of = content(registry, image_set)
     report.tell(told_of)
-    name, _, value = (told / ci.OUTPUT).read_text().partition("=")
+    name, _, value = (told / github.OUTPUT).read_text().partition("=")
     assert name == "shards"
     shards = json.loads(value)
     assert shards == [{"name": item["name"], "runner": item["runner"]} for item in plan["shards"]]
     assert {(item["name"].split("-")[0], item["runner"]) for item in shards} == {("amd64", "amd"), ("arm64", "arm")}
-    summary = (told / ci.SUMMARY).read_text()
+    summary = (told / github.SUMMARY).read_text()
     assert f"## Plan of {DAY} for {HOST}/{PREFIX}" in summary
     assert "| amd64-1 | amd |" in summary
     assert "- as they should be: 0" in summary
@@ -148,8 +148,8 @@ def test_a_plan_for_this_machine_needs_no_machines_in_ci(
 def test_where_nothing_is_to_be_done_no_job_builds(registry: Publisher, image_set: ImageSet, told: Path) -> None:
     registry.publish(image_set)
     report.tell(content(registry, image_set, date=NEXT)[1])
-    assert (told / ci.OUTPUT).read_text() == "shards=[]\n"
-    assert "- nothing to do" in (told / ci.SUMMARY).read_text()
+    assert (told / github.OUTPUT).read_text() == "shards=[]\n"
+    assert "- nothing to do" in (told / github.SUMMARY).read_text()
 
 
 def test_what_lacks_a_lock_has_a_line_of_its_own(
@@ -167,10 +167,10 @@ def test_what_lacks_a_lock_has_a_line_of_its_own(
     assert counts.endswith(" as they should be")
     assert line == f"{images} without a lock, which cannot be built yet: {missing.RESTORE}"
     report.tell(make_plan(run.state, 4))
-    assert f"\n- without a lock: {images}, which cannot be built yet\n" in (told / ci.SUMMARY).read_text()
-    (told / ci.SUMMARY).unlink()
+    assert f"\n- without a lock: {images}, which cannot be built yet\n" in (told / github.SUMMARY).read_text()
+    (told / github.SUMMARY).unlink()
     report.show(registry.publish(lacking, broken={"omega-core"}), as_json=False)
-    for said, mark in ((capsys.readouterr().out, ""), ((told / ci.SUMMARY).read_text(), "- ")):
+    for said, mark in ((capsys.readouterr().out, ""), ((told / github.SUMMARY).read_text(), "- ")):
         assert "building omega-core failed" in said and "locks/" not in said
         waits = [line for line in said.splitlines() if line.startswith(f"{mark}waits: ") and "lock" in line]
         parts = sum(bool(part.unlocked) for part in lacking.parts)
@@ -397,7 +397,7 @@ def test_no_image_changed(monkeypatch: pytest.MonkeyPatch, told: Path) -> None:
     done = CliRunner().invoke(publish.main, ["all", "--since", "HEAD", "--json"])
     assert done.exit_code == 0, done.output
     assert json.loads(done.stdout) == {"counts": {}, "outcomes": []}
-    assert "0 images changed" in (told / ci.SUMMARY).read_text()
+    assert "0 images changed" in (told / github.SUMMARY).read_text()
     both = CliRunner().invoke(publish.main, ["all", "--since", "HEAD", "--only", "ros1-bookworm-core"])
     assert both.exit_code == 2
     assert "leave --only out" in both.output
@@ -407,7 +407,7 @@ def test_the_difference_is_in_the_summary(repository: Path, told: Path) -> None:
     path = repository / "components/torch/files.sh"
     path.write_text(path.read_text() + "# a change\n")
     assert diff(repository, "HEAD").returncode == 0
-    text = (told / ci.SUMMARY).read_text()
+    text = (told / github.SUMMARY).read_text()
     assert text.startswith("\n## What differs\n\n0 added, 0 removed, ")
     assert "| changed | cannot be built yet: no lock |" in text or "| changed | file " in text
 
@@ -438,7 +438,7 @@ def test_a_run_says_what_it_uploaded(
     assert said["seconds"] >= 0
     report.show(run, as_json=False)
     text = f"{units.size(said['uploaded'])} uploaded, "
-    assert text in capsys.readouterr().out and f"- {text}" in (told / ci.SUMMARY).read_text()
+    assert text in capsys.readouterr().out and f"- {text}" in (told / github.SUMMARY).read_text()
     registry.registry.uploaded = 0
     nothing = registry.publish(image_set, only=["alpha-base"], architectures=("amd64",), serving=("amd64",), date=NEXT)
     report.show(nothing, as_json=False)
@@ -455,7 +455,7 @@ def test_the_summary_of_a_job_has_a_row_for_all_that_was_done(
     registry.publish(image_set, only=["omega-core"])
     run = registry.publish(image_set, only=["*-core", "alpha-base"], date=NEXT, broken={"alpha-base"})
     report.show(run, as_json=False)
-    text = (told / ci.SUMMARY).read_text()
+    text = (told / github.SUMMARY).read_text()
     rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in text.splitlines() if line.startswith("| ")]
     head, _, *rest = rows
     assert head == ["step", "image", "architecture", "state", "time", "size", "digest", "what"]

@@ -20,7 +20,7 @@ from rosml.cli.images import publish
 from rosml.containerize import ci_files
 
 NAMES = ("ci", "locks", "nightly", "proofs")
-"""Workflows of our own; test_app_ci_files.py is about the one that other repositories call."""
+"""Workflows of our own; test_ci_files.py is about the one that other repositories call."""
 
 JOBS = {(name, job): content for name in NAMES for job, content in load(name)["jobs"].items()}
 RUNS = [(key, step) for key, job in JOBS.items() for step in job["steps"] if "run" in step]

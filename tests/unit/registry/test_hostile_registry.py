@@ -24,7 +24,7 @@ from stubs import executable, services
 
 from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
-from rosml.containerize import base
+from rosml.containerize import app_base
 from rosml.images.builds import contents, release_file
 from rosml.images.join import file_lists
 from rosml.machine.services import Services
@@ -489,14 +489,14 @@ def test_a_base_image_that_is_none(plain: StandIn, tmp_path: Path, name: str) ->
     with Registry(plain.address) as client:
         IMAGES[name](client)
     here = services(tmp_path, plain.address)
-    error = ends(lambda: base.find(f"{plain.address}/a:x", here, ("linux/amd64",)))
+    error = ends(lambda: app_base.find(f"{plain.address}/a:x", here, ("linux/amd64",)))
     assert f"{plain.address}/a:x" in error.message or "/v2/a/" in error.message or "sha256:" in error.message
 
 
 def test_an_index_without_platforms_is_a_base_image_of_any(plain: StandIn, tmp_path: Path) -> None:
     with Registry(plain.address) as client:
         index(client, [member(client, image(client, {**LINUX, "config": None}), platform=None)])
-    assert base.find(f"{plain.address}/a:x", services(tmp_path, plain.address), ()).labels == {}
+    assert app_base.find(f"{plain.address}/a:x", services(tmp_path, plain.address), ()).labels == {}
 
 
 def test_the_files_of_what_is_no_image(plain: StandIn) -> None:
@@ -601,7 +601,7 @@ def test_anything(server: Hostile, tmp_path: Path) -> None:
         lambda client: client.attach("a", oci.descriptor(oci.IMAGE, b"x"), "a/b", b"x", "a/b"),
         lambda client: contents.manifests(client, "a", "x"),
         lambda client: file_lists.Lists().of(client, "a", DIGEST),
-        lambda client: base.find(f"{server.address}/a:x", here, ("linux/amd64",)),
+        lambda client: app_base.find(f"{server.address}/a:x", here, ("linux/amd64",)),
     ]  # fmt: skip
     read = 0
     for seed in range(200):

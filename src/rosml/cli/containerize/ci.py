@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING
 import click
 
 from rosml import STATE
-from rosml.base import terminal
+from rosml.base import github, terminal
 from rosml.base.errors import RosmlError
 from rosml.cli.checkout import Group
 from rosml.cli.command import say
 
 if TYPE_CHECKING:
-    from rosml.containerize.ci import Image, Job
+    from rosml.containerize.ci_job import Image, Job
 
 KEPT = "interrupted: finished steps are kept where the builder is; run the job again"
 """What is said after Ctrl-C."""
@@ -34,13 +34,13 @@ def main() -> None:
 
 def _job() -> tuple[Job, dict[str, str], Path]:
     """The job, the inputs that it is given, and the folder of the packages."""
-    from rosml.containerize import ci, ci_inputs, inputs
+    from rosml.containerize import app_inputs, ci_inputs, ci_job
 
-    what, given = ci.commit(os.environ), ci_inputs.given(os.environ)
+    what, given = ci_job.commit(os.environ), ci_inputs.given(os.environ)
     folder = (what.folder / given.get("build-context", ".")).resolve()
-    for sentence in inputs.answers(folder, {name.upper().replace("-", "_"): text for name, text in given.items()}):
+    for sentence in app_inputs.answers(folder, {name.upper().replace("-", "_"): text for name, text in given.items()}):
         say(sentence)
-    return ci.Job(inputs.values(given, folder, {}), os.environ, what, say), given, folder
+    return ci_job.Job(app_inputs.values(given, folder, {}), os.environ, what, say), given, folder
 
 
 @main.command(alone=True)
@@ -68,25 +68,25 @@ def login() -> None:
 @click.option("--out", required=True, type=click.Path(path_type=Path), help="folder for reports, and what was made")
 def build(out: Path) -> None:
     """Builds the images of a commit, tests them and pushes them."""
-    from rosml.containerize import ci, ci_inputs
+    from rosml.containerize import ci_inputs, ci_job
     from rosml.machine.services import Services
 
     job, given, folder = _job()
     apart = ci_inputs.flag("enable-singlearch-push", given)
     out = out / job.name
-    told, page = os.environ.get("GITHUB_OUTPUT", ""), os.environ.get("GITHUB_STEP_SUMMARY", "")
-    ci.tell(told, {"artifact": job.name, "folder": out})
+    github.output("artifact", job.name)
+    github.output("folder", str(out))
     images: list[Image] = []
     try:
         services = Services.of_docker(STATE)
         services.require_builder()
         images = job.build(folder, services, out, apart)
     except RosmlError as error:
-        if page:
-            click.echo("\n".join(ci.errors(out, error)))  # commands of rosml's own
+        if os.environ.get(github.SUMMARY):
+            click.echo("\n".join(ci_job.errors(out, error)))  # commands of rosml's own
         raise
     finally:
-        ci.tell(page, ci.summary(images, out))
+        github.summary(ci_job.summary(images, out))
     _done(images)
 
 
@@ -94,19 +94,20 @@ def build(out: Path) -> None:
 @click.argument("folder", type=click.Path(exists=True, file_okay=False, path_type=Path))
 def index(folder: Path) -> None:
     """Makes an index of what the jobs for one platform each left in FOLDER, and moves the tags to it."""
-    from rosml.containerize import ci
+    from rosml.containerize import ci_job
     from rosml.registry.client import Registries
 
     job, _, _ = _job()
     with Registries(os.environ.get("SSL_CERT_FILE", "")) as registries:
         images = job.index(folder, registries)
-    ci.tell(os.environ.get("GITHUB_STEP_SUMMARY", ""), ci.summary(images))
+    github.summary(ci_job.summary(images))
     _done(images)
 
 
 def _done(images: list[Image]) -> None:
-    from rosml.containerize import ci
+    from rosml.containerize import ci_job
 
-    ci.tell(os.environ.get("GITHUB_OUTPUT", ""), ci.outputs(images))
+    for name, value in ci_job.outputs(images).items():
+        github.output(name, value)
     for image in images:
         terminal.echo(f"{image.target:<5}  {image.reference}@{image.digest}")

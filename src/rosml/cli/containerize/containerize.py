@@ -15,7 +15,7 @@ from rosml.cli import options
 from rosml.cli.checkout import Command
 from rosml.cli.command import say
 from rosml.cli.options import Function
-from rosml.containerize import inputs
+from rosml.containerize import app_inputs
 
 if TYPE_CHECKING:
     from rosml.machine.services import Services
@@ -26,8 +26,8 @@ KEPT = "interrupted: no image was made; finished steps are kept, the next call c
 
 def _options(function: Function) -> Function:
     """An option for each input of the table."""
-    for item in reversed(inputs.TABLE):
-        if item.gone or item.name in inputs.SECRET:
+    for item in reversed(app_inputs.TABLE):
+        if item.gone or item.name in app_inputs.SECRET:
             continue
         text = f"{item.help} [{item.default}]" if item.default else item.help
         name = f"--{item.name}/--no-{item.name}" if item.flag else f"--{item.name}"
@@ -79,11 +79,11 @@ def main(folder: Path, lock: bool, as_json: bool, **given: str | bool | None) ->
     folder = folder.resolve()
     said = {
         item.name: str(value).lower() if item.flag else str(value)
-        for item in inputs.TABLE
+        for item in app_inputs.TABLE
         if (value := given.get(item.variable)) is not None
     }
-    values = inputs.values(said, folder, os.environ)
-    for sentence in inputs.answers(folder, os.environ):
+    values = app_inputs.values(said, folder, os.environ)
+    for sentence in app_inputs.answers(folder, os.environ):
         say(sentence)
     services = _services()
     services.require_builder()

@@ -145,7 +145,7 @@ class Call:
 
     def changed(self, image_set: ImageSet) -> tuple[str, ...]:
         """The images to build of those that differ from the revision; ends the command where there are none."""
-        from rosml.base import ci
+        from rosml.base import github
         from rosml.images.bake import pull_request
         from rosml.images.bake.inputs import Inputs
         from rosml.images.builds.base_images import native_architecture
@@ -154,7 +154,7 @@ class Call:
         found = revision.since(self.since, Inputs(ROOT, image_set))
         choice = pull_request.choose(image_set, found, self.architectures or (native_architecture(),), self.at_most)
         say(str(choice))
-        ci.summary(f"\n## Images that differ from {self.since}\n\n{choice}\n")
+        github.summary(f"\n## Images that differ from {self.since}\n\n{choice}\n")
         if not choice.built:
             if self.as_json:
                 terminal.echo(json.dumps({"counts": {}, "outcomes": []}))

@@ -24,7 +24,7 @@ def main(version: str, matrix: Path, as_json: bool) -> None:
       rosml diff               what the uncommitted changes would build
       rosml diff v1.2 --json   all of it since a tag, for machines
     """
-    from rosml.base import ci
+    from rosml.base import github
     from rosml.cli.images import tables
     from rosml.images.bake import diff as changes
     from rosml.images.bake.inputs import Inputs
@@ -32,7 +32,7 @@ def main(version: str, matrix: Path, as_json: bool) -> None:
     from rosml.images.publish import revision
 
     found = revision.since(version, Inputs(ROOT, load.load(matrix, ROOT)))
-    ci.summary(changes.markdown(found))
+    github.summary(changes.markdown(found))
     if as_json:
         terminal.echo(changes.as_json(found), nl=False)
     else:

@@ -117,12 +117,12 @@ def _on(
     Raises:
         RosmlError: the image is not there or has ROS, nothing fits, or a step failed.
     """
-    from rosml.containerize import adopt, base
-    from rosml.containerize.inputs import Values
+    from rosml.containerize import adopt, app_base
+    from rosml.containerize.app_inputs import Values
     from rosml.images.builds.push import COMPRESSION
     from rosml.registry import references
 
-    found = base.find(name, services, (platform,))
+    found = app_base.find(name, services, (platform,))
     values = Values(ros_distro=image.distribution, ros_component=image.component)
     onto = adopt.with_ros(found, services, values, (platform,), say, image_set)
     if not onto.adopted:

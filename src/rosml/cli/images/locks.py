@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from rosml import ROOT
-from rosml.base import ci, files, terminal
+from rosml.base import files, github, terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import options
 from rosml.cli.checkout import Command
@@ -204,7 +204,7 @@ def upstream_text(found: Sequence[Newer]) -> str:
     """The same as Markdown."""
     if not found:
         return "\nNo release on the index is newer than what the matrix names.\n"
-    return "\nOn the index, and not in the matrix:\n\n" + ci.table(UPSTREAM, upstream_rows(found))
+    return "\nOn the index, and not in the matrix:\n\n" + github.table(UPSTREAM, upstream_rows(found))
 
 
 def upstream_rows(found: Sequence[Newer]) -> list[tuple[str, ...]]:
@@ -315,7 +315,7 @@ def base_table(pinned: Pins) -> str:
     from rosml.images.locks import base_digests
 
     rows = base_digests.rows(pinned.moved)
-    text = ci.table(("system", "base image", "old", "new"), rows) if rows else "No base image moved.\n"
+    text = github.table(("system", "base image", "old", "new"), rows) if rows else "No base image moved.\n"
     lines = "".join(f"- {line}\n" for line in base_digests.reasons(pinned.left_out))
     return f"\n{text}" + (f"\n{lines}" if lines else "")
 
@@ -343,7 +343,7 @@ def refused_table(stopped: Sequence[Refused], unknown: str) -> str:
         return "\nThe scan will stop nothing that is locked.\n"
     rows = [(it.package, it.version, it.id, it.severity, it.fixed or "-", str(len(it.images))) for it in stopped]
     columns = ("package", "version", "advisory", "severity", "fixed in", "images")
-    return "\nBy `scan.yaml`, the scan will stop images with these versions:\n\n" + ci.table(columns, rows)
+    return "\nBy `scan.yaml`, the scan will stop images with these versions:\n\n" + github.table(columns, rows)
 
 
 COLUMNS = ("stack", "package", "old", "new", "locks")
@@ -356,7 +356,7 @@ def rows_of(moved: Mapping[Move, int]) -> list[tuple[str, ...]]:
 
 def markdown(moved: Mapping[Move, int], fresh: Sequence[str], left_out: Mapping[Any, str]) -> str:
     """The table, new locks, and those that stay as they are with the reason: the text of a pull request."""
-    text = ci.table(COLUMNS, rows_of(moved)) if moved else "No version moved.\n"
+    text = github.table(COLUMNS, rows_of(moved)) if moved else "No version moved.\n"
     lines = [f"- new: `{path}`" for path in fresh]
     lines += [f"- {request}: locks stay as they are: {reason}" for request, reason in left_out.items()]
     return text + ("\n" + "\n".join(lines) + "\n" if lines else "")

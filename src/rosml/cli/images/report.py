@@ -6,7 +6,7 @@ import json
 import time
 from collections import Counter
 
-from rosml.base import ci, terminal
+from rosml.base import github, terminal
 from rosml.base.problems import counted, some
 from rosml.base.units import duration, size
 from rosml.cli.images import tables
@@ -20,7 +20,7 @@ from rosml.images.records import store
 
 def tell(plan: Plan) -> None:
     """Tells CI of a plan: its shards, for the matrix of the jobs that build, and what there is to do."""
-    ci.output("shards", json.dumps([{"name": shard.name, "runner": shard.runner} for shard in plan.shards]))
+    github.output("shards", json.dumps([{"name": shard.name, "runner": shard.runner} for shard in plan.shards]))
     counts = Counter(step for task in plan.tasks for step in task.steps)
     lines = [f"- {step}: {number}" for step, number in counts.items()] or ["- nothing to do"]
     lines += [f"- as they should be: {plan.unchanged}"]
@@ -28,8 +28,8 @@ def tell(plan: Plan) -> None:
     lines += [f"- without a lock: {counted(len(unlocked), 'image')}, which cannot be built yet"] if unlocked else []
     lines += [*(f"- {remark}" for remark in plan.remarks), ""]
     rows = tables.shard_rows(plan.shards)
-    found = "\n".join(lines) + "\n" + (ci.table(tables.SHARDS, rows) if rows else "")
-    ci.summary(f"\n## Plan of {plan.date} for {plan.registry}\n\n{found}")
+    found = "\n".join(lines) + "\n" + (github.table(tables.SHARDS, rows) if rows else "")
+    github.summary(f"\n## Plan of {plan.date} for {plan.registry}\n\n{found}")
 
 
 def print_plan(state: State, why: bool) -> None:
@@ -53,7 +53,7 @@ def print_plan(state: State, why: bool) -> None:
 def show(run: Run, as_json: bool) -> None:
     """What a run did, on standard output; and in CI's summary, where there is one."""
     tell_outcomes(run.outcomes, run.state.date, run.uploaded, run.started, as_json)
-    ci.summary(markdown(run))
+    github.summary(markdown(run))
 
 
 def tell_outcomes(outcomes: list[Outcome], date: str, uploaded: int, started: float, as_json: bool) -> None:
@@ -143,7 +143,7 @@ def markdown(run: Run) -> str:
         rows.append((*what, duration(outcome.seconds), *facts, _first(outcome)))
     if rows:
         columns = ("step", "image", "architecture", "state", "time", "size", "digest", "what")
-        lines += [ci.table(columns, rows)]
+        lines += [github.table(columns, rows)]
     lines += [f"- waits, {counted(number, 'time')}: {reason}" for reason, number in _waiting(outcomes).items()]
     lines += [f"- waits: {unlocked} without a lock"] if (unlocked := _unlocked(outcomes)) else []
     return "\n".join(lines) + "\n"

@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from rosml.base import ci, files, terminal
+from rosml.base import files, github, terminal
 from rosml.cli.checkout import Command
 from rosml.cli.images.call import Call, sharing
 
@@ -50,8 +50,8 @@ def main(markdown: Path | None, **options: Any) -> None:
     text = tables.status_markdown(str(state.place), found, causes, ahead)
     if markdown:
         files.write(markdown, text)
-    ci.summary(text)
-    ci.output("open", str(sum(item.state in status.OPEN for item in found)))
+    github.summary(text)
+    github.output("open", str(sum(item.state in status.OPEN for item in found)))
     if call.as_json:
         terminal.echo(status.as_json(found))
     else:

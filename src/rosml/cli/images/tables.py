@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from rosml.base import ci, terminal
+from rosml.base import github, terminal
 from rosml.base.problems import counted, some
 from rosml.images.image_set import missing
 from rosml.images.image_set.facts import facts
@@ -167,11 +167,11 @@ def status_markdown(place: str, found: Sequence[ImageStatus], causes: Sequence[C
     lines of its log."""
     lines = [f"## Images of {place}", "", f"{_counts(found)}. {_ahead(ahead).capitalize()}.", ""]
     for cause in causes:
-        reason = f": {ci.code(cause.reason)}" if cause.reason else ""
+        reason = f": {github.code(cause.reason)}" if cause.reason else ""
         lines += [f"### {counted(len(cause.targets), 'image')} {cause.state}{reason}", ""]
         names = ", ".join(f"`{name}`" for name in cause.targets)
         many = len(cause.targets) > MANY
         lines += [f"<details><summary>{some(cause.targets)}</summary>\n\n{names}\n</details>" if many else names, ""]
         if cause.log:
-            lines += [ci.code(cause.log), ""]
+            lines += [github.code(cause.log), ""]
     return "\n".join(lines)

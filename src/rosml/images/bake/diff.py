@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass, field
 from functools import cache
 
-from rosml.base import ci
+from rosml.base import github
 from rosml.base.problems import counted, some
 from rosml.images.bake.inputs import TARGET, Inputs
 from rosml.images.image_set import model as sets
@@ -162,7 +162,7 @@ def markdown(difference: Difference) -> str:
     """The same for CI's summary of a job."""
     counts = [how_many(difference, name) for name in ("added", "removed", "changed")]
     found = list(rows(difference))
-    table = "\n" + ci.table(("what", "why", "which"), found) if found else ""
+    table = "\n" + github.table(("what", "why", "which"), found) if found else ""
     return f"\n## What differs\n\n{', '.join([*counts, f'{difference.same} same'])}\n{table}"
 
 

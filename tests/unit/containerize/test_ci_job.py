@@ -16,7 +16,7 @@ from test_report import APP, DEPENDENCIES
 
 from rosml.base.errors import RosmlError
 from rosml.cli.containerize import ci as command
-from rosml.containerize import base, build, ci, ci_inputs, inputs
+from rosml.containerize import app_base, app_inputs, build, ci_inputs, ci_job
 from rosml.containerize.build import Built, Made
 from rosml.machine import buildx
 from rosml.machine.services import Services
@@ -38,7 +38,7 @@ GITLAB = {
     "CI_COMMIT_BRANCH": "main",
     "CI_DEFAULT_BRANCH": "main",
 }
-MAIN = ci.Commit("main", "", True, Path())
+MAIN = ci_job.Commit("main", "", True, Path())
 
 
 # ---- Inputs ----------------------------------------------------------------------------------------------------------
@@ -110,13 +110,13 @@ def test_only_the_default_branch_moves_the_tag_that_inputs_name(
     dev: list[str],
     tmp_path: Path,
 ) -> None:
-    what, values = ci.commit({**forge, **changes}), inputs.values(given, tmp_path, {})
-    assert [ci.tags(target, values, what) for target in ("run", "dev")] == [run, dev]
+    what, values = ci_job.commit({**forge, **changes}), app_inputs.values(given, tmp_path, {})
+    assert [ci_job.tags(target, values, what) for target in ("run", "dev")] == [run, dev]
 
 
 def test_elsewhere_is_no_job() -> None:
     with pytest.raises(RosmlError, match="no job of GitHub or GitLab") as caught:
-        ci.commit({"CI": "true"})
+        ci_job.commit({"CI": "true"})
     assert caught.value.exit_code == 2
 
 
@@ -133,7 +133,7 @@ class App:
 
     failed = ""
 
-    def __init__(self, folder: Path, values: inputs.Values, _: object, services: Services, __: object) -> None:
+    def __init__(self, folder: Path, values: app_inputs.Values, _: object, services: Services, __: object) -> None:
         self.values, self.services = values, services
         self.report = services.state / "report"
 
@@ -173,13 +173,13 @@ def put(services: Services, reference: str) -> str:
         return client.put_manifest(place.repository, place.reference, oci.encoded(manifest))
 
 
-def job(services: Services, tmp_path: Path, *, what: ci.Commit = MAIN, **given: str) -> ci.Job:
+def job(services: Services, tmp_path: Path, *, what: ci_job.Commit = MAIN, **given: str) -> ci_job.Job:
     values = {"image-name": f"{services.registry}/Me/Robot", "target": "run", "push": "true"}
     values |= {name.replace("_", "-"): value for name, value in given.items()}
-    return ci.Job(inputs.values(values, tmp_path, {}), {}, what, lambda line: None)
+    return ci_job.Job(app_inputs.values(values, tmp_path, {}), {}, what, lambda line: None)
 
 
-def left(call: ci.Job, services: Services, tmp_path: Path) -> Path:
+def left(call: ci_job.Job, services: Services, tmp_path: Path) -> Path:
     """What a job leaves for the one that makes the index, as its artifact is called."""
     out = tmp_path / "made" / call.name
     call.build(tmp_path, services, out, True)
@@ -188,7 +188,7 @@ def left(call: ci.Job, services: Services, tmp_path: Path) -> Path:
 
 @pytest.fixture(autouse=True)
 def app(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(ci, "App", App)
+    monkeypatch.setattr(ci_job, "App", App)
 
 
 def tags(services: Services, stand_in: StandIn) -> dict[str, str]:
@@ -196,7 +196,7 @@ def tags(services: Services, stand_in: StandIn) -> dict[str, str]:
 
 
 def test_all_tags_of_a_commit_are_one_image(stand_in: StandIn, services: Services, tmp_path: Path) -> None:
-    what = ci.Commit("v1", "v1", False, Path())
+    what = ci_job.Commit("v1", "v1", False, Path())
     made = job(services, tmp_path, what=what, target="run,dev", platform="amd64").build(
         tmp_path, services, tmp_path / "out", False
     )
@@ -204,7 +204,7 @@ def test_all_tags_of_a_commit_are_one_image(stand_in: StandIn, services: Service
     assert found.keys() == {"v1", "latest-v1", "v1-dev", "latest-dev-v1"}
     assert found["v1"] == found["latest-v1"] != found["v1-dev"]
     assert [image.reference for image in made] == [f"{services.registry}/me/robot:{tag}" for tag in ("v1", "v1-dev")]
-    assert ci.outputs(made) == {
+    assert ci_job.outputs(made) == {
         "image": f"{services.registry}/me/robot:v1",
         "digest": found["v1"],
         "dev-image": f"{services.registry}/me/robot:v1-dev",
@@ -231,11 +231,11 @@ def test_an_index_has_every_platform_and_gets_all_tags(stand_in: StandIn, servic
 def test_no_other_file_says_what_a_job_made(place: str, stand_in: StandIn, services: Services, tmp_path: Path) -> None:
     """Such as one that a test wrote, or that a repository has where GitLab keeps artifacts."""
     outs = [left(job(services, tmp_path, platform=name), services, tmp_path) for name in ("amd64", "arm64")]
-    other = json.loads((outs[0] / ci.FILE).read_text())
+    other = json.loads((outs[0] / ci_job.FILE).read_text())
     other[0]["digest"] = put(services, f"{services.registry}/me/robot:evil")
     for folder in (outs[0], tmp_path / "made"):
         (folder / place).mkdir(parents=True, exist_ok=True)
-        (folder / place / ci.FILE).write_text(json.dumps(other))
+        (folder / place / ci_job.FILE).write_text(json.dumps(other))
     with Registries() as registries:
         [made] = job(services, tmp_path, platform="amd64,arm64").index(tmp_path / "made", registries)
     index = json.loads(stand_in.manifests["me/robot", made.digest][1])
@@ -246,7 +246,7 @@ def test_no_other_file_says_what_a_job_made(place: str, stand_in: StandIn, servi
     "content", ["{}", "[[]]", "[" * 99_999, '[{"target": "run"}]', "\xff", None], ids=lambda text: str(text)[:20]
 )
 def test_a_damaged_file_of_a_job_is_said(content: str | None, services: Services, tmp_path: Path) -> None:
-    file = left(job(services, tmp_path, platform="amd64"), services, tmp_path) / ci.FILE
+    file = left(job(services, tmp_path, platform="amd64"), services, tmp_path) / ci_job.FILE
     file.unlink()
     if content is None:
         file.symlink_to("/proc/self/environ")
@@ -264,7 +264,7 @@ def test_a_slim_image_has_tags_and_an_index_as_others(stand_in: StandIn, service
     with Registries() as registries:
         made = job(services, tmp_path, platform="amd64,arm64").index(tmp_path / "made", registries)
     assert [image.target for image in made] == ["run", "slim"]
-    assert ci.outputs(made)["slim-image"] == f"{services.registry}/me/robot:latest-slim"
+    assert ci_job.outputs(made)["slim-image"] == f"{services.registry}/me/robot:latest-slim"
     assert {"latest", "latest-slim"} <= tags(services, stand_in).keys()
 
 
@@ -284,13 +284,13 @@ def test_a_build_takes_what_ci_makes_of_the_inputs(
         return None, {"containerimage.digest": "sha256:1"}
 
     monkeypatch.setattr(buildx, "run", run)
-    monkeypatch.setattr(ci, "App", build.App)
-    facts = base.Base("ros:jazzy", f"sha256:{'0' * 64}", {"ROS_DISTRO": "jazzy"})
-    monkeypatch.setattr(base, "find", lambda *_: facts)
+    monkeypatch.setattr(ci_job, "App", build.App)
+    facts = app_base.Base("ros:jazzy", f"sha256:{'0' * 64}", {"ROS_DISTRO": "jazzy"})
+    monkeypatch.setattr(app_base, "find", lambda *_: facts)
     (tmp_path / "robot").mkdir()
     (tmp_path / "robot/package.xml").write_text("<package><name>robot</name></package>")
     given = {"base_image": "ros:jazzy", "command": "true", "target": "run,dev", "platform": "arm64", "push": "false"}
-    what = ci.Commit("x", "", False, Path())
+    what = ci_job.Commit("x", "", False, Path())
     made = job(services, tmp_path, what=what, **given).build(tmp_path / "robot", services, tmp_path / "out", True)
     name = f"{services.registry}/me/robot"
     assert seen["run"] == [f"{name}:latest_x_ci-arm64"] == [made[0].reference]

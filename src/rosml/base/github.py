@@ -1,4 +1,4 @@
-"""What a job in CI is told: a summary for people, outputs for the jobs after it. Elsewhere nobody is told anything."""
+"""What a step tells GitHub: a summary for people, and outputs for later steps. Outside of GitHub it writes nothing."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from pathlib import Path
 from rosml.base.terminal import shown
 
 SUMMARY = "GITHUB_STEP_SUMMARY"
-"""Names the file that CI shows as a job's summary; Markdown is added to it."""
+"""The variable that names the file for the summary. We append Markdown."""
 
 OUTPUT = "GITHUB_OUTPUT"
-"""Names the file that CI reads a step's outputs from, a line each."""
+"""The variable that names the file for the outputs, a line each."""
 
 
 def summary(text: str) -> None:

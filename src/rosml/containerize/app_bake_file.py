@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import Any
 
 from rosml import ROOT
-from rosml.containerize.base import Base
-from rosml.containerize.cache import BASE
-from rosml.containerize.inputs import Values
+from rosml.containerize.app_base import Base
+from rosml.containerize.app_inputs import Values
 from rosml.containerize.names import SLIM, Names
+from rosml.containerize.stage_cache import BASE
 from rosml.images.builds import adopted
 from rosml.images.builds.base_images import native_architecture
 from rosml.images.builds.push import COMPRESSION

@@ -14,10 +14,10 @@ from registry_stand_in import StandIn
 
 from rosml.base.errors import RosmlError
 from rosml.containerize import junit
-from rosml.containerize.cache import Cache, Keys, Report, form, keys
 from rosml.containerize.lock import Packages
 from rosml.containerize.outcome import Outcome
 from rosml.containerize.report import Answer
+from rosml.containerize.stage_cache import Cache, Keys, Report, form, keys
 from rosml.registry import oci
 from rosml.registry.client import Registry
 

@@ -12,17 +12,15 @@ import shutil
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any
 
 from pydantic import TypeAdapter, ValidationError
 
-from rosml.base import files
+from rosml.base import files, github
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of
-from rosml.containerize import base as bases
-from rosml.containerize import junit
+from rosml.containerize import app_base, junit
+from rosml.containerize.app_inputs import Values
 from rosml.containerize.build import App
-from rosml.containerize.inputs import Values
 from rosml.containerize.lock import Digest
 from rosml.containerize.names import SLIM, listed, listed_platforms
 from rosml.containerize.report import KINDS, TARGET
@@ -190,7 +188,7 @@ class Job:
             with Registries(services.ca_bundle) as registries:
                 for target in {*listed(values.target)} | ({SLIM} if values.enable_slim else set()):
                     found = [f"{self._names[target]}:{tag}{end}" for tag in wanted.get(target, ())]
-                    bases.require_kept(registries, found, platforms)
+                    app_base.require_kept(registries, found, platforms)
         app = App(folder, values, self._environment, services, self._say)
         shutil.rmtree(app.report, ignore_errors=True)
         try:
@@ -250,7 +248,7 @@ class Job:
                 raise RosmlError(f"{text}; no tag was moved", "look at the jobs that build for these platforms")
             made.append(_join([there[name] for name in self._platforms], registries))
         for image in made:
-            bases.require_kept(registries, [f"{image.name}:{tag}" for tag in image.tags], image.platforms)
+            app_base.require_kept(registries, [f"{image.name}:{tag}" for tag in image.tags], image.platforms)
         for image in made:
             _move(registries, image, 0)
         return made
@@ -324,17 +322,21 @@ def outputs(images: list[Image]) -> dict[str, str]:
     return found
 
 
-def summary(images: list[Image], out: Path | None = None) -> Iterator[str]:
-    """Lines of Markdown for the page of a run. `out` is where reports are kept."""
-    if images:
-        yield from ("| image | platforms | digest |", "| --- | --- | --- |")
-    for image in images:
-        names = "<br>".join(f"`{image.name}:{tag}{image.end}`" for tag in image.tags)
-        yield f"| {names} | {', '.join(image.platforms)} | `{image.digest}` |"
+def summary(images: list[Image], out: Path | None = None) -> str:
+    """Markdown for the page of a run. `out` is where reports are kept."""
+    rows = [
+        (
+            "<br>".join(f"`{image.name}:{tag}{image.end}`" for tag in image.tags),
+            ", ".join(image.platforms),
+            f"`{image.digest}`",
+        )
+        for image in images
+    ]
+    text = github.table(("image", "platforms", "digest"), rows) if rows else ""
     tests = reported(out) if out else junit.Tests()
     if tests.count or tests.failures:
-        yield from ("", f"{tests.count} tests, {len(tests.failures)} failed, {tests.skipped} skipped")
-    yield from (f"- `{line.replace('`', '')}`" for line in tests.failures)
+        text += f"\n{tests.count} tests, {len(tests.failures)} failed, {tests.skipped} skipped\n"
+    return text + "".join(f"- `{line.replace('`', '')}`\n" for line in tests.failures)
 
 
 def reported(out: Path) -> junit.Tests:
@@ -352,12 +354,3 @@ def errors(out: Path, error: RosmlError) -> Iterator[str]:
     for line in failures or (error.message,):
         escaped = line.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
         yield f"::error title={title}::{escaped}"
-
-
-def tell(file: str, lines: Mapping[str, Any] | Iterator[str]) -> None:
-    """Appends to a file that GitHub reads after the step; nowhere where there is none."""
-    if not file:
-        return
-    text = [f"{name}={value}" for name, value in lines.items()] if isinstance(lines, Mapping) else list(lines)
-    with Path(file).open("a", encoding="utf-8") as stream:
-        stream.writelines(f"{line}\n" for line in text)
