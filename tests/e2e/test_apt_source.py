@@ -20,8 +20,7 @@ import yaml
 from rosml import ROOT
 from rosml.images.bake import targets
 from rosml.images.builds import sync
-from rosml.images.image_set import apt_source as apt_sources
-from rosml.images.image_set import load
+from rosml.images.image_set import apt_repository, load
 from tests.e2e.apt_stand_in import (
     APT_SOURCE,
     LIVE,
@@ -312,7 +311,7 @@ def test_a_snapshot_of_a_day(row: Callable[[str], Row]) -> None:
 def test_the_state_of_the_repository_is_the_one_that_labels_name(row: Callable[[str], Row]) -> None:
     """Asked before a build, and compared in it with the signed file."""
     made = row("jazzy")
-    source = apt_sources.source(CATALOGUE.matrix, "jazzy", {})
+    source = apt_repository.of(CATALOGUE.matrix, "jazzy", {})
     assert source
     when = sync.published(source, {"ROS_APT_MIRROR": made.server.url})
     assert when == "2026-11-20T21:14:09Z"

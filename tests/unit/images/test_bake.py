@@ -21,7 +21,7 @@ from rosml.base.errors import RosmlError
 from rosml.cli import command, main
 from rosml.cli.images import generate as generating
 from rosml.images.bake import bake_file, hcl, targets
-from rosml.images.image_set import apt_source, expand, labels, load
+from rosml.images.image_set import apt_repository, expand, labels, load
 from rosml.images.image_set.model import ImageSet
 from rosml.images.matrix import model, schema, source
 from tests import synthetic
@@ -500,8 +500,8 @@ def test_where_packages_come_from(real: ImageSet) -> None:
             continue
         assert args["ROS_CHANNEL"] == targets.Overridable("ROS_CHANNEL", distribution.apt.channel)
         assert args["ROS_CODENAME"] == real.matrix.operating_systems[distribution.os].codename
-        live = apt_source.source(real.matrix, name, {"ROS_CHANNEL": "live"})
-        day = apt_source.source(real.matrix, name, {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2026-08-07"})
+        live = apt_repository.of(real.matrix, name, {"ROS_CHANNEL": "live"})
+        day = apt_repository.of(real.matrix, name, {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2026-08-07"})
         assert live and args["ROS_LIVE_ADDRESS"] == live.address
         assert day and str(args["ROS_SNAPSHOT_ADDRESS"]).replace("{day}", "2026-08-07") == day.address
         pinned = re.fullmatch(r"https://[^@{}]+\.deb@sha256:[0-9a-f]{64}", str(args.get("ROS_APT_SOURCE", "")))

@@ -15,7 +15,7 @@ from stubs import buildx, calls, executable, services
 from rosml.base.errors import RosmlError
 from rosml.images.builds import base_images, disk, sync
 from rosml.images.builds.maker import BuildKitMaker, Checked, require_buildable
-from rosml.images.image_set import apt_source, locked
+from rosml.images.image_set import apt_repository, locked
 from rosml.images.image_set import model as sets
 from rosml.machine.services import Services
 from rosml.registry.oci import Manifest
@@ -231,7 +231,7 @@ def test_the_builder_is_told_of_when_ros_repository_is(stage: Stage, monkeypatch
     """A new state is a new argument; where nobody can be asked, what is known of last time keeps the builder's cache."""
     image = stage.image_set.image(TARGET)
 
-    def silent(source: apt_source.Source) -> str:
+    def silent(source: apt_repository.AptRepository) -> str:
         raise RosmlError("nobody answers", "wait")
 
     def told(moment: str = "") -> str:

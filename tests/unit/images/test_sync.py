@@ -14,11 +14,11 @@ import pytest
 
 from rosml.base.errors import RosmlError
 from rosml.images.builds import sync
-from rosml.images.image_set import apt_source
+from rosml.images.image_set import apt_repository
 from rosml.images.image_set.model import ImageSet
 from rosml.images.matrix.model import Matrix, RosArchive
 
-SOURCE = apt_source.Source("live", "", "http://live.test/ros2/ubuntu", "noble")
+SOURCE = apt_repository.AptRepository("live", "", "http://live.test/ros2/ubuntu", "noble")
 
 
 @pytest.fixture
@@ -34,25 +34,25 @@ def matrix(real: ImageSet) -> Matrix:
 
 
 def test_as_the_matrix_says(matrix: Matrix) -> None:
-    found = apt_source.source(matrix, "jazzy", {})
+    found = apt_repository.of(matrix, "jazzy", {})
     assert found == SOURCE
-    final = apt_source.source(matrix, "noetic", {})
-    assert final == apt_source.Source("final", "", "http://old.test/noetic/final", "focal")
-    assert apt_source.source(matrix, "ros1-bookworm", {}) is None
+    final = apt_repository.of(matrix, "noetic", {})
+    assert final == apt_repository.AptRepository("final", "", "http://old.test/noetic/final", "focal")
+    assert apt_repository.of(matrix, "ros1-bookworm", {}) is None
 
 
 def test_otherwise_for_once(matrix: Matrix) -> None:
-    found = apt_source.source(matrix, "foxy", {"ROS_CHANNEL": "live"})
+    found = apt_repository.of(matrix, "foxy", {"ROS_CHANNEL": "live"})
     assert found and found.address == "http://live.test/ros2/ubuntu"
-    found = apt_source.source(matrix, "jazzy", {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2026-08-07"})
+    found = apt_repository.of(matrix, "jazzy", {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2026-08-07"})
     assert found and found.address == "http://old.test/jazzy/2026-08-07"
-    found = apt_source.source(matrix, "rolling", {"ROS_CHANNEL": "testing"})
+    found = apt_repository.of(matrix, "rolling", {"ROS_CHANNEL": "testing"})
     assert found and found.address == "http://testing.test/ros2/ubuntu"
     without = (
         RosArchive.model_validate({**matrix.ros_archive.model_dump(), "testing": None}) if matrix.ros_archive else None
     )
     with pytest.raises(RosmlError, match="nothing says where ROS's testing repository is"):
-        apt_source.source(matrix.model_copy(update={"ros_archive": without}), "rolling", {"ROS_CHANNEL": "testing"})
+        apt_repository.of(matrix.model_copy(update={"ros_archive": without}), "rolling", {"ROS_CHANNEL": "testing"})
 
 
 @pytest.mark.parametrize(
@@ -70,7 +70,7 @@ def test_otherwise_for_once(matrix: Matrix) -> None:
 )
 def test_what_there_is_not(real: ImageSet, name: str, environ: dict[str, str], words: str) -> None:
     with pytest.raises(RosmlError, match=words) as caught:
-        apt_source.source(real.matrix, name, environ)
+        apt_repository.of(real.matrix, name, environ)
     assert caught.value.exit_code == 2
     assert caught.value.remedy
 
@@ -193,7 +193,7 @@ def test_remembered(tmp_path: Path) -> None:
     assert sync.remembered(tmp_path, SOURCE) == ""
     sync.remember(tmp_path, SOURCE, "2026-11-20T21:14:09Z")
     assert sync.remembered(tmp_path, SOURCE) == "2026-11-20T21:14:09Z"
-    other = apt_source.Source("final", "", "http://old.test/noetic/final", "focal")
+    other = apt_repository.AptRepository("final", "", "http://old.test/noetic/final", "focal")
     assert sync.remembered(tmp_path, other) == ""
     (tmp_path / "ros-sync.json").write_text("[1]")
     assert sync.remembered(tmp_path, SOURCE) == ""

@@ -13,7 +13,7 @@ from rosml.base.problems import InputError
 from rosml.images.bake import targets
 from rosml.images.bake.inputs import TARGET, Inputs
 from rosml.images.builds.maker import require_buildable
-from rosml.images.image_set import apt_source, missing
+from rosml.images.image_set import apt_repository, missing
 from rosml.images.image_set.explain import explained, why_not
 from rosml.images.image_set.load import load
 from rosml.images.image_set.locked import with_locks
@@ -75,7 +75,7 @@ def test_explain_says_where_ros_comes_from(wheels: ImageSet) -> None:
 
 def test_no_other_channel(wheels: ImageSet) -> None:
     with pytest.raises(RosmlError, match="the ROS packages of sigma are wheels: there is no other channel"):
-        apt_source.source(wheels.matrix, "sigma", {"ROS_CHANNEL": "final"})
+        apt_repository.of(wheels.matrix, "sigma", {"ROS_CHANNEL": "final"})
 
 
 # ---- Mistakes --------------------------------------------------------------------------------------------------------

@@ -61,7 +61,7 @@ def main(target: str, matrix: Path, namespace: str, platform: str, on: str, forc
     from rosml.images.builds import default, disk
     from rosml.images.builds.base_images import native_architecture
     from rosml.images.builds.maker import require_buildable
-    from rosml.images.image_set import apt_source, explain, selection
+    from rosml.images.image_set import apt_repository, explain, selection
     from rosml.images.publish.steps.build import build
     from rosml.images.publish.steps.index import index
     from rosml.images.publish.steps.join import join
@@ -77,7 +77,7 @@ def main(target: str, matrix: Path, namespace: str, platform: str, on: str, forc
     named = explain.image(image_set, target) if target else None
     if named:
         require_buildable(named, architecture)
-        apt_source.source(image_set.matrix, named.distribution)
+        apt_repository.of(image_set.matrix, named.distribution)
     if on and (named is None or named.stack):
         text = "--on installs the ROS of one target" + (f", and {target} has a framework" if named else "")
         raise RosmlError(text, "name a ROS image, such as jazzy-base; 'rosml join' adds parts", exit_code=2)

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from rosml.base.errors import RosmlError
 from rosml.images.builds import apt_sources, release_file, sync
 from rosml.images.builds.apt_sources import Source
-from rosml.images.image_set import apt_source
+from rosml.images.image_set import apt_repository
 from rosml.images.matrix.model import Matrix
 from rosml.machine.services import Services
 
@@ -58,7 +58,7 @@ def state(services: Services, matrix: Matrix, distribution: str, environ: Mappin
     Raises:
         RosmlError: a repository does not answer, or with something else; the apt sources of the base image cannot be read.
     """
-    source = apt_source.source(matrix, distribution, environ)
+    source = apt_repository.of(matrix, distribution, environ)
     found = [sync.published(source, environ) if source else "", _archives(services, matrix, distribution, environ)]
     return SEPARATOR.join(filter(None, found))
 
@@ -71,7 +71,7 @@ def lacking(
     Raises:
         RosmlError: the repository does not answer.
     """
-    source = apt_source.source(matrix, distribution)
+    source = apt_repository.of(matrix, distribution)
     return sync.lacking(services.state, source, architecture, wanted) if source else []
 
 
@@ -98,7 +98,7 @@ def _sources(services: Services, matrix: Matrix, distribution: str) -> tuple[Sou
 def repositories(services: Services, matrix: Matrix, distribution: str, state: str) -> list[tuple[str, str]]:
     """The addresses of the repositories that a state is of, with the state of each. The operating system's archives have one
     together; they are left out where the apt sources of the base image cannot be read any more."""
-    source, ros = apt_source.source(matrix, distribution), ros_date(state)
+    source, ros = apt_repository.of(matrix, distribution), ros_date(state)
     found = {source.address: ros} if source and ros else {}
     if archives := state.removeprefix(ros).removeprefix(SEPARATOR):
         with contextlib.suppress(RosmlError):

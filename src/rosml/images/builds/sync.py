@@ -15,7 +15,7 @@ from pathlib import Path
 from rosml.base import archives, files, untrusted
 from rosml.base.errors import RosmlError
 from rosml.images.builds import release_file
-from rosml.images.image_set.apt_source import Source
+from rosml.images.image_set.apt_repository import AptRepository
 
 MIRROR = "ROS_APT_MIRROR"
 RELEASE_BYTES = 1 << 20
@@ -25,7 +25,7 @@ LIST_BYTES, LIST_UNPACKED = 64 << 20, 512 << 20
 """More than any list of packages has, packed and unpacked; ROS's have some MB."""
 
 
-def published(source: Source, environ: Mapping[str, str] = os.environ) -> str:
+def published(source: AptRepository, environ: Mapping[str, str] = os.environ) -> str:
     """When a repository was published last, such as 2026-11-20T21:14:09Z.
 
     The signature is not looked at: the build, which does, fails where it finds another time.
@@ -52,7 +52,7 @@ def date_of(text: str, url: str) -> str:
         raise RosmlError(f"{release_file.shown(url)} says no date", "check the mirror") from None
 
 
-def lacking(state: Path, source: Source, architecture: str, wanted: Iterable[str]) -> list[str]:
+def lacking(state: Path, source: AptRepository, architecture: str, wanted: Iterable[str]) -> list[str]:
     """The packages that a repository does not have for an architecture: a build would fail, an hour later.
 
     The list of packages is looked up by its digest in the Release file, and kept under it. Of a repository that has no list
@@ -96,13 +96,13 @@ def _names(kept: Path, url: str, digest: str) -> set[str]:
     return set(names)
 
 
-def remember(state: Path, source: Source, when: str) -> None:
+def remember(state: Path, source: AptRepository, when: str) -> None:
     """Notes when a repository was published, for a time when it does not answer."""
     known = _known(state) | {f"{source.address} {source.codename}": when}
     files.write(state / "ros-sync.json", json.dumps(known, indent=2) + "\n")
 
 
-def remembered(state: Path, source: Source) -> str:
+def remembered(state: Path, source: AptRepository) -> str:
     """What was noted; empty if nothing was."""
     return _known(state).get(f"{source.address} {source.codename}", "")
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from rosml.base.errors import RosmlError
 from rosml.images.builds import base_images, sync
-from rosml.images.image_set import apt_source
+from rosml.images.image_set import apt_repository
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix import names
 from rosml.machine.services import Services
@@ -63,7 +63,7 @@ def sync_date(
     Raises:
         RosmlError: there is no such channel of the repository (exit code 2).
     """
-    source = apt_source.source(image_set.matrix, distribution)
+    source = apt_repository.of(image_set.matrix, distribution)
     if source is None:
         return None
     if not moment:

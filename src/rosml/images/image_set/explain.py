@@ -10,7 +10,7 @@ from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, unknown
-from rosml.images.image_set import apt_source, missing
+from rosml.images.image_set import apt_repository, missing
 from rosml.images.image_set.expand import FLOATING
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix import names, rules
@@ -163,13 +163,13 @@ def _readings(matrix: Matrix, name: str) -> Iterator[Wanted]:
 def _where_from(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator[str]:
     """ROS's apt repository, as matrix.yaml names it, or another one for this time."""
     this_time = bool(environ.get("ROS_CHANNEL") or environ.get("ROS_SNAPSHOT"))
-    found = apt_source.source(matrix, image.distribution, environ)
+    found = apt_repository.of(matrix, image.distribution, environ)
     if found and (this_time or not image.stack):
         kinds = {
             "live": "ROS's live apt repository",
             "testing": "ROS's testing repository, before they are released",
             "final": "ROS's apt snapshot: final, which gets no updates",
-            apt_source.ARCHIVE: f"the suite {found.codename} of an apt archive",
+            apt_repository.ARCHIVE: f"the suite {found.codename} of an apt archive",
         }
         kind = kinds.get(found.channel, f"ROS's apt snapshot: of {found.day}")
         yield f"{'this time, ' * this_time}packages come from {kind}, {found.address}"

@@ -10,7 +10,7 @@ from rosml.base.clock import now
 from rosml.base.errors import RosmlError
 from rosml.images.builds import package_state
 from rosml.images.builds.maker import Made
-from rosml.images.image_set import apt_source
+from rosml.images.image_set import apt_repository
 from rosml.images.image_set.model import Image, Part
 from rosml.images.publish import provenance
 from rosml.images.publish.run import Run
@@ -66,7 +66,7 @@ def _asked(run: Run, item: Item) -> dict[str, str]:
         return asked
     image = item.thing
     found = {"distribution": image.distribution, "component": image.component, "framework": image.framework}
-    repository = apt_source.source(matrix, image.distribution)
+    repository = apt_repository.of(matrix, image.distribution)
     channel = {"channel": repository.channel, "snapshot": repository.day} if repository else {}
     return asked | found | {"stack": image.stack or ""} | channel
 

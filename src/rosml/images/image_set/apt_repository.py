@@ -17,7 +17,7 @@ ARCHIVE = "archive"
 
 
 @dataclass(frozen=True)
-class Source:
+class AptRepository:
     """An apt repository of ROS.
 
     Attributes:
@@ -34,7 +34,7 @@ class Source:
     components: tuple[str, ...] = ("main",)
 
 
-def source(matrix: Matrix, name: str, environ: Mapping[str, str] = os.environ) -> Source | None:
+def of(matrix: Matrix, name: str, environ: Mapping[str, str] = os.environ) -> AptRepository | None:
     """The repository that a distribution is built from; none where the operating system has ROS's packages itself.
 
     Args:
@@ -53,7 +53,7 @@ def source(matrix: Matrix, name: str, environ: Mapping[str, str] = os.environ) -
             whose = "from its archive" if archive else "wheels" if distribution.wheels else f"{distribution.os}'s own"
             text = f"the ROS packages of {name} are {whose}: there is no other channel"
             raise RosmlError(text, "leave CHANNEL and SNAPSHOT out", exit_code=2)
-        return Source(ARCHIVE, "", archive.address, archive.suite, archive.components) if archive else None
+        return AptRepository(ARCHIVE, "", archive.address, archive.suite, archive.components) if archive else None
     if channel and channel not in CHANNELS:
         raise RosmlError(f"no channel {channel!r}", f"CHANNEL takes {', '.join(CHANNELS)}", exit_code=2)
     channel = channel or distribution.apt.channel
@@ -75,7 +75,7 @@ def source(matrix: Matrix, name: str, environ: Mapping[str, str] = os.environ) -
     if channel == "testing" and not addresses["testing"]:
         text = "nothing says where ROS's testing repository is"
         raise RosmlError(text, "add 'testing: …' to ros_archive in matrix.yaml", exit_code=2)
-    return Source(channel, day, address, codename)
+    return AptRepository(channel, day, address, codename)
 
 
 def _is_day(text: str) -> bool:
