@@ -12,7 +12,7 @@ from rosml.base.errors import RosmlError
 if TYPE_CHECKING:
     from pydantic import ValidationError
 
-Path = tuple[str | int, ...]
+KeyPath = tuple[str | int, ...]
 """The way from a file's top to a value: keys, and indexes of lists."""
 
 SHOWN = 50
@@ -47,7 +47,7 @@ class InputError(RosmlError):
         super().__init__("\n".join(lines), exit_code=2)
 
 
-def dotted(path: Path) -> str:
+def dotted(path: KeyPath) -> str:
     """A path for people: `distributions.jazzy.components[2]`."""
     text = ""
     for step in path:

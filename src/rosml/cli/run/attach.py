@@ -7,20 +7,20 @@ import os
 import click
 
 from rosml.base.errors import RosmlError
-from rosml.cli.run import container as cli
+from rosml.cli.run import container
 from rosml.run import words
 
 
 @click.command(
     "attach",
     short_help="Opens another shell in a container that runs.",
-    cls=cli.Words,
+    cls=container.Words,
     alone=True,
-    context_settings=cli.SETTINGS,
+    context_settings=container.SETTINGS,
     options_metavar="[OPTIONS]",
 )
 @click.option("--no-it", is_flag=True, expose_value=False, help="neither a terminal nor standard input")
-@cli.showing
+@container.showing
 @click.argument("name", required=False, expose_value=False)
 @click.argument("command", nargs=-1, type=click.UNPROCESSED, expose_value=False)
 @click.pass_context
@@ -40,13 +40,13 @@ def main(context: click.Context, /) -> None:
     from rosml.run import attach, engine
     from rosml.run.person import person
 
-    line: words.Line = context.meta[cli.LINE]
+    line: words.Line = context.meta[container.LINE]
     if line.image in ("", attach.HERE):
-        cli.enter_folder(line, "rosml attach")
+        container.enter_folder(line, "rosml attach")
         return
     program = engine.program(os.environ)
     found = engine.container(program, line.image)
     if found is None:
         remedy = f"{program} ps --all lists them; rosml attach . COMMAND runs a command in the container of this folder"
         raise RosmlError(f"no container named {line.image}", remedy)
-    cli.enter(program, line, person(os.environ), found)
+    container.enter(program, line, person(os.environ), found)

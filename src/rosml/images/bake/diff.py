@@ -11,7 +11,7 @@ from functools import cache
 from rosml.base import github
 from rosml.base.problems import counted, some
 from rosml.images.bake.inputs import TARGET, Inputs
-from rosml.images.image_set import model as sets
+from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix import names
 
 PARENT = "parent"
@@ -93,7 +93,7 @@ def between(old: Inputs, new: Inputs) -> Difference:
     )
 
 
-def _parents(old: sets.Image | None, new: sets.Image | None, found: set[Change]) -> set[Change]:
+def _parents(old: Image | None, new: Image | None, found: set[Change]) -> set[Change]:
     """Changes with one for another parent, instead of one for each of the two, with the digests of an architecture."""
     if old is None or new is None or old.parent == new.parent:
         return found
@@ -103,13 +103,13 @@ def _parents(old: sets.Image | None, new: sets.Image | None, found: set[Change])
     }
 
 
-def _tags(old: sets.ImageSet, new: sets.ImageSet) -> dict[str, tuple[str | None, str | None]]:
+def _tags(old: ImageSet, new: ImageSet) -> dict[str, tuple[str | None, str | None]]:
     before, after = ({tag: image.target for image in side.images for tag in image.tags} for side in (old, new))
     ways = {tag: (before.get(tag), after.get(tag)) for tag in before | after}
     return {tag: way for tag, way in ways.items() if way[0] != way[1] and _stays(way, old, new)}
 
 
-def _stays(way: tuple[str | None, str | None], old: sets.ImageSet, new: sets.ImageSet) -> bool:
+def _stays(way: tuple[str | None, str | None], old: ImageSet, new: ImageSet) -> bool:
     """Whether a tag's way is worth telling: tags come and go with their images."""
     return None not in way or any(target in old.by_target and target in new.by_target for target in way)
 

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rosml.base.problems import Path as Place
-from rosml.base.problems import listed, unknown
+from rosml.base.problems import KeyPath, listed, unknown
 from rosml.images.image_set.explain import why_not
 from rosml.images.image_set.model import ImageSet
 from rosml.images.matrix import names
 
 
-def collisions(image_set: ImageSet) -> Iterator[tuple[Place, str]]:
+def collisions(image_set: ImageSet) -> Iterator[tuple[KeyPath, str]]:
     """Names that two things would share, and names in `default` that nothing has."""
     owners: dict[str, str] = {}
     for name, owner, place in _names(image_set):
@@ -20,7 +19,7 @@ def collisions(image_set: ImageSet) -> Iterator[tuple[Place, str]]:
     yield from _unusable_defaults(image_set)
 
 
-def _names(image_set: ImageSet) -> Iterator[tuple[str, str, Place]]:
+def _names(image_set: ImageSet) -> Iterator[tuple[str, str, KeyPath]]:
     """Every target, tag, group and key of DIGESTS: whose it is, and where that stands."""
     for image in image_set.images:
         owner = f"the image of {image.distribution}, {image.component}, {image.framework} and {image.stack}"
@@ -37,7 +36,7 @@ def _names(image_set: ImageSet) -> Iterator[tuple[str, str, Place]]:
             yield name, f"the group {name}", (axis, name)
 
 
-def _unusable_defaults(image_set: ImageSet) -> Iterator[tuple[Place, str]]:
+def _unusable_defaults(image_set: ImageSet) -> Iterator[tuple[KeyPath, str]]:
     """Default stacks and targets that there are not."""
     carried = {(image.distribution, image.stack) for image in image_set.images if len(image.parts) > 1}
     for name, distribution in image_set.matrix.distributions.items():

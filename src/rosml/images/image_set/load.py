@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from rosml import ROOT
-from rosml.base.problems import InputError
-from rosml.base.problems import Path as Place
+from rosml.base.problems import InputError, KeyPath
 from rosml.images.image_set.collisions import collisions
 from rosml.images.image_set.expand import expand
 from rosml.images.image_set.locked import current_locks, unusable_locks, with_locks
@@ -39,7 +38,7 @@ def load(file: Path, root: Path = ROOT) -> ImageSet:
     return with_locks(result, present, unusable_locks(result, root, present))
 
 
-def lacking_keys(matrix: Matrix, root: Path) -> Iterator[tuple[Place, str]]:
+def lacking_keys(matrix: Matrix, root: Path) -> Iterator[tuple[KeyPath, str]]:
     """Rows whose ROS comes from an archive without the key that signs it."""
     for name, distribution in matrix.distributions.items():
         if archive := distribution.archive:

@@ -7,12 +7,12 @@ import string
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from fnmatch import fnmatchcase
 
-from rosml.base.problems import Path, listed, near, unknown
+from rosml.base.problems import KeyPath, listed, near, unknown
 from rosml.images.matrix import names
 from rosml.images.matrix.model import SLOTS, Distribution, Matrix, OperatingSystem, PartEntry, Release, Stack
 from rosml.images.matrix.rules import NVIDIA
 
-Finding = tuple[Path, str]
+Finding = tuple[KeyPath, str]
 """A problem's path and its text."""
 
 PLACEHOLDERS = ("component", "metapackage", "ros_distro")
@@ -38,7 +38,7 @@ def findings(matrix: Matrix) -> Iterator[Finding]:
         yield from check(matrix)
 
 
-def _each(path: Path, kind: str, used: Iterable[str], known: Iterable[str]) -> Iterator[Finding]:
+def _each(path: KeyPath, kind: str, used: Iterable[str], known: Iterable[str]) -> Iterator[Finding]:
     """Names of a list that must exist."""
     known = dict.fromkeys(known)
     for index, name in enumerate(used):
@@ -81,7 +81,7 @@ def _architectures(matrix: Matrix) -> Iterator[Finding]:
 
 def _operating_systems(matrix: Matrix) -> Iterator[Finding]:
     for name, os in matrix.operating_systems.items():
-        path: Path = ("operating_systems", name)
+        path: KeyPath = ("operating_systems", name)
         yield from _each((*path, "architectures"), "architecture", os.architectures, matrix.architectures)
         yield from _placeholders((*path, "tools"), os.tools, ())
 
@@ -139,7 +139,7 @@ def _frameworks(matrix: Matrix) -> Iterator[Finding]:
     repositories: dict[str, str] = {"part": "the parts"}
     plain = 0
     for name, framework in matrix.frameworks.items():
-        path: Path = ("frameworks", name)
+        path: KeyPath = ("frameworks", name)
         if framework.repository in repositories:
             other = repositories[framework.repository]
             yield (*path, "repository"), f"repository {framework.repository!r} belongs to {other}; tags would collide"
@@ -169,7 +169,7 @@ def _parts(matrix: Matrix) -> Iterator[Finding]:
         if part.slot is not None:
             slots.setdefault(part.slot, part.name)
     for index, part in enumerate(matrix.parts):
-        path: Path = ("parts", index)
+        path: KeyPath = ("parts", index)
         if part.name in seen:
             yield (*path, "name"), f"{part.name!r} is there twice; keep one"
         seen.add(part.name)
@@ -191,7 +191,7 @@ def _parts(matrix: Matrix) -> Iterator[Finding]:
         yield ("parts",), "no part holds what several releases need; say 'shared: true' of one"
 
 
-def _slot(path: Path, part: PartEntry, slots: Mapping[int, str]) -> Iterator[Finding]:
+def _slot(path: KeyPath, part: PartEntry, slots: Mapping[int, str]) -> Iterator[Finding]:
     """A part in which a Python finds packages has a slot of its own. `slots`: the first part of each."""
     free = next((str(number) for number in range(1, SLOTS + 1) if number not in slots), "none: all are taken")
     if part.slot is None and not part.any_python:
@@ -209,7 +209,7 @@ def _releases(matrix: Matrix) -> Iterator[Finding]:
             )
         for version, release in releases.items():
             for stack, architectures in release.wheels.items():
-                path: Path = ("releases", family, version, "wheels", stack)
+                path: KeyPath = ("releases", family, version, "wheels", stack)
                 if stack not in matrix.stacks:
                     yield path, unknown("stack", stack, matrix.stacks)
                 yield from _each(path, "architecture", architectures, matrix.architectures)
@@ -217,12 +217,12 @@ def _releases(matrix: Matrix) -> Iterator[Finding]:
             yield from _elsewhere(matrix, ("releases", family, version), release)
 
 
-def _elsewhere(matrix: Matrix, path: Path, release: Release) -> Iterator[Finding]:
+def _elsewhere(matrix: Matrix, path: KeyPath, release: Release) -> Iterator[Finding]:
     """Wheels on PyTorch's own index: only there, only for the CPU, and their requirements are known."""
     if bool(release.elsewhere) != bool(release.requires):
         yield (*path, "requires"), "'requires' belongs to 'elsewhere': the requirements of just those wheels"
     for stack, wheels in release.elsewhere.items():
-        here: Path = (*path, "elsewhere", stack)
+        here: KeyPath = (*path, "elsewhere", stack)
         if stack not in matrix.stacks:
             yield here, unknown("stack", stack, matrix.stacks)
         elif matrix.stacks[stack].accelerator != "cpu":
@@ -239,7 +239,7 @@ def _elsewhere(matrix: Matrix, path: Path, release: Release) -> Iterator[Finding
 
 def _stacks(matrix: Matrix) -> Iterator[Finding]:
     for name, stack in matrix.stacks.items():
-        path: Path = ("stacks", name)
+        path: KeyPath = ("stacks", name)
         for family in stack.releases:
             yield from _released(matrix, name, family)
         for family in stack.packages:
@@ -261,7 +261,7 @@ def _stacks(matrix: Matrix) -> Iterator[Finding]:
 
 def _released(matrix: Matrix, name: str, family: str) -> Iterator[Finding]:
     """A stack's release exists, and has a package for each architecture with wheels."""
-    path: Path = ("stacks", name)
+    path: KeyPath = ("stacks", name)
     stack, releases = matrix.stacks[name], matrix.releases.get(family)
     version = stack.releases[family]
     if releases is None:
@@ -284,7 +284,7 @@ def _released(matrix: Matrix, name: str, family: str) -> Iterator[Finding]:
 
 def _distributions(matrix: Matrix) -> Iterator[Finding]:
     for name, distribution in matrix.distributions.items():
-        path: Path = ("distributions", name)
+        path: KeyPath = ("distributions", name)
         if distribution.os not in matrix.operating_systems:
             yield (*path, "os"), unknown("operating system", distribution.os, matrix.operating_systems)
         yield from _each((*path, "components"), "component", distribution.components, matrix.components)
@@ -322,7 +322,7 @@ def _distributions(matrix: Matrix) -> Iterator[Finding]:
             yield from _apt((*path, "apt"), distribution, os) if distribution.apt else _no_apt(path, distribution, os)
 
 
-def _row_architectures(matrix: Matrix, path: Path, distribution: Distribution) -> Iterator[Finding]:
+def _row_architectures(matrix: Matrix, path: KeyPath, distribution: Distribution) -> Iterator[Finding]:
     """A distribution may exist for fewer architectures than its operating system, and for no other."""
     yield from _each(path, "architecture", distribution.architectures, matrix.architectures)
     os = matrix.operating_systems.get(distribution.os)
@@ -331,7 +331,7 @@ def _row_architectures(matrix: Matrix, path: Path, distribution: Distribution) -
             yield (*path, index), f"{distribution.os} is built for {listed(os.architectures)} only; remove {name}"
 
 
-def _wheels(path: Path, name: str, distribution: Distribution) -> Iterator[Finding]:
+def _wheels(path: KeyPath, name: str, distribution: Distribution) -> Iterator[Finding]:
     """ROS comes from Debian packages or from wheels, which are one set for one component, and know no apt source."""
     if distribution.packages is None and not distribution.wheels:
         yield path, "nothing says what ROS comes from; add 'packages: …' or, from Python's index, 'wheels: […]'"
@@ -349,7 +349,7 @@ def _wheels(path: Path, name: str, distribution: Distribution) -> Iterator[Findi
             yield (*path, key), f"'{key}' is about Debian packages of ROS, and {name} has wheels; remove it"
 
 
-def _no_apt(path: Path, distribution: Distribution, os: OperatingSystem) -> Iterator[Finding]:
+def _no_apt(path: KeyPath, distribution: Distribution, os: OperatingSystem) -> Iterator[Finding]:
     """Packages that are named after a distribution of ROS, such as ros-jazzy-ros-core, are in no system's own archive."""
     if "{ros_distro}" in (distribution.packages or "") and not distribution.archive and not distribution.wheels:
         known = "'apt: {channel: live}', 'apt: {channel: snapshot, date: …}', past the end of life 'apt: {channel: final}', or "
@@ -360,7 +360,7 @@ def _no_apt(path: Path, distribution: Distribution, os: OperatingSystem) -> Iter
         )
 
 
-def _apt(path: Path, distribution: Distribution, os: OperatingSystem) -> Iterator[Finding]:
+def _apt(path: KeyPath, distribution: Distribution, os: OperatingSystem) -> Iterator[Finding]:
     """ROS's apt repository has a suite for the operating system; the live one is set up by a pinned package."""
     if os.codename is None:
         yield path, f"ROS's apt repositories need the suite of {distribution.os}; add 'codename: …' to it"
@@ -370,7 +370,7 @@ def _apt(path: Path, distribution: Distribution, os: OperatingSystem) -> Iterato
         yield path, f"the live channel needs a pinned {package} for {distribution.os}; {remedy}"
 
 
-def _placeholders(path: Path, template: str, known: tuple[str, ...]) -> Iterator[Finding]:
+def _placeholders(path: KeyPath, template: str, known: tuple[str, ...]) -> Iterator[Finding]:
     try:
         fields = [field for _, field, _, _ in string.Formatter().parse(template) if field is not None]
     except ValueError:
@@ -414,7 +414,7 @@ def _has(stack: Stack, part: PartEntry) -> bool:
 
 
 def _forecasts(
-    path: Path, kind: str, forecasts: Collection[str], known: Collection[str], needed: Collection[str]
+    path: KeyPath, kind: str, forecasts: Collection[str], known: Collection[str], needed: Collection[str]
 ) -> Iterator[Finding]:
     """What is needed has a forecast, and nothing has one that is not there."""
     for name in forecasts:

@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from datetime import date
-from pathlib import Path as FilePath
+from pathlib import Path
 from typing import Any
 
 import yaml
@@ -18,7 +18,7 @@ import yaml
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.files import shown
-from rosml.base.problems import InputError, Path, Problem, dotted
+from rosml.base.problems import InputError, KeyPath, Problem, dotted
 
 _TAG = "tag:yaml.org,2002:"
 _INTEGER = re.compile(r"[-+]?(0|[1-9][0-9]{0,17})")
@@ -39,22 +39,22 @@ class Document:
 
     name: str
     data: Any = None
-    places: dict[Path, Place] = field(default_factory=dict)
+    places: dict[KeyPath, Place] = field(default_factory=dict)
     problems: list[Problem] = field(default_factory=list)
 
-    def place(self, path: Path) -> Place:
+    def place(self, path: KeyPath) -> Place:
         """The place of a value, or of the nearest thing around it."""
         while path and path not in self.places:
             path = path[:-1]
         return self.places.get(path, Place(1, 1))
 
-    def problem(self, path: Path, text: str) -> Problem:
+    def problem(self, path: KeyPath, text: str) -> Problem:
         """A problem with the value at `path`."""
         place = self.place(path)
         return Problem(place.line, place.column, dotted(path), text)
 
 
-def read(file: FilePath, option: str = "--matrix") -> Document:
+def read(file: Path, option: str = "--matrix") -> Document:
     """Reads a YAML file. `option`: the one of the command line that names another file.
 
     Raises:
@@ -156,7 +156,7 @@ def _place(node: Any, text: str = "") -> Place:
     return Place(node.start_mark.line + 1, node.start_mark.column + 1, text)
 
 
-def _value(document: Document, path: Path, node: Any) -> Any:
+def _value(document: Document, path: KeyPath, node: Any) -> Any:
     if isinstance(node, yaml.MappingNode):
         return _mapping(document, path, node)
     if isinstance(node, yaml.SequenceNode):
@@ -173,7 +173,7 @@ def _value(document: Document, path: Path, node: Any) -> Any:
     return _scalar(document, path, node)
 
 
-def _mapping(document: Document, path: Path, node: Any) -> dict[str, Any]:
+def _mapping(document: Document, path: KeyPath, node: Any) -> dict[str, Any]:
     data: dict[str, Any] = {}
     for key, item in node.value:
         place = _place(key, _text(item))
@@ -210,7 +210,7 @@ def _text(node: Any) -> str:
     return node.value if isinstance(node, yaml.ScalarNode) else ""
 
 
-def _scalar(document: Document, path: Path, node: Any) -> Any:
+def _scalar(document: Document, path: KeyPath, node: Any) -> Any:
     """A scalar's value. Of YAML 1.1's many spellings only those are read that mean the same to everybody: `yes`,
     `012` and `1:30` would silently become true, 10 and 90."""
     kind, text = node.tag.removeprefix(_TAG), node.value

@@ -9,7 +9,7 @@ from typing import Any, TypeVar, Union, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 
-from rosml.base.problems import InputError, Path, Problem, listed, near
+from rosml.base.problems import InputError, KeyPath, Problem, listed, near
 from rosml.images.matrix.model import MEANING, Matrix
 from rosml.images.matrix.references import findings
 from rosml.images.matrix.source import Document
@@ -141,14 +141,14 @@ def _join(*sentences: str) -> str:
     return "; ".join(sentence for sentence in sentences if sentence)
 
 
-def _path(document: Document, location: Sequence[Any], kind: str) -> tuple[Path, bool]:
+def _path(document: Document, location: Sequence[Any], kind: str) -> tuple[KeyPath, bool]:
     """Pydantic's location as a path in the file, and whether the key itself is meant.
 
     Pydantic adds steps that the file does not have: `[key]` after a bad key, the tag of a union's member.
     """
     of_key = bool(location) and location[-1] == "[key]"
     steps = list(location[:-1] if of_key else location)
-    path: Path = ()
+    path: KeyPath = ()
     for index, step in enumerate(steps):
         last = index == len(steps) - 1
         if (*path, step) in document.places or (last and kind == "missing"):
@@ -156,18 +156,18 @@ def _path(document: Document, location: Sequence[Any], kind: str) -> tuple[Path,
     return path, of_key
 
 
-def _fields(path: Path, top: type[BaseModel]) -> list[str]:
+def _fields(path: KeyPath, top: type[BaseModel]) -> list[str]:
     model = _model(path, top)
     return list(model.model_fields) if model else []
 
 
-def _purpose(path: Path, top: type[BaseModel]) -> str:
+def _purpose(path: KeyPath, top: type[BaseModel]) -> str:
     model = _model(path[:-1], top)
     field = model.model_fields.get(str(path[-1])) if model else None
     return f" ({field.description})" if field and field.description else ""
 
 
-def _model(path: Path, top: type[BaseModel]) -> type[BaseModel] | None:
+def _model(path: KeyPath, top: type[BaseModel]) -> type[BaseModel] | None:
     """The model that describes what stands at `path` below `top`; None where there is none."""
     kind: Any = top
     for step in path:
