@@ -9,7 +9,7 @@ from pathlib import Path
 RUN = ("click", "yaml")
 """What pyproject.toml asks for, as it is imported; some of it is imported late, in the middle of the work."""
 
-IMAGES = ("httpx", "pydantic", "rich")
+IMAGES = ("httpx", "packageurl", "pydantic", "rich")
 """What all commands but `rosml run` and `rosml attach` need as well: the extra `images` of pyproject.toml."""
 
 

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any
-from urllib.parse import quote
+from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from packageurl import PackageURL
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from rosml.base.errors import RosmlError
 from rosml.registry import oci
+
+Name = Annotated[str, Field(pattern="[^/]")]
+"""A name that a package URL can have."""
 
 
 class _Model(BaseModel):
@@ -26,7 +29,7 @@ class System(_Model):
 class Apt(_Model):
     """A package of the operating system, and the source package that it was built from."""
 
-    name: str
+    name: Name
     version: str
     architecture: str
     source: str
@@ -36,14 +39,14 @@ class Apt(_Model):
 class Python(_Model):
     """A package of Python."""
 
-    name: str
+    name: Name
     version: str
 
 
 class Ros(_Model):
     """A ROS package of an app."""
 
-    name: str
+    name: Name
     version: str
     licenses: list[str]
 
@@ -97,12 +100,11 @@ def _components(found: Packages, of_ros: Callable[[str], Mapping[str, Any]]) -> 
     if whole:
         yield {"bom-ref": whole, "type": "operating-system", "name": system.name, "version": system.version}
     for package in found.apt:
-        qualifiers = f"arch={package.architecture}&distro={whole}"
+        qualifiers = {"arch": package.architecture, "distro": whole}
         yield _library(
+            PackageURL("deb", system.name, package.name, package.version, qualifiers),
             package.name,
             package.version,
-            f"deb/{system.name}",
-            qualifiers,
             properties=[
                 {"name": f"aquasecurity:trivy:{name}", "value": value}
                 for name, value in (
@@ -113,15 +115,18 @@ def _components(found: Packages, of_ros: Callable[[str], Mapping[str, Any]]) -> 
             ],
         )
     for wheel in found.python:
-        yield _library(wheel.name, wheel.version, "pypi")
+        yield _library(PackageURL("pypi", None, wheel.name, wheel.version), wheel.name, wheel.version)
     for ros in found.ros:
         licenses = [{"license": {"name": name}} for name in ros.licenses]
-        yield _library(ros.name, ros.version, "generic/ros", licenses=licenses, **of_ros(ros.name))
+        yield _library(
+            PackageURL("generic", "ros", ros.name, ros.version),
+            ros.name,
+            ros.version,
+            licenses=licenses,
+            **of_ros(ros.name),
+        )
 
 
-def _library(name: str, version: str, kind: str, qualifiers: str = "", **more: Any) -> dict[str, Any]:
-    called = name.lower().replace("_", "-") if kind == "pypi" else name
-    url = f"pkg:{kind}/{quote(called, safe='')}"
-    url += f"@{quote(version, safe=':')}" if version else ""
-    url += f"?{qualifiers}" if qualifiers else ""
+def _library(purl: PackageURL, name: str, version: str, **more: Any) -> dict[str, Any]:
+    url = purl.to_string()
     return {"bom-ref": url, "type": "library", "name": name, "version": version, "purl": url, **more}
