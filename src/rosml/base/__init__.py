@@ -1,2 +1,2 @@
-"""What every other package uses: errors with their remedy, files, locks of files, moments, units, and what a terminal
-shows. Imports no other package."""
+"""What every other package uses: errors with a remedy, files, file locks, dates, units and terminal output. It imports no
+other package."""

@@ -1,4 +1,4 @@
-"""Tar archives and gzip files that somebody else made."""
+"""Tar archives and gzip files from outside."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ import zlib
 from typing import Self
 
 HEADER_BYTES = 1 << 20
-"""Bytes of what stands before an entry: long names, and extended headers. tarfile reads it whole."""
+"""The largest header before an entry, in bytes: a long name or an extended header. tarfile reads it whole."""
 
 MEMBERS = 100
-"""Members of a gzip file. Most have one."""
+"""The most members that a gzip file may have. Most have one."""
 
 _HEADERS = (
     tarfile.GNUTYPE_LONGNAME,
@@ -25,10 +25,10 @@ def gunzipped(data: bytes, limit: int) -> bytes:
     """The content of all members of a gzip file.
 
     Args:
-        limit: its largest size, in bytes.
+        limit: the largest content, in bytes.
 
     Raises:
-        ValueError: it is damaged, or larger.
+        ValueError: the file is damaged, or its content is larger.
     """
     content = bytearray()
     for _ in range(MEMBERS):
@@ -46,8 +46,8 @@ def gunzipped(data: bytes, limit: int) -> bytes:
 
 
 class Entry(tarfile.TarInfo):
-    """An entry that is an error where it is damaged, which tarfile takes for the end, or where more than HEADER_BYTES stand before
-    it. Give it to `tarfile.open` as `tarinfo`."""
+    """A tar entry that raises an error if it is damaged, or if its header has more than HEADER_BYTES. tarfile itself takes a
+    damaged entry for the end. Give this class to `tarfile.open` as `tarinfo`."""
 
     @classmethod
     def fromtarfile(cls, archive: tarfile.TarFile) -> Self:

@@ -1,4 +1,4 @@
-"""Moments as a run writes them, in UTC, and what may be said of a date that somebody else wrote."""
+"""Dates of publishing runs, in UTC, and checks of dates from outside."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from rosml.base.errors import RosmlError
 TIME = "%Y-%m-%dT%H:%M:%SZ"
 
 AHEAD = timedelta(days=1)
-"""How far a date may be ahead of the clock: clocks differ, and so do the places where people write dates down."""
+"""How far a date may be ahead of the clock: clocks and time zones differ."""
 
 
 def checked_date(text: str) -> str:
-    """A run's date.
+    """Returns a run's date.
 
     Raises:
-        RosmlError: it is none (exit code 2).
+        RosmlError: the text is no such date (exit code 2).
     """
     if not is_date(text):
         raise RosmlError(f"{text!r} is no time", "write it as 2026-11-22T03:00:00Z", exit_code=2)
@@ -24,23 +24,23 @@ def checked_date(text: str) -> str:
 
 
 def is_date(text: str) -> bool:
-    """Whether a text is a run's date, all of which are written alike: `2026-11-22T03:00:00Z`."""
+    """Whether a text is a run's date: exactly as in `2026-11-22T03:00:00Z`."""
     try:
-        return datetime.strptime(text, TIME).strftime(TIME) == text  # which takes shorter numbers as well
+        return datetime.strptime(text, TIME).strftime(TIME) == text  # strptime also takes shorter numbers
     except ValueError:
         return False
 
 
 def is_ahead(date: str, clock: str) -> bool:
-    """Whether a run's date is in the future. Both are dates of runs."""
+    """Whether a run's date is in the future. Both arguments are dates of runs."""
     return datetime.strptime(date, TIME) > datetime.strptime(clock, TIME) + AHEAD
 
 
 def require_not_ahead(date: str, clock: str) -> None:
-    """Checks the date of a run that begins now: until it comes, no other run could move the tags that it moves.
+    """Checks the date of a run that begins now. If it were in the future, no run before that date could move the same tags.
 
     Raises:
-        RosmlError: it is in the future (exit code 2).
+        RosmlError: the date is in the future (exit code 2).
     """
     if is_ahead(date, clock):
         raise RosmlError(
@@ -51,5 +51,5 @@ def require_not_ahead(date: str, clock: str) -> None:
 
 
 def now() -> str:
-    """The date and time of a run, which is chosen once: 2026-11-22T03:00:00Z."""
+    """The time now, as a run's date: `2026-11-22T03:00:00Z`."""
     return datetime.now(UTC).strftime(TIME)

@@ -1,4 +1,4 @@
-"""Imported first by every command: says how to call it where the packages that it needs are not installed."""
+"""Every command imports this first: if a Python package is missing, it says how to call the command."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ import sys
 from pathlib import Path
 
 RUN = ("click", "yaml")
-"""What pyproject.toml asks for, as it is imported; some of it is imported late, in the middle of the work."""
+"""The modules of the packages that pyproject.toml requires. We check all at once, as some are imported late in the work."""
 
 IMAGES = ("httpx", "packageurl", "pydantic", "rich")
-"""What all commands but `rosml run` and `rosml attach` need as well: the extra `images` of pyproject.toml."""
+"""The modules of the extra `images` in pyproject.toml. All commands need them, except `rosml run` and `rosml attach`."""
 
 
 def program() -> str:
-    """How this process was called: `rosml`, `publish.py`, or `python -m bench`."""
+    """The name by which this process was called: `rosml`, `publish.py`, or `python -m bench`."""
     called = Path(sys.argv[0])
     if called.parent.name == "rosml" or called.name == "src":
         return "rosml"
@@ -22,7 +22,7 @@ def program() -> str:
 
 
 LACKING = tuple(name for name in (*RUN, *IMAGES) if importlib.util.find_spec(name) is None)
-"""What is not installed. Outside of a checkout, `rosml` goes without the extra."""
+"""The missing modules. Outside of a checkout, `rosml` runs without the extra."""
 
 if LACKING and (Path(sys.argv[0]).name != "rosml" or {*LACKING} & {*RUN}):
     remedy = (

@@ -1,4 +1,4 @@
-"""Errors that a user can do something about."""
+"""Errors that a user can fix."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ class RosmlError(Exception):
 
     Attributes:
         message: what went wrong, with the value or place at fault.
-        remedy: what to do about it; empty where the message says it already.
-        exit_code: 1 when the work failed, 2 when the input was wrong.
+        remedy: what to do about it; empty if the message says it already.
+        exit_code: 1 if the work failed, 2 if the input was wrong.
     """
 
     def __init__(self, message: str, remedy: str = "", exit_code: int = 1) -> None:

@@ -1,4 +1,4 @@
-"""Calls that take turns: in one checkout because they publish the same images, in one builder because its cache wants it."""
+"""Locks by which processes take turns: in a checkout, because they publish the same images; in a builder, because of its cache."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from pathlib import Path
 
 @contextmanager
 def turn(file: Path, waiting: Callable[[], object]) -> Iterator[int]:
-    """Waits until no other process is in a turn of the same name. The kernel ends the turn of one that is killed.
+    """Waits until no other process holds the same lock, then holds it. If a process is killed, the kernel releases its lock.
 
     Args:
-        file: what the turn is known by; made if it is not there, and left there.
-        waiting: called once, where there is something to wait for.
+        file: the lock's file. It is made if it is missing, and stays.
+        waiting: called once if another process holds the lock.
 
     Yields:
-        The file's descriptor: a child that inherits it keeps the turn until it has ended, too.
+        The file's descriptor. A child that inherits it holds the lock until it has ended, too.
 
     Raises:
         OSError: the file cannot be made.

@@ -1,4 +1,4 @@
-"""Derived files: written when they differ, compared when they are checked."""
+"""Files, written at once and read with limits."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ WRITABLE = "choose a writable folder"
 def write(file: Path, content: str, within: Path | None = None) -> bool:
     """Writes a file at once, so that nobody ever reads half of it. Returns whether it changed.
 
-    Links are followed; pipes and devices, such as /dev/stdout, are written to, never replaced.
+    Links are followed. Pipes and devices, such as /dev/stdout, are written to, never replaced.
 
     Args:
-        within: the folder that a link may not lead out of, for a name that the user did not choose.
+        within: for a name that the user did not choose: the folder that no link may lead out of.
 
     Raises:
-        RosmlError: it cannot be written.
+        RosmlError: the file cannot be written.
     """
     return bool(write_all({file: content}, within))
 
 
 def write_all(wanted: Mapping[Path, str], within: Path | None = None) -> list[Path]:
-    """Writes files as `write` does: all of them, or none where the disk is full. Returns those that changed."""
+    """Writes files as `write` does: all of them, or none if the disk is full. Returns those that changed."""
     staged: dict[Path, tuple[Path, Path]] = {}
     written: list[Path] = []
     try:
@@ -55,7 +55,7 @@ def write_all(wanted: Mapping[Path, str], within: Path | None = None) -> list[Pa
 
 @contextlib.contextmanager
 def _told(file: Path) -> Iterator[None]:
-    """Says which file could not be written, and what to do about it."""
+    """Turns errors into a RosmlError that names the file and a remedy."""
     try:
         yield
     except (OSError, ValueError, RuntimeError) as error:
@@ -66,14 +66,14 @@ def _told(file: Path) -> Iterator[None]:
 
 
 def _require_within(file: Path, folder: Path) -> None:
-    """Raises RosmlError where links lead a file out of a folder."""
+    """Raises RosmlError if links lead a file out of a folder."""
     if not file.resolve().is_relative_to(folder.resolve()):
         text = f"{file}: cannot be written: a link leads out of {folder}, to {file.resolve()}"
         raise RosmlError(text, "remove the link, then run it again")
 
 
 def _staged(file: Path, content: str) -> Path:
-    """A temporary file beside another one, with its new content."""
+    """Makes a temporary file beside another one, with the new content."""
     import tempfile  # only needed here
 
     mode = file.stat().st_mode & 0o777 if file.exists() else 0o644
@@ -89,20 +89,20 @@ def _staged(file: Path, content: str) -> Path:
 
 
 def limited(file: Path, most: int) -> bytes:
-    """What a file holds, up to one byte more than it may have: whoever reads it refuses that.
+    """The content of a file, up to one byte more than it may have: the caller refuses that.
 
     Raises:
-        OSError: it cannot be read.
+        OSError: the file cannot be read.
     """
     with file.open("rb") as stream:
         return stream.read(most + 1)
 
 
 def regular(file: Path, most: int) -> bytes | None:
-    """What a file holds that somebody else may have written; None if there is none.
+    """The content of a file from outside; None if there is none.
 
     Args:
-        most: bytes that it may have.
+        most: the most bytes that it may have.
 
     Raises:
         RosmlError: it is a link, a pipe, a device or a folder, is larger, or cannot be read.
@@ -125,7 +125,7 @@ def regular(file: Path, most: int) -> bytes | None:
 
 
 def text(file: Path) -> str:
-    """What a file of the checkout holds.
+    """The content of a file of the checkout.
 
     Raises:
         RosmlError: it cannot be read, or is not UTF-8.
@@ -144,7 +144,7 @@ def text(file: Path) -> str:
 
 
 def difference(file: Path, content: str) -> str:
-    """A unified diff from the file to what it should hold; empty if it holds just that."""
+    """A unified diff from the file to its expected content; empty if they are the same."""
     found = _read(file)
     if found == content:
         return ""
@@ -165,7 +165,7 @@ def _read(file: Path) -> str | None:
 
 
 def shown(file: Path) -> str:
-    """A file's name for messages: short where it lies below the current folder."""
+    """A file's name for messages: relative to the current folder if it lies below it."""
     try:
         return str(file.resolve().relative_to(Path.cwd()))
     except (ValueError, OSError, RuntimeError):  # elsewhere, or a link that leads to itself

@@ -25,7 +25,7 @@ def output(name: str, value: str) -> None:
     """Sets an output of the step.
 
     Raises:
-        ValueError: the value has more than one line, which could set another output.
+        ValueError: the value has more than one line, and could set another output.
     """
     if "\n" in value or "\r" in value:
         raise ValueError(f"the output {name} has several lines")
@@ -33,13 +33,13 @@ def output(name: str, value: str) -> None:
 
 
 def table(columns: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """A table in Markdown."""
+    """A Markdown table."""
     lines = [columns, ["---"] * len(columns), *rows]
     return "".join(f"| {' | '.join(map(_cell, line))} |\n" for line in lines)
 
 
 def code(text: str) -> str:
-    """A text of others as code in Markdown, in which nothing of it is a link, a mention or HTML; a block if it has several lines."""
+    """Text from outside as Markdown code: no part of it becomes a link, a mention or HTML. Several lines become a block."""
     text = shown(text)
     ticks = "`" * (1 + max((len(found) for found in re.findall("`+", text)), default=0))
     if "\n" in text:

@@ -1,4 +1,4 @@
-"""Problems in an input file: where, what, and what to do about it."""
+"""Problems in an input file: place, text and remedy. Also lists and counts in words."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from pydantic import ValidationError
 
 KeyPath = tuple[str | int, ...]
-"""The way from a file's top to a value: keys, and indexes of lists."""
+"""The path from a file's top to a value: keys, and indexes of lists."""
 
 SHOWN = 50
 """How many problems one message spells out; a broken file can hold thousands."""
@@ -21,7 +21,7 @@ SHOWN = 50
 
 @dataclass(frozen=True)
 class Problem:
-    """One problem. `line` and `column` count from 1; `path` is empty where the file as a whole is meant."""
+    """One problem. `line` and `column` count from 1; `path` is empty if the whole file is meant."""
 
     line: int
     column: int
@@ -35,7 +35,7 @@ class Problem:
 
 
 class InputError(RosmlError):
-    """A file with problems: all of them, in the order of the file. The exit code is 2."""
+    """All problems of a file, in its order. The exit code is 2."""
 
     def __init__(self, file: str, problems: Iterable[Problem]) -> None:
         self.problems = tuple(
@@ -59,7 +59,7 @@ def dotted(path: KeyPath) -> str:
 
 
 def first_of(error: ValidationError) -> str:
-    """The first problem of data of the wrong shape: `manifests[0].digest: field required`."""
+    """The first problem that a model found: `manifests[0].digest: field required`."""
     wrong = error.errors(include_url=False, include_context=False, include_input=False)[0]
     text = re.sub(r"a valid dictionary or instance of \w+", "an object", wrong["msg"])
     return ": ".join(part for part in (dotted(wrong["loc"]), text[:1].lower() + text[1:]) if part)
@@ -71,7 +71,7 @@ def listed(names: Sequence[str], last: str = "and") -> str:
 
 
 SOME = 4
-"""How many names are shown where there may be hundreds."""
+"""How many names are shown of a list that may be long."""
 
 
 def some(names: Iterable[str]) -> str:
@@ -82,12 +82,12 @@ def some(names: Iterable[str]) -> str:
 
 
 def counted(number: int, what: str) -> str:
-    """A number of things: `1 image`, `2 images`."""
+    """A number with its noun: `1 image`, `2 images`."""
     return f"{number} {what}{'s'[: number != 1]}"
 
 
 def near(name: str, known: Iterable[str]) -> str:
-    """The remedy for an unknown name: near matches, or all known names where they are few.
+    """The remedy for an unknown name: near matches, or all known names if they are few.
 
     Returns:
         `did you mean 'x'?`, `known: a, b, c`, or nothing.
@@ -101,6 +101,6 @@ def near(name: str, known: Iterable[str]) -> str:
 
 
 def unknown(kind: str, name: str, known: Iterable[str]) -> str:
-    """The sentence about a name that nothing has: `no stack named 'cu129'; did you mean 'cu128'?`."""
+    """The sentence about an unknown name: `no stack named 'cu129'; did you mean 'cu128'?`."""
     names = list(known)
     return "; ".join(part for part in (f"no {kind} named {name!r}", near(name, names)) if part)

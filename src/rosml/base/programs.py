@@ -1,4 +1,4 @@
-"""Versions of the programs that are built from source, as tools/go pins them, and digests of images, as tools/images.txt does."""
+"""Pins: versions of the programs that we build from source, in tools/go, and digests of images, in tools/images.txt."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from rosml.base.errors import RosmlError
 
 @dataclass(frozen=True)
 class Pin:
-    """What a go.mod says of its tool: the package to build (``.``: the main.go beside it) and the version of its module."""
+    """The tool of a go.mod: the package to build (``.``: the main.go beside it) and the version of its module."""
 
     package: str
     version: str
 
 
 def parse_pin(go_mod: str) -> Pin:
-    """Reads a go.mod: with one ``tool`` line, or that of a program of our own, which requires one module directly.
+    """Reads a go.mod. It has one ``tool`` line; that of our own programs requires one module directly instead.
 
     Raises:
-        ValueError: neither says what to build, or the tool's module is not required.
+        ValueError: it has neither, or does not require the tool's module.
     """
     required = re.findall(r"^(?:require)?\s+(\S+) (v\S+)( // indirect)?$", go_mod, re.MULTILINE)
     tool = re.search(r"^tool (\S+)$", go_mod, re.MULTILINE)
@@ -46,11 +46,11 @@ def pinned_version(root: Path, program: str, failed: type[RosmlError]) -> str:
 
     Args:
         root: the checkout.
-        program: such as `trivy`: a folder of tools/go.
-        failed: the error to raise.
+        program: its name, such as `trivy`: a folder of tools/go.
+        failed: the class of the error to raise.
 
     Raises:
-        RosmlError: it pins none; of the kind that was asked for.
+        RosmlError: the checkout pins no version; the error is of the class `failed`.
     """
     file = root / "tools" / "go" / program / "go.mod"
     try:
@@ -62,14 +62,14 @@ def pinned_version(root: Path, program: str, failed: type[RosmlError]) -> str:
 
 
 def pinned_image(root: Path, name: str) -> str:
-    """An image with the tag and the digest that a checkout pins.
+    """The reference of an image, with the tag and the digest that a checkout pins.
 
     Args:
         root: the checkout.
-        name: such as `moby/buildkit`.
+        name: the image's name, such as `moby/buildkit`.
 
     Raises:
-        RosmlError: it pins none.
+        RosmlError: the checkout pins no such image.
     """
     file = root / "tools" / "images.txt"
     try:

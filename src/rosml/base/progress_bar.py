@@ -1,5 +1,4 @@
-"""Bars that show how far long work is, for whoever watches a terminal. Elsewhere there is nothing but the lines that commands
-print anyhow."""
+"""Progress bars for long work, on a terminal only."""
 
 from __future__ import annotations
 
@@ -12,14 +11,14 @@ Thing = TypeVar("Thing")
 
 
 def over(things: Iterable[Thing], title: str, total: int) -> Iterator[Thing]:
-    """The things, one after the other; a bar below what is printed meanwhile says how many are done.
+    """Yields the things one by one; a bar below the printed lines shows how many are done.
 
-    It goes when they end, and when whoever takes them stops; what others write has to go to `sys.stderr` of that moment.
+    The bar goes away at the end, also if the caller stops early. Meanwhile, write to the current `sys.stderr`.
 
     Args:
-        things: what is worked on, or what comes of it.
-        title: what the work is called.
-        total: how many they are.
+        things: the work, or its results.
+        title: the name of the work.
+        total: the number of things.
     """
     if total < 2 or not sys.stderr.isatty():
         yield from things
@@ -29,7 +28,7 @@ def over(things: Iterable[Thing], title: str, total: int) -> Iterator[Thing]:
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
     class Above(FileProxy):
-        """Where lines go while there is a bar. rich's own has no encoding, and click would write past it."""
+        """Takes lines while there is a bar. rich's own class has no encoding, and click would write past it."""
 
         encoding, errors = "utf-8", "replace"
 

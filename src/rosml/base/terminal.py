@@ -1,4 +1,4 @@
-"""Tables on a terminal, one line for each row."""
+"""Output on a terminal: text without control characters, and tables with one line for each row."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 _COLOUR = "(?:[0-79]|2[1-9]|3[1-69]|9[1-6])"
 _COLOURS = rf"\x1b\[(?:{_COLOUR}(?:;{_COLOUR})*)?m"
-"""What click and rich write for colours: nothing that hides text, and nothing that moves the cursor."""
+"""Colours as click and rich write them. No such sequence hides text or moves the cursor."""
 
 _CONTROL = re.compile(
     f"({_COLOURS})"
@@ -30,15 +30,15 @@ _CONTROL = re.compile(
     r"|\x1b[ -/]*[0-~]?"
     r"|[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff]"
 )
-"""Characters that a terminal takes for a command, that change the order of others, or that nobody sees."""
+"""Characters that are commands to a terminal, change the order of others, or are invisible."""
 
 _COMMAND = re.compile(r"^([^\S\n]*):(?=:[\w-]+)|(?<=#)#(?=\[)", re.MULTILINE)
-"""What GitHub takes for a command in the output of a step: https://docs.github.com/actions/reference/workflows-and-actions/workflow-commands.
-It trims a line before it looks for `::`, and finds `##[` anywhere."""
+"""Commands to GitHub in the output of a step: https://docs.github.com/actions/reference/workflows-and-actions/workflow-commands.
+GitHub trims a line before it looks for `::`, and finds `##[` anywhere."""
 
 
 def shown(text: str) -> str:
-    """A text as it can be printed, whoever wrote it: without commands to the terminal, or to CI that reads the output."""
+    """A text from outside that is safe to print: without commands to the terminal or to CI."""
     text = _CONTROL.sub(r"\1", text)
     if os.environ.get("GITHUB_ACTIONS") == "true":
         text = _COMMAND.sub(lambda found: f"{found[1]}: " if found[1] is not None else " #", text)
@@ -46,12 +46,12 @@ def shown(text: str) -> str:
 
 
 def echo(text: str = "", err: bool = False, nl: bool = True) -> None:
-    """Prints a text, on standard output or standard error: the way of all commands to print, since much of it comes from outside."""
+    """Prints a text on standard output or standard error. All commands print by this, since much text comes from outside."""
     click.echo(shown(text), err=err, nl=nl)
 
 
 class _Shown:
-    """A stream that gets all of a text as `shown` has it."""
+    """A stream that writes each text as `shown` makes it."""
 
     def __init__(self, stream: TextIO) -> None:
         self._stream = stream
@@ -67,8 +67,9 @@ def table(*columns: str, right: Collection[str] = (), wrapped: Collection[str] =
     """An empty table.
 
     Args:
-        columns: their heads. right: those whose cells stand at the right, such as numbers.
-        wrapped: those whose cells may take several lines.
+        columns: the heads of the columns.
+        right: columns that are aligned to the right, such as numbers.
+        wrapped: columns whose cells may take several lines.
     """
     from rich.table import Table  # slow to import, and only needed here
 
@@ -84,15 +85,15 @@ def table(*columns: str, right: Collection[str] = (), wrapped: Collection[str] =
 
 
 def console() -> Console:
-    """Where tables go: one line for each row, also where nobody watches and the terminal's width is unknown.
+    """The console for tables. A row is one line, also if the output is no terminal and has no width.
 
-    All text is printed as it is: much of it comes from outside, and may have brackets that rich would take for markup.
+    All text is printed as it is: text from outside may have brackets, which rich would take for markup.
     """
     from rich.console import Console  # slow to import, and only needed here
 
     class Output(Console):
         def on_broken_pipe(self) -> None:
-            """Raises BrokenPipeError, which `command.run` knows: a reader that has seen enough is no failure."""
+            """Raises BrokenPipeError, which `command.run` handles: if the reader stops early, that is no failure."""
             raise BrokenPipeError
 
     as_it_is = functools.partial(Output, highlight=False, markup=False, emoji=False)
@@ -101,7 +102,7 @@ def console() -> Console:
 
 
 def show(table: Table) -> None:
-    """Prints a table, without the spaces that fill its last column up."""
+    """Prints a table without spaces at the ends of lines."""
     out = console()
     with out.capture() as captured:
         out.print(table)
@@ -109,15 +110,15 @@ def show(table: Table) -> None:
 
 
 _PADDING = re.compile(r" +((?:\x1b\[[0-9;]*m)*)$", re.MULTILINE)
-"""Spaces at the end of a line, before codes that end a colour."""
+"""Spaces at the end of a line, with the codes after them that end a colour."""
 
 
 def plain_where_wanted(
     function: Callable[Concatenate[click.Command, Given], int],
 ) -> Callable[Concatenate[click.Command, Given], int]:
-    """Has a function that runs a command colour nothing where NO_COLOR is set (https://no-color.org).
+    """Decorates a function that runs a command: no colours if NO_COLOR is set (https://no-color.org).
 
-    click itself looks only whether there is a terminal; rich, which prints tables, knows NO_COLOR.
+    rich, which prints tables, knows NO_COLOR; click only checks for a terminal.
     """
 
     @functools.wraps(function)
@@ -125,9 +126,9 @@ def plain_where_wanted(
         if not os.environ.get("NO_COLOR"):
             return function(main, *given, **named)
         before = main.context_settings
-        main.context_settings = {**before, "color": False}  # what the command says
+        main.context_settings = {**before, "color": False}  # for the command's output
         try:
-            with click.Context(main, color=False):  # what is said of its failure
+            with click.Context(main, color=False):  # for the message if it fails
                 return function(main, *given, **named)
         finally:
             main.context_settings = before

@@ -14,7 +14,7 @@ def size(count: int) -> str:
 
 
 def duration(seconds: float) -> str:
-    """``75.2`` -> ``1 min 15 s``; short ones keep a decimal."""
+    """Seconds for people: ``75.2`` -> ``1 min 15 s``. Less than a minute keeps a decimal."""
     if seconds < 60:
         return f"{seconds:.1f} s"
     whole = round(seconds)

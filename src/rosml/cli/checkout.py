@@ -1,4 +1,4 @@
-"""What a command needs before it begins: a checkout, or none; and what it says of one that it is not called from."""
+"""Commands and groups of `rosml`, and the checkout that most of them need."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rosml.base.errors import RosmlError
 from rosml.cli import command
 
 PARTS = ("matrix.yaml", "Dockerfile", "components", "scripts/bootstrap.py", "rosml")
-"""What a checkout is known by."""
+"""Files by which we recognize a checkout."""
 
 SETTINGS = {"help_option_names": ["-h", "--help"]}
 
@@ -24,9 +24,11 @@ class Command(click.Command):
     """A command of `rosml`.
 
     Attributes:
-        alone: it needs no checkout. prints: it does nothing but print, so that whoever reads it may stop.
-        kept: what is said after Ctrl-C. before: what is called before it begins.
-        failure: the exit code of every error; 0 for that of `command.run`.
+        alone: it needs no checkout.
+        prints: it only prints, so its reader may stop early.
+        kept: the message after Ctrl-C.
+        before: functions to call first.
+        failure: the exit code of every error; 0 for those of `command.run`.
     """
 
     failure = 0
@@ -56,7 +58,8 @@ class Group(click.Group):
     """A group of such commands.
 
     Attributes:
-        kept: what is said after Ctrl-C, for all of them. elsewhere: words that people look for here, and where they are.
+        kept: the message after Ctrl-C, for all of them.
+        elsewhere: words that people may try here, and the command for each.
         sections: titles in --help, and the names of the commands below each.
     """
 
@@ -93,16 +96,16 @@ class Group(click.Group):
 
 
 def sentence(command: click.Command) -> str:
-    """What a list of commands says of one."""
+    """The sentence about a command in a list."""
     return command.get_short_help_str(limit=1_000)
 
 
 def around() -> Path | None:
-    """The nearest folder that looks like a checkout, the current one or one above it; None if there is none. It may be a
-    stranger's: it is only named."""
+    """The nearest folder that looks like a checkout: the current one or one above it; None if there is none. It may be a
+    stranger's, so we only name it."""
     try:
         here = Path.cwd()
-    except OSError:  # it was removed, or is not to be entered
+    except OSError:  # it was removed, or we may not enter it
         return None
     return next((folder for folder in (here, *here.parents) if _looks_like_one(folder)), None)
 
@@ -115,15 +118,15 @@ def _looks_like_one(folder: Path) -> bool:
 
 
 def own_command(folder: Path) -> str:
-    """What a person types for a checkout's own `rosml`."""
+    """The remedy that names a checkout's own `rosml`."""
     return f"if you trust that checkout, call its own command: {shlex.quote(str(folder / 'rosml'))}"
 
 
 def require() -> None:
-    """Says that a command needs a checkout, if this is the installed `rosml`.
+    """Requires a checkout.
 
     Raises:
-        RosmlError: it is.
+        RosmlError: this is the installed `rosml` (exit code 2).
     """
     if IN_CHECKOUT:
         return
@@ -135,7 +138,7 @@ def require() -> None:
 
 
 def _say_whose_matrix(context: click.Context) -> None:
-    """Says that the matrix is not that of the checkout where somebody works, unless they named one."""
+    """Warns if the matrix is not that of the checkout in the current folder, unless the user named one."""
     if IN_CHECKOUT or context.get_parameter_source("matrix") is not ParameterSource.DEFAULT:
         return
     if near := around():

@@ -1,4 +1,4 @@
-"""What all commands do at their end: every failure is a message with its remedy and an exit code, never a traceback."""
+"""Runs commands: every failure becomes a message with its remedy and an exit code, never a traceback."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ from rosml.base.problems import InputError
 from rosml.base.terminal import plain_where_wanted
 
 INTERRUPTED_TEXT = "interrupted"
-"""What is said after Ctrl-C, if a command has nothing better to say."""
+"""The message after Ctrl-C, unless a command has its own."""
 
 INTERRUPTED = 130
-"""Exit code after Ctrl-C, as shells have it: 128 and the signal's number."""
+"""The exit code after Ctrl-C, as in shells: 128 plus the signal's number."""
 
 ERROR = click.style("error: ", fg="red", bold=True)
-"""Before what is wrong."""
+"""The beginning of an error message."""
 
 BROKEN_PIPE = 141
-"""Exit code where nobody reads the output any more, as of a program that the signal ended: for commands that work."""
+"""The exit code of commands that work if the reader of their output is gone: as if SIGPIPE had ended them."""
 
 
 @plain_where_wanted
@@ -49,17 +49,17 @@ def run(
         main: the command.
         interrupted: what to say after Ctrl-C or SIGTERM.
         arguments: the command line; this process' own by default.
-        reader_gone: exit code where nobody reads the output any more; 0 for commands that do nothing but print.
-        failure: exit code of every error; 0 for those below.
+        reader_gone: the exit code if the reader of the output is gone; 0 for commands that only print.
+        failure: the exit code of every error; 0 for those below.
 
     Returns:
-        The exit code: 0, 1 for work that failed, 2 for wrong input, 3 and 4 of scans, 130 when interrupted.
+        The exit code: 0, 1 for work that failed, 2 for wrong input, 3 and 4 of scans, 130 after Ctrl-C.
 
-    With `--json`, an error is an object on standard output as well: `{"error": …, "remedy": …}`.
+    With `--json`, an error is also an object on standard output: `{"error": …, "remedy": …}`.
     """
     signal.signal(signal.SIGTERM, _terminate)
     _stand_in_for_closed()
-    for stream in (sys.stdout, sys.stderr):  # an arrow, or a file's name, that the terminal cannot show
+    for stream in (sys.stdout, sys.stderr):  # the terminal may be unable to show an arrow or a file's name
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
     given = list(sys.argv[1:] if arguments is None else arguments)
@@ -95,7 +95,7 @@ def run(
 
 
 def ended(code: int) -> int:
-    """The exit code of a command; after Ctrl-C it ends the process, where threads may still wait for a registry."""
+    """Returns the exit code of a command. After Ctrl-C it ends the process at once: threads may still wait for a registry."""
     if code == INTERRUPTED:
         for stream in (sys.stdout, sys.stderr):
             with contextlib.suppress(OSError, ValueError):
@@ -105,42 +105,42 @@ def ended(code: int) -> int:
 
 
 def say(line: str) -> None:
-    """Tells people what begins now."""
+    """Prints what begins now."""
     terminal.echo(click.style(f"==> {line}", bold=True), err=True)
 
 
 def warn(message: str, remedy: str = "") -> None:
-    """Tells people, on standard error, what is wrong without ending the command, and what to do about it."""
+    """Prints a warning and its remedy on standard error. The command goes on."""
     _say(f"{click.style('warning:', fg='yellow', bold=True)} ", message, remedy)
 
 
 def _say(head: str, message: str, remedy: str) -> None:
-    """Prints an error or a warning on standard error, and what to do about it."""
+    """Prints an error or a warning, and its remedy, on standard error."""
     terminal.echo(head + message, err=True)
     if remedy:
         terminal.echo(f"{click.style('remedy:', bold=True)} {remedy}", err=True)
 
 
 def _failed(as_json: bool, message: str, remedy: str, code: int, head: str = ERROR) -> int:
-    """Prints an error and what to do about it; gives the exit code."""
+    """Prints an error and its remedy. Returns the exit code."""
     _say(head, message, remedy)
     return _told(as_json, message, remedy, code)
 
 
 def _told(as_json: bool, message: str, remedy: str, code: int) -> int:
-    """Prints an error as an object where one was asked for; gives the exit code."""
+    """Prints an error as a JSON object if --json is given. Returns the exit code."""
     if as_json and sys.stdout:
         try:
             terminal.echo(json.dumps({"error": click.unstyle(message), "remedy": remedy}, indent=2))
             sys.stdout.flush()
-        except OSError:  # its reader is gone, or its disk is full; people were told already
+        except OSError:  # the reader is gone, or the disk is full; the message is printed already
             _drop_output()
     return code
 
 
 def _stand_in_for_closed() -> None:
-    """Opens something in the place of closed output. Otherwise the next file that is opened gets its number, and what is
-    printed goes into that file. Writing to standard output fails then; messages are dropped."""
+    """Opens /dev/null for closed output. Otherwise the next file that is opened gets its number, and output goes into that
+    file. Then writing to standard output fails, and messages are dropped."""
     if sys.stdout is None:
         sys.stdout = io.TextIOWrapper(io.BufferedWriter(io.FileIO(os.open(os.devnull, os.O_RDONLY), "w")), "utf-8")
     if sys.stderr is None:
@@ -148,7 +148,7 @@ def _stand_in_for_closed() -> None:
 
 
 def _drop_output() -> None:
-    """Sends what was not written yet to nobody: Python would try it again when it ends, and complain."""
+    """Drops unwritten output. Otherwise Python tries again when it ends, and complains."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
@@ -156,11 +156,11 @@ _IN_THE_WAY = "move it away, then run it again"
 
 
 def _of_the_system(error: OSError) -> tuple[str, str]:
-    """What a failed call of the system means, and what to do about it."""
+    """The message and the remedy for a failed system call."""
     name = os.fsdecode(error.filename) if isinstance(error.filename, (str, bytes)) else ""
     reason = error.strerror or str(error) or type(error).__name__
     if error.errno in (errno.EEXIST, errno.ENOTDIR) and name:
-        # The file may be anywhere on the way: a folder could not be made, or be entered.
+        # The file may be any part of the path: a folder could not be made or entered.
         path = Path(name)
         culprit = next((x for x in (*reversed(path.parents), path) if x.exists() and not x.is_dir()), path)
         return f"{culprit} is in the way: a folder is needed there", _IN_THE_WAY

@@ -1,4 +1,4 @@
-"""How shells complete what people type: commands, options, names."""
+"""Completion in shells: commands, options and names."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from rosml import ROOT
 from rosml.base.errors import RosmlError
 
 VARIABLE = "_ROSML_COMPLETE"
-"""How a shell asks, as click has it."""
+"""The variable by which a shell asks, as in click."""
 
 
 class Name(click.ParamType[str]):
@@ -32,7 +32,7 @@ class Name(click.ParamType[str]):
         self.kind = kind
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
-        """Names that begin so; none where the matrix cannot be read."""
+        """Names that begin so; none if the matrix cannot be read."""
         from rosml.images.image_set import load, selection
 
         try:
@@ -61,11 +61,11 @@ BASH = """\
 }
 complete -o nosort -F %(complete_func)s %(prog_name)s
 """
-"""What bash evaluates. click's own splits words at `:` and `=`, as bash does, and most images have a colon."""
+"""The script that bash evaluates. click's own splits words at `:` and `=`, and most images have a colon."""
 
 
 class _Shell(ShellComplete):
-    """Asks commands of which click does not read all words how these go on."""
+    """Completes commands whose words click does not read all."""
 
     def get_completions(self, args: list[str], incomplete: str) -> list[CompletionItem[str]]:
         if args and args[0] in OF_WORDS and isinstance(self.cli, click.Group):
@@ -76,14 +76,18 @@ class _Shell(ShellComplete):
 
 
 class Bash(_Shell, BashComplete):
-    """Attributes: kept: what bash leaves in its line before what it completes."""
+    """bash.
+
+    Attributes:
+        kept: the part of the word that bash keeps before the part that it completes.
+    """
 
     source_template = BASH
     kept = ""
 
     def get_completion_args(self) -> tuple[list[str], str]:
         line = os.environ.get("COMP_LINE")
-        if line is None:  # a shell that has evaluated what click has for bash
+        if line is None:  # this shell evaluated click's own script
             return super().get_completion_args()
         words = split_arg_string(line)
         incomplete = "" if line[-1:].isspace() else words.pop()
@@ -108,19 +112,19 @@ OF_WORDS = ("attach", "run")
 
 
 def asked() -> str:
-    """What a shell asks, such as `bash_complete`; empty where none does, or where what is set asks nothing."""
+    """The question of a shell, such as `bash_complete`; empty if there is none."""
     found = os.environ.get(VARIABLE, "")
     return found if found.endswith(("_source", "_complete")) else ""
 
 
 def begun() -> str:
-    """The first word after `rosml` of the line that a shell completes; empty where there is none."""
+    """The first word after `rosml` in the line that a shell completes; empty if there is none."""
     line = os.environ.get("COMP_LINE") or os.environ.get("COMP_WORDS", "")
     return next(iter(line.split()[1:]), "")
 
 
 def answer(cli: click.Command) -> int | None:
-    """Answers a shell that asks; None where none does."""
+    """Answers a shell; None if none asks."""
     if not asked():
         return None
     for shell in (Bash, Zsh, Fish):

@@ -1,4 +1,4 @@
-"""The command `rosml`: one word for each thing that people do with images."""
+"""The command `rosml`."""
 
 from __future__ import annotations
 
@@ -41,13 +41,13 @@ SECTIONS = {
     },
     "Set up this machine": {"setup": "machine.setup"},
 }
-"""The commands as --help shows them, and where each is in this package: a module with a `main`."""
+"""The sections of --help: each command, and its module in this package, which has a `main`."""
 
 MODULES = {name: module for section in SECTIONS.values() for name, module in section.items()}
 
 
 class Rosml(Group):
-    """The command, whose other commands need packages that may not be installed."""
+    """The group `rosml`. Some of its commands need packages that may be missing."""
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
@@ -82,7 +82,7 @@ def cli() -> None:
 
 
 QUICK = completion.OF_WORDS
-"""Every shell in a container waits for them, and importing the others takes longer than all that they do themselves."""
+"""Commands that import no others: every shell in a container waits for them, and imports take longer than their work."""
 
 
 def needed() -> Iterable[str]:
@@ -103,16 +103,16 @@ for name in needed():
 
 
 def _absolute(path: str) -> str:
-    """A PATH without what is relative: an empty entry and `.` mean the current folder, and a stranger's repository may have a
-    program `git` or `docker`."""
+    """A PATH without relative entries. An empty entry or `.` means the current folder, and a stranger's repository may have
+    a program `git` or `docker`."""
     return os.pathsep.join(filter(os.path.isabs, path.split(os.pathsep))) or os.defpath
 
 
 def run(word: str = "") -> int:
-    """What the installed command calls; gives its exit code. Shells ask it how words go on (`rosml --help` says how).
+    """Runs `rosml`, or answers a shell that completes its words. Returns the exit code.
 
     Args:
-        word: the only one of its commands that a script calls.
+        word: the only command, if a script calls this.
     """
     os.environ["PATH"] = _absolute(os.environ.get("PATH", os.defpath))
     if (answered := completion.answer(cli)) is not None:

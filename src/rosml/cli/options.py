@@ -20,12 +20,12 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 
 
 def _lower(_context: click.Context, _parameter: click.Parameter, value: str) -> str:
-    """A place for images: no registry knows capitals, and names of repositories on forges have them."""
+    """A place for images in small letters: registries allow no capitals, names of repositories on forges do."""
     return value.lower()
 
 
 def words(_context: click.Context, _parameter: click.Parameter, values: tuple[str, ...]) -> tuple[str, ...]:
-    """Values, several of which may stand in one text: a job in CI has one field for them, which may be empty."""
+    """Values, of which one text may have several: a job in CI has one field for all, and it may be empty."""
     return tuple(word for value in values for word in value.split())
 
 
@@ -42,14 +42,14 @@ def registry(where: str) -> Callable[[Function], Function]:
     """The option for a registry.
 
     Args:
-        where: what it is, such as `where images go`.
+        where: its meaning, such as `where images go`.
     """
     text = f"{where}, such as ghcr.io/me/rosml; the local registry's rosml if left out"
     return click.option("--registry", default="", metavar="PREFIX", callback=_lower, help=text)
 
 
 def unnamed(error: RosmlError) -> RosmlError:
-    """What to say if no registry is named, and there is no local one: only a checkout can have one."""
+    """The error if no registry is named, and there is no local one. Only a checkout can have a local one."""
     remedy = "name a registry with --registry"
     if IN_CHECKOUT:
         return RosmlError(error.message, f"{remedy}, or {error.remedy}")
@@ -62,7 +62,7 @@ def place_of(named: str, root: Path) -> Place:
     looked up only where none is named.
 
     Raises:
-        RosmlError: none is named, and there is no local one.
+        RosmlError: no registry is named, and there is no local one.
     """
     from rosml.machine.services import Services
     from rosml.registry.place import Place

@@ -1,2 +1,1 @@
-"""An image is started, or a container entered: from what a person writes, and what the image and the engine are, to the engine's
-command."""
+"""Starting an image or entering a container: from the command line and the facts about image and engine to the engine's command."""

@@ -1,4 +1,4 @@
-"""A container that is there is entered: which one, whether it is the one that somebody means, and the engine's command."""
+"""Entering a container: finds the right one, checks it, and makes the engine's command."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from rosml.run.sockets import WHOLE_NETWORK
 from rosml.run.words import Line
 
 HERE = "."
-"""The word for the container of the current folder, in the place of a name."""
+"""The word for the container of the current folder, instead of a name."""
 
 ENTRYPOINT = "/entrypoint.sh"
-"""What makes the user in an image of ours, and sources ROS (docs/contract.md)."""
+"""The script that makes the user in our images, and sources ROS (docs/contract.md)."""
 
 PASSED = frozenset(
     ("detach", "detach-keys", "env", "env-file", "interactive", "privileged", "tty", "user", "workdir"),
 )
-"""The options of `run` that `exec` has as well."""
+"""The options of `run` that `exec` also has."""
 
 SHELLS = ("ash", "bash", "dash", "fish", "ksh", "sh", "zsh")
-"""Programs to type commands into."""
+"""Programs that are shells."""
 
 IDLE = ("created", "exited", "configured", "initialized", "stopped")
-"""The states from which a container can be started."""
+"""The states in which a container can be started."""
 
 
 class NoContainer(RosmlError):
@@ -38,8 +38,9 @@ def argv(program: str, line: Line, person: Person, container: Container, image: 
     """The engine's command.
 
     Args:
-        program: the engine's command. line: its command, and options for `exec`; --name and --rm are left out.
-        image: that of the container; None where it is gone.
+        program: the engine's command.
+        line: the command, and options for `exec`. We leave out --name and --rm.
+        image: the container's image; None if it is gone.
 
     Raises:
         RosmlError: an option is for a container that does not run yet.
@@ -57,34 +58,35 @@ def argv(program: str, line: Line, person: Person, container: Container, image: 
 
 
 def is_ours(container: Container) -> bool:
-    """Whether the container is of an image of ours, or of one that is built on it. --entrypoint may have replaced its own."""
+    """Whether the container's image is ours, or built on ours. --entrypoint may have replaced the image's own."""
     contract = "DOCKER_UID" in container.environment
     return contract and (ENTRYPOINT in container.entrypoint or OURS in container.labels)
 
 
 def default(container: Container, image: Image | None) -> Sequence[str]:
-    """The command where somebody names none: the image's own if that is a shell, and bash otherwise. An app that is the image's
-    command runs already. In another image with an entrypoint, CMD is a program only with that entrypoint."""
+    """The default command: the image's own if that is a shell, otherwise bash. If the image's command is an app, that runs
+    already. In another image with an entrypoint, CMD is a program only together with that entrypoint."""
     if image is None or not _is_shell(image.command) or (image.entrypoint and not is_ours(container)):
         return ["bash"]
     return image.command
 
 
 def _is_shell(command: Sequence[str]) -> bool:
-    """Whether a command is a shell, and no program of it: `bash -l`, not `bash -c …` or `bash start.sh`."""
+    """Whether a command is a shell that runs no program: `bash -l`, not `bash -c …` or `bash start.sh`."""
     program, *options = command or ("",)
     return program.rpartition("/")[2] in SHELLS and all(re.fullmatch("--[a-z]+|-[il]+", word) for word in options)
 
 
 def of_folder(found: Sequence[Container], folder: str, command: str) -> Container:
-    """The container of a folder: the one that runs, or else the only one.
+    """The container of a folder: the running one, or else the only one.
 
     Args:
-        found: all that `rosml run` started. command: how somebody called this, for the message.
+        found: all containers that `rosml run` started.
+        command: the call, for the message.
 
     Raises:
-        NoContainer: there is none.
-        RosmlError: there are several.
+        NoContainer: the folder has none.
+        RosmlError: the folder has several.
     """
     here = [container for container in found if container.labels.get(FOLDER) == folder]
     running = [container for container in here if container.state == "running"]
@@ -103,19 +105,19 @@ def of_folder(found: Sequence[Container], folder: str, command: str) -> Containe
 
 
 def _shown(found: Iterable[Container]) -> list[str]:
-    """Containers, as a message names them."""
+    """Containers for a message."""
     return sorted(f"{x.name} ({x.image}, {x.state})" for x in found)
 
 
 def check_same(program: str, line: Line, person: Person, container: Container, image: Image | None) -> None:
-    """Whether the container that has the name is the one that `rosml run IMAGE` would start: it runs, it is of this folder
-    and of the same image, and has the folder mounted where somebody asks for that.
+    """Checks that the container with the name is the one that `rosml run IMAGE` would start: it runs, is of this folder and of
+    the same image, and has the folder mounted if the user asks for that.
 
     Args:
-        image: what was named; None where the engine does not have it.
+        image: the named image; None if the engine does not have it.
 
     Raises:
-        RosmlError: it is another one.
+        RosmlError: it is another container.
     """
     name = container.name
     new = f"{_other(line)} starts another container"
@@ -139,12 +141,12 @@ def check_same(program: str, line: Line, person: Person, container: Container, i
 
 
 def _other(line: Line) -> str:
-    """With what another container starts."""
+    """The option by which another container starts."""
     return "another --name" if line.has("name") else "--new"
 
 
 def lacking(line: Line, container: Container) -> tuple[str, str] | None:
-    """What to say, and what to do, where somebody asks for a network for ROS and the container lacks it; None otherwise."""
+    """A warning and its remedy if the user asks for a network for ROS and the container lacks it; None otherwise."""
     place = places.running(container, rootless=False)
     if not line.asks(WHOLE_NETWORK) or place.network == place.ipc == places.HOST:
         return None
@@ -153,10 +155,10 @@ def lacking(line: Line, container: Container) -> tuple[str, str] | None:
 
 
 def check_state(program: str, container: Container) -> None:
-    """Whether a container can be entered, or started first.
+    """Checks that a container can be entered, or started first.
 
     Raises:
-        RosmlError: it can neither.
+        RosmlError: it can be neither.
     """
     if container.state != "running" and container.state not in IDLE:
         remedies = {"paused": f"{program} unpause {container.name}"}

@@ -1,4 +1,4 @@
-"""What ROS between a container and others depends on: what is good, and what to do about the rest. Nothing is started here."""
+"""Findings about ROS between a container and others: what works, and remedies for the rest. This module starts nothing."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rosml.run.context import Context
 from rosml.run.places import ALONE, HOST, Place
 
 GOOD, ADVICE, PROBLEM = "good", "advice", "problem"
-"""What there is to say of a thing. Advice is about what may fail, such as large messages; a problem is what will not work."""
+"""The states of a finding. Advice: something may fail, such as large messages. Problem: something will not work."""
 
 WHOLE = "--ros-network"
 LARGEST_DOMAIN = 232
@@ -20,19 +20,19 @@ RANGES = ("SUBNET", "LOCALHOST", "OFF", "SYSTEM_DEFAULT")
 
 MIB = 1024 * 1024
 SMALL_MEMORY = 64 * MIB
-"""Bytes of /dev/shm that the engines give by default."""
+"""The engines' default size of /dev/shm, in bytes."""
 
 RECEIVED, FRAGMENTS, SECONDS = (
     "/proc/sys/net/core/rmem_max",
     *(f"/proc/sys/net/ipv4/ipfrag_{name}" for name in ("high_thresh", "time")),
 )
-"""The kernel's limits for what waits to be received, and for packets in pieces (docs.ros.org, DDS tuning information)."""
+"""The kernel's limits for receive buffers and for fragments of packets (docs.ros.org, DDS tuning information)."""
 
 UP, LOOPBACK, MULTICAST = 0x1, 0x8, 0x1000
 """Flags of a network interface, as the kernel has them."""
 
 OF_ENGINES = ("docker", "br-", "veth", "podman", "cni", "virbr")
-"""How interfaces begin that lead to containers and virtual machines alone."""
+"""Prefixes of interfaces that lead only to containers and virtual machines."""
 
 MASTER = re.compile(r"https?://(?P<machine>[^:/\s]+):(?P<port>[0-9]{1,5})/?")
 """An address of ROS 1's master."""
@@ -43,7 +43,14 @@ ROUTER = 7447
 
 @dataclass(frozen=True)
 class Finding:
-    """What is said of one thing. Attributes: what: the thing. state: good, advice or problem. found: how it is."""
+    """A finding.
+
+    Attributes:
+        what: the subject.
+        state: good, advice or problem.
+        found: the fact.
+        remedy: what to do about it.
+    """
 
     what: str
     state: str
@@ -52,11 +59,12 @@ class Finding:
 
 
 def findings(context: Context, place: Place, others: Sequence[Place], installed: Sequence[str]) -> list[Finding]:
-    """All that is to be said.
+    """All findings.
 
     Args:
-        place: the container that would start. others: containers with ROS that run.
-        installed: RMW implementations that the image has; empty where that is unknown.
+        place: the container that would start.
+        others: running containers with ROS.
+        installed: the RMW implementations of the image; empty if unknown.
     """
     here = places.machine(context)
     if here and here.version != place.version:
@@ -67,7 +75,7 @@ def findings(context: Context, place: Place, others: Sequence[Place], installed:
 
 
 def network(context: Context, place: Place) -> Finding:
-    """Whose nodes the container's reach."""
+    """Which nodes the container's nodes reach."""
     engine, name, what = context.engine, place.network, "network"
     if name == HOST:
         if engine.machine == "docker-desktop":
@@ -99,10 +107,10 @@ def network(context: Context, place: Place) -> Finding:
 
 
 def ros_2(context: Context, place: Place, here: Place | None, installed: Sequence[str]) -> Iterator[Finding]:
-    """What ROS 2 depends on.
+    """The findings of ROS 2.
 
     Args:
-        here: this machine; None where it has no ROS.
+        here: this machine; None if it has no ROS.
     """
     yield domain(place, here)
     yield middleware(place, here, installed)
@@ -122,7 +130,7 @@ def ros_2(context: Context, place: Place, here: Place | None, installed: Sequenc
 
 
 def domain(place: Place, here: Place | None) -> Finding:
-    """The domain, which both sides must have."""
+    """The domain: both sides need the same."""
     if not _is_domain(place.domain):
         text = f"{place.domain[:20]!r}{'…' * (len(place.domain) > 20)}: no node starts"
         return Finding("domain", PROBLEM, text, f"ROS_DOMAIN_ID is a number from 0 to {LARGEST_DOMAIN}")
@@ -137,7 +145,7 @@ def _is_domain(text: str) -> bool:
 
 
 def middleware(place: Place, here: Place | None, installed: Sequence[str]) -> Finding:
-    """The RMW implementation, which the image must have, and both sides."""
+    """The RMW implementation: the image needs it, and both sides the same."""
     rmw = place.rmw
     if installed and rmw not in installed:
         has = ", ".join(installed)
@@ -151,7 +159,7 @@ def middleware(place: Place, here: Place | None, installed: Sequence[str]) -> Fi
 
 
 def router(context: Context, place: Place) -> Finding:
-    """Zenoh's router, by which nodes find each other."""
+    """Zenoh's router, through which nodes find each other."""
     override = "ZENOH_CONFIG_OVERRIDE='connect/endpoints=[\"tcp/ROBOT:7447\"]'"
     if any(map(place.environment.get, ("ZENOH_CONFIG_OVERRIDE", "ZENOH_SESSION_CONFIG_URI"))):
         return Finding("router", GOOD, "as Zenoh's settings say")
@@ -186,7 +194,7 @@ def discovery_range(context: Context, place: Place) -> Finding:
 
 
 def memory(place: Place) -> Finding | None:
-    """Shared memory, by which Fast DDS hands data to nodes that it takes for those of its own machine; None where it does not."""
+    """Shared memory, through which Fast DDS hands data to nodes that seem to be on the same machine; None if it does not."""
     if not place.shares_memory:
         return None
     if not place.joins_another:
@@ -240,7 +248,7 @@ def _room(context: Context) -> int:
 
 
 def _bytes(text: str) -> int:
-    """How many bytes `--shm-size` says, such as 512m; 0 for no limit, -1 for what is no size."""
+    """The bytes of `--shm-size`, such as 512m; 0 for no limit, -1 if the text is no size."""
     if not text:
         return SMALL_MEMORY
     found = re.fullmatch(r"([0-9]{1,15}(?:\.[0-9]{1,15})?) ?([kmgtp]?)i?b?", text.lower())
@@ -248,7 +256,7 @@ def _bytes(text: str) -> int:
 
 
 def multicast(context: Context, place: Place) -> Finding:
-    """Whether nodes can announce themselves to the network: to interfaces that lead there, and back to this machine."""
+    """Whether nodes can announce themselves to the network and to this machine."""
     bad = ADVICE if place.environment.get("ROS_STATIC_PEERS") else PROBLEM
     peers = "name the other machines: -e 'ROS_STATIC_PEERS=ADDRESS;ADDRESS'"
     names = [name.rpartition("/")[2] for name in context.host.files("/sys/class/net")]
@@ -284,7 +292,7 @@ def buffers(context: Context) -> Iterator[Finding]:
         yield Finding("receive buffer", GOOD, text)
     text = f"net.ipv4.ipfrag_time={seconds} net.ipv4.ipfrag_high_thresh={fragments}"
     if seconds > 3 and fragments < 128 * MIB:
-        late = "large messages stop for seconds where the network loses packets, as Wi-Fi does"
+        late = "large messages stop for seconds if the network loses packets, as Wi-Fi does"
         remedy = "sudo sysctl -w net.ipv4.ipfrag_time=3 net.ipv4.ipfrag_high_thresh=134217728"
         yield Finding("fragments", ADVICE, f"{text}: {late}", remedy)
     else:
@@ -295,7 +303,7 @@ def buffers(context: Context) -> Iterator[Finding]:
 
 
 def ros_1(context: Context, place: Place) -> Iterator[Finding]:
-    """What ROS 1 depends on: the master is reached, and nodes reach each other by the addresses that they name."""
+    """The findings of ROS 1: nodes reach the master, and each other by the addresses that they announce."""
     written = place.environment.get("ROS_MASTER_URI") or "http://localhost:11311"
     named = MASTER.fullmatch(written)
     if not named:
@@ -321,7 +329,7 @@ def _master(context: Context, place: Place, written: str, local: bool, address: 
     if local:
         return Finding("master", ADVICE, f"{written}, where nothing answers yet", "roscore starts it")
     return Finding(
-        "master", PROBLEM, f"{written}, where nothing answers", f"look at the name, and at roscore on {address[0]}"
+        "master", PROBLEM, f"{written}, where nothing answers", f"check the name, and roscore on {address[0]}"
     )
 
 
@@ -343,7 +351,7 @@ def _address(context: Context, place: Place, local: bool) -> Finding:
 
 
 def other(place: Place, it: Place) -> Finding:
-    """Whether the container and another one that runs reach each other."""
+    """Whether the container and another running one reach each other."""
     what = f"container {it.name}"
     if it.version != place.version:
         return Finding(what, ADVICE, f"it has ROS {it.version}", "only a bridge between ROS 1 and ROS 2 connects them")
@@ -355,7 +363,7 @@ def other(place: Place, it: Place) -> Finding:
 
 
 def _apart(place: Place, it: Place) -> Iterator[tuple[str, str]]:
-    """What keeps both apart, and what to do about it."""
+    """The reasons that keep both apart, each with a remedy."""
     if place.version == "1":
         masters = [x.environment.get("ROS_MASTER_URI") or "http://localhost:11311" for x in (place, it)]
         if masters[0] != masters[1]:

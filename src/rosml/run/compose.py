@@ -1,4 +1,4 @@
-"""What would run, as a file for `docker compose`: https://github.com/compose-spec/compose-spec."""
+"""Writes a call as a file for `docker compose`: https://github.com/compose-spec/compose-spec."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ SAME = (
     *("group-add", "init", "mac-address", "oom-kill-disable", "oom-score-adj", "pids-limit", "privileged", "read-only"),
     *("security-opt", "shm-size", "stop-signal", "storage-opt", "tty", "use-api-socket"),
 )
-"""Options that compose calls the same, with `_` for `-`."""
+"""Options with the same name in compose, with `_` for `-`."""
 
 NAMES = {
     **{name: name.replace("-", "_") for name in SAME},
@@ -54,16 +54,16 @@ NAMES = {
     "userns": "userns_mode",
     "workdir": "working_dir",
 }
-"""What compose calls the options; after a point, what is in it."""
+"""Compose's names of options; a point leads into a nested field."""
 
 LISTS = (
     *("add-host", "cap-add", "cap-drop", "device", "device-cgroup-rule", "dns", "dns-opt", "dns-search", "expose"),
     *("group-add", "link", "publish", "security-opt", "tmpfs"),
 )
-"""Those of which compose takes several."""
+"""Options that compose takes several times."""
 
 PAIRS = ("annotation", "env", "label", "log-opt", "storage-opt", "sysctl")
-"""Those that have a name and a value."""
+"""Options with a name and a value."""
 
 SWITCHES = (
     *("init", "interactive", "no-healthcheck", "oom-kill-disable", "privileged", "read-only", "tty", "use-api-socket"),
@@ -83,7 +83,7 @@ MOUNT = {
     "tmpfs-size": "tmpfs.size",
     "tmpfs-mode": "tmpfs.mode",
 }
-"""What compose calls the fields of `--mount`."""
+"""Compose's names of the fields of `--mount`."""
 
 
 def text(call: Call) -> str:
@@ -96,14 +96,14 @@ def text(call: Call) -> str:
 
 
 def content(call: Call) -> dict[str, Any]:
-    """What is in the file; compose still reads `$` as the beginning of a variable.
+    """The content of the file, in which compose still reads `$` as the beginning of a variable.
 
     Raises:
         RosmlError: an option has no counterpart.
     """
     service: Any = reduce(_merged, (_part(option, call.folder) for option in call.options), {"image": call.image})
     if "entrypoint" in service:
-        service["entrypoint"] = [service["entrypoint"]]  # the engines take one word there
+        service["entrypoint"] = [service["entrypoint"]]  # the engines take one word
     if call.command:
         service["command"] = [*call.command]
     networks = {name: {"name": name, "external": True} for name in service.get("networks", ())}
@@ -116,10 +116,10 @@ def content(call: Call) -> dict[str, Any]:
 
 
 def _part(option: Option, folder: str) -> dict[str, Any]:
-    """What an option adds to a service.
+    """The fields that an option adds to a service.
 
     Raises:
-        RosmlError: it has no counterpart.
+        RosmlError: the option has no counterpart.
     """
     name, value = option.name, option.value or ""
     if name in MADE:
@@ -133,7 +133,9 @@ def _part(option: Option, folder: str) -> dict[str, Any]:
         found = [value]
     elif name in PAIRS:
         key, equals, said = value.partition("=")
-        found = {key: None if name == "env" and not equals else said}  # from the environment of whoever starts it
+        found = {
+            key: None if name == "env" and not equals else said
+        }  # None: from the environment of the user who starts it
     return _nested(NAMES[name], found)
 
 
@@ -155,7 +157,7 @@ def _volume(option: Option, folder: str) -> dict[str, Any]:
 
 
 def _mount(option: Option, folder: str) -> dict[str, Any]:
-    """The engines take no folder that is missing; compose would make one."""
+    """A mount. The engines refuse a missing folder; compose would make it."""
     mount: dict[str, Any] = {"type": "volume"}
     for key, value in fields(option):
         if key not in MOUNT:
@@ -173,12 +175,12 @@ def _mount(option: Option, folder: str) -> dict[str, Any]:
 
 
 def _octal(mode: str) -> int | str:
-    """The engines read it with the base 8, compose with the base 10."""
+    """A mode. The engines read it with the base 8, compose with the base 10."""
     return int(mode, 8) if re.fullmatch("[0-7]{1,9}", mode) else mode
 
 
 def _gpus(option: Option, folder: str) -> dict[str, Any]:
-    """`all`, `2`, `device=0`, `"device=0,1"`, and whatever else has fields."""
+    """GPUs: `all`, `2`, `device=0`, `"device=0,1"`, or other fields."""
     device: dict[str, Any] = {"driver": "nvidia", "capabilities": ["gpu"]}
     for key, value in fields(option):
         if key in ("all", "count") or COUNT.fullmatch(key):
@@ -208,7 +210,7 @@ def _number(found: str) -> int | str:
 
 
 COUNT, NUMBER = re.compile("[0-9]{1,18}"), re.compile("-?[0-9]{1,18}")
-"""What a file has as a number. Whatever else somebody writes stays text."""
+"""Values that become numbers. All others stay text."""
 
 
 MADE: Mapping[str, Callable[[Option, str], dict[str, Any]]] = {
@@ -222,13 +224,13 @@ MADE: Mapping[str, Callable[[Option, str], dict[str, Any]]] = {
     "volume": _volume,
     "volumes-from": lambda option, folder: {"volumes_from": [f"container:{option.value}"]},
 }
-"""Options that compose has in a form of its own."""
+"""Options with a form of their own in compose."""
 
 # ---- The file --------------------------------------------------------------------------------------------------------
 
 
 def _volume_of(mount: str | Mapping[str, Any]) -> str:
-    """The volume that is mounted, by its name; empty where it is a folder, or has no name."""
+    """The name of a mounted volume; empty if it is a folder, or has no name."""
     if not isinstance(mount, str):
         return str(mount.get("source", "")) if mount["type"] == "volume" else ""
     source, colon, _ = mount.partition(":")

@@ -1,7 +1,7 @@
-"""What rosml adds to `docker run`: one small function for each concern, from what is known to arguments of the engine.
+"""The options that rosml adds to `docker run`: a small function for each concern, from the facts to words for the engine.
 
-A person's own options follow them on the engine's command line. Of two that set the same thing the engines take the last one,
-which is the person's. Where they take both, or refuse two, a concern keeps out. An `--env-file` ranks below every `-e`.
+The user's own options follow them. Of two that set the same thing, the engines take the last one, which is the user's. If the
+engines would take both, or refuse two, a concern adds nothing. An `--env-file` ranks below every `-e`.
 """
 
 from __future__ import annotations
@@ -16,21 +16,21 @@ from rosml.run.user import claims
 from rosml.run.words import Line
 
 TARGET = "src/target"
-"""Where --mws mounts a folder, in the workspace."""
+"""The path in the workspace at which --mws mounts a folder."""
 
 OURS = "io.rosml.component"
-"""A label that all our images have."""
+"""A label of all our images."""
 
 GRACE = 30
-"""Seconds that a container has to stop. `ros2 launch` kills a node that hangs after 10, which is what the engines give a whole container,
+"""Seconds that a container has to stop. The engines' default is 10, but `ros2 launch` kills a hanging node only after 10, and
 roslaunch after 17 (docs/stopping.md)."""
 
 FOLDER = "io.rosml.run.folder"
-"""The label of a container that says from which folder it was started."""
+"""The label of a container with the folder from which it was started."""
 
 
 def removal(context: Context) -> Sequence[str]:
-    """The container is removed when it ends; the engines refuse that together with --restart."""
+    """Removes the container when it ends. The engines refuse that together with --restart."""
     line = context.line
     return [] if line.asks("no-rm") or line.has("rm", "rmi", "restart") else ["--rm"]
 
@@ -41,7 +41,7 @@ def terminal(context: Context) -> Sequence[str]:
 
 
 def streams(line: Line, person: Person) -> Sequence[str]:
-    """Standard input, where there is something to read, and a terminal, where there is one on both sides."""
+    """Standard input if there is something to read, and a terminal if there is one on both sides."""
     if line.asks("no-it"):
         return []
     reads = ["-i"] if person.reads and not line.has("interactive") else []
@@ -49,19 +49,19 @@ def streams(line: Line, person: Person) -> Sequence[str]:
 
 
 def label(context: Context) -> Sequence[str]:
-    """The folder to which the container belongs: `rosml attach` finds it by that."""
+    """The container's folder: `rosml attach` finds the container by it."""
     return ["--label", f"{FOLDER}={context.person.folder}"]
 
 
 def grace(context: Context) -> Sequence[str]:
-    """Time to save, in an image of ours, where a stop reaches what has to save. Others may not listen to a stop at all."""
+    """Time to save data, in our images, in which a stop reaches all programs. Other images may ignore a stop."""
     listens = OURS in context.image.labels and claims(context)
     return ["--stop-timeout", str(GRACE)] if listens and not context.line.has("stop-timeout") else []
 
 
 def name_of(line: Line, person: Person) -> str:
-    """The container's name: the person's own, or, on a terminal, that of the current folder; of the image where the folder's
-    will not do. Empty where the engine makes one up: programs that call rosml twice at a time, as in a pipe, need two."""
+    """The container's name: the user's own, or, on a terminal, that of the current folder; of the image if the folder's does not
+    fit. Empty if the engine shall make one up: programs that call rosml twice at a time, as in a pipe, need two."""
     if line.has("name"):
         return line.value("name")
     if line.asks("no-name") or line.asks("new") or not person.terminal:
@@ -71,32 +71,32 @@ def name_of(line: Line, person: Person) -> str:
 
 
 def _as_name(text: str) -> str:
-    """Text with what the engines take in a container's name; empty where less than two characters are left."""
+    """Text with only the characters of a container's name; empty if fewer than two are left."""
     name = re.sub(r"[^A-Za-z0-9_.-]+", "-", text).strip("-_.")
     return name if len(name) > 1 else ""
 
 
 def name(context: Context) -> Sequence[str]:
-    """A name by which people find the container, unless they wrote one."""
+    """A name by which users find the container, unless they typed one."""
     found = "" if context.line.has("name") else name_of(context.line, context.person)
     return ["--name", found] if found else []
 
 
 def timezone(context: Context) -> Sequence[str]:
-    """The person's time zone; podman has an option for it."""
+    """The user's time zone; podman has an option for it."""
     line, zone = context.line, context.person.timezone
     return [] if line.asks("no-tz") or line.has("tz") or not zone else ["-e", f"TZ={zone}"]
 
 
 def locale(context: Context) -> Sequence[str]:
-    """The person's locale."""
+    """The user's locale."""
     if not context.line.asks("loc"):
         return []
     return [word for key, value in context.person.locale.items() for word in ("-e", f"{key}={value}")]
 
 
 def mounts(context: Context) -> Sequence[str]:
-    """The current folder at its own path, where the command then begins; and in the image's workspace.
+    """The current folder, at its own path, in which the command then begins, and in the image's workspace.
 
     Raises:
         RosmlError: the image has no workspace.
@@ -108,11 +108,11 @@ def mounts(context: Context) -> Sequence[str]:
 
 
 def labels(context: Context, added: Sequence[str]) -> Sequence[str]:
-    """SELinux lets no container read what rosml mounts: another label on it (`-v …:z`) would stay on a person's files, and no socket
-    of their session can have one. So this container has no label, as in toolbox and distrobox.
+    """No SELinux label, as in toolbox and distrobox: with one, a container could not read our mounts. Another label on them
+    (`-v …:z`) would stay on the user's files, and sockets of their session cannot have one.
 
     Args:
-        added: what rosml adds.
+        added: the options that rosml adds.
     """
     line = context.line
     said = line.has("privileged") or any(value.startswith("label") for value in line.values("security-opt"))
@@ -120,10 +120,10 @@ def labels(context: Context, added: Sequence[str]) -> Sequence[str]:
 
 
 def targets(line: Line, folder: str, environment: Mapping[str, str]) -> Sequence[str]:
-    """Where the current folder is mounted, for --mwd and --mws.
+    """The paths at which --mwd and --mws mount the current folder.
 
     Args:
-        environment: the image's, or the container's.
+        environment: the variables of the image or the container.
 
     Raises:
         RosmlError: the image has no workspace.

@@ -1,7 +1,7 @@
-"""What a project's file may say without being asked about, and what somebody has allowed: files, and repositories of images.
+"""Consent: the settings of a project's file that need no question, and the memory of allowed files and trusted repositories.
 
-The file comes with a project that somebody else may have written. Whatever it has the container run, reach or mount is asked
-about, the image among it: a container can use the display, and so the keyboard. What follows is all that is not.
+A project, and so its file, may be a stranger's. rosml asks the user about everything that the file lets the container run,
+reach or mount. That includes the image: a container can use the display, and so the keyboard. The exceptions follow here.
 """
 
 from __future__ import annotations
@@ -23,23 +23,25 @@ from rosml.run.words import Given, Line
 OWN = frozenset(
     ("--loc", "--mwd", "--mws", "--no-gpu", "--no-it", "--no-name", "--no-rm", "--no-ros", "--no-tz", "--no-x11")
 )
-"""Options of rosml that take something away, or mount the folder in which somebody calls it."""
+"""Options of rosml that take something away, or mount the current folder."""
 
 ENGINES = frozenset(("cpus", "init", "interactive", "memory", "name", "rm", "shm-size", "tty"))
-"""Options of the engine that give a container nothing to reach."""
+"""Options of the engine that let a container reach nothing."""
 
 VARIABLE = re.compile(
     "(ROS_DOMAIN_ID|ROS_LOCALHOST_ONLY|ROS_AUTOMATIC_DISCOVERY_RANGE|RMW_IMPLEMENTATION)=[A-Za-z0-9_]+"
 )
-"""Variables of a container from which nothing runs. Others make a shell or a program run what they say."""
+"""Variables of a container that run nothing. Others can make a shell or a program run their value."""
 
 
 def wanted(line: Line, trusted: bool, leads: Sequence[Lead] = (), folder: str = "") -> list[str]:
-    """What a file wants and is asked about, as a shell reads it.
+    """The settings of a file that need a question, as a shell reads them.
 
     Args:
-        line: what it says. trusted: it belongs to the person; of another one's file, all is asked about.
-        leads, folder: where its paths lead, and the project's folder.
+        line: the file's settings.
+        trusted: the file belongs to the user. If not, all settings need the question.
+        leads: the targets of its paths.
+        folder: the project's folder.
     """
     image = [f"image {shlex.quote(line.image)}"] if line.image else []
     command = [f"command {shlex.join(line.command)}"] if line.command else []
@@ -49,13 +51,13 @@ def wanted(line: Line, trusted: bool, leads: Sequence[Lead] = (), folder: str = 
 
 
 def _shown(given: Given, leads: Sequence[Lead], folder: str) -> str:
-    """Options of the engine, with the links on the way to what they name."""
+    """Options of the engine, with the links in their paths."""
     said = "; ".join(filter(None, (lead.said(folder) for lead in leads if lead.words == given.words)))
     return shlex.join(given.words) + (f" ({said})" if said else "")
 
 
 def _is_harmless(given: Given) -> bool:
-    """Whether options of the engine need no question; several may be in one word, and all of them count."""
+    """Whether options of the engine need no question. A word may have several, and all of them count."""
     known = ENGINES | ({"env"} if VARIABLE.fullmatch(given.value or "") else frozenset())
     return set(given.names) <= known
 
@@ -63,33 +65,33 @@ def _is_harmless(given: Given) -> bool:
 # ---- What was allowed ------------------------------------------------------------------------------------------------
 
 IMAGES = "image "
-"""What stands before a repository in the memory; files begin with `/`."""
+"""The prefix of repositories in the memory; files begin with `/`."""
 
 
 def memory(environment: Mapping[str, str]) -> Path:
-    """The file that has what was allowed: for each path of a file its `digest`, and for each repository of images whether it is
-    trusted."""
+    """The memory's file: for each path of a file the allowed `digest`, and for each repository of images whether the user trusts
+    it."""
     return Path(base(environment, "XDG_STATE_HOME", ".local/state"), "rosml", "allowed.json")
 
 
 def is_allowed(file: File, digest: str, place: Path) -> bool:
-    """Whether a file was allowed as it is now. `digest`: its own."""
+    """Whether the user has allowed a file with this digest."""
     return _allowed(place).get(file.path) == digest
 
 
 def is_trusted(repository: str, place: Path) -> bool | None:
-    """Whether a repository is trusted; None if nobody has said so."""
+    """Whether the user trusts a repository; None if they have not said."""
     found = _allowed(place).get(IMAGES + repository)
     return found if isinstance(found, bool) else None
 
 
 def with_file(file: File, digest: str, place: Path) -> bytes:
-    """What is in that memory once a file is allowed, until its digest changes."""
+    """The memory with a file that is allowed until its digest changes."""
     return _with(file.path, digest, place)
 
 
 def with_repository(repository: str, trusted: bool, place: Path) -> bytes:
-    """The same once somebody has said whether they trust a repository."""
+    """The memory with the user's answer about a repository."""
     return _with(IMAGES + repository, trusted, place)
 
 
@@ -98,8 +100,8 @@ def _with(key: str, value: object, place: Path) -> bytes:
 
 
 def _allowed(place: Path) -> dict[str, object]:
-    """All that was allowed: nothing if the file is missing, damaged, a link, or another user's, so that people are asked once more.
-    The same holds if the folder is another user's, or a link that another user made."""
+    """The memory. It is empty, so that rosml asks once more, if the file is missing, damaged, a link, or another user's, or if
+    its folder is another user's or a link that another user made."""
     try:
         with open(os.open(place, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC), "rb") as stream:
             owners = {os.fstat(stream.fileno()).st_uid, os.lstat(place.parent).st_uid}
@@ -113,10 +115,10 @@ def _allowed(place: Path) -> dict[str, object]:
 
 
 def digest(file: File) -> str:
-    """A SHA-256 over a file's content, over where its paths lead, and over the content of files that the engine reads.
+    """A SHA-256 over a file's content, the targets of its paths, and the content of files that the engine reads.
 
     Raises:
-        RosmlError: one of these is a pipe or a device, in which something else is whenever it is read.
+        RosmlError: one of these is a pipe or a device, whose content changes with every read.
     """
     import hashlib  # most files want nothing
 
@@ -125,7 +127,7 @@ def digest(file: File) -> str:
 
 
 def _read(lead: Lead) -> str:
-    """A digest of what the engine would read: of a file, or of the files in a folder; empty if there is none to be read.
+    """A digest of the file, or of the files in the folder, that the engine would read; empty if there is none.
 
     Raises:
         RosmlError: as in `digest`.

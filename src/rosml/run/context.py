@@ -1,4 +1,4 @@
-"""What is known when an image is started: data, which somebody else has found out."""
+"""The facts about a call of `rosml run`: plain data; other modules find it out."""
 
 from __future__ import annotations
 
@@ -13,11 +13,18 @@ from rosml.run.words import Line
 
 @dataclass(frozen=True)
 class Engine:
-    """What runs containers. Attributes: program: its command. podman: it is podman, or podman by the name of docker.
-    rootless: it runs without root's rights, so that root in a container is somebody else outside.
-    nvidia: NVIDIA's container runtime is one of its runtimes. cdi: the folders in which it looks for CDI's files. machine: the
-    name of the machine on which it runs; empty where it does not say. selinux: it gives its containers labels of SELinux.
-    snap: it is a snap, which has its own /tmp and /run, and sees no socket of a session."""
+    """The engine, which runs containers.
+
+    Attributes:
+        program: its command.
+        podman: it is podman, or podman by the name of docker.
+        rootless: it runs without root's rights: root in a container is another user outside.
+        nvidia: NVIDIA's container runtime is one of its runtimes.
+        cdi: the folders in which it looks for CDI files.
+        machine: the name of the machine on which it runs; empty if unknown.
+        selinux: it gives its containers SELinux labels.
+        snap: it is a snap, which has its own /tmp and /run, and sees no socket of a session.
+    """
 
     program: str = "docker"
     podman: bool = False
@@ -31,14 +38,15 @@ class Engine:
 
 @dataclass(frozen=True)
 class Person:
-    """Who calls, and from where.
+    """The user who calls.
 
     Attributes:
-        uid, gid, name: as the system has them; the name is empty where it has none.
-        folder: the current one, absolute.
-        timezone: such as `Europe/Berlin`; empty where it is unknown.
+        uid, gid, name: from the system; the name is empty if it has none.
+        folder: the current folder, absolute.
+        timezone: such as `Europe/Berlin`; empty if unknown.
         locale: `LANG`, `LANGUAGE` and `LC_…` of the environment.
-        terminal: standard input and standard output are terminals. reads: standard input has, or may have, something to read.
+        terminal: standard input and standard output are terminals.
+        reads: standard input has, or may have, something to read.
     """
 
     uid: int
@@ -53,11 +61,13 @@ class Person:
 
 @dataclass(frozen=True)
 class Image:
-    """An image, as the engine has it.
+    """An image of the engine.
 
     Attributes:
         id: its digest, without `sha256:`.
-        environment, labels, entrypoint, command: as it was built; the last is its `CMD`. user: as whom it starts.
+        environment, labels, entrypoint: from its build.
+        command: its `CMD`.
+        user: the user as whom it starts.
     """
 
     id: str = ""
@@ -70,15 +80,16 @@ class Image:
 
 @dataclass(frozen=True)
 class Container:
-    """A container, as the engine has it.
+    """A container of the engine.
 
     Attributes:
         state: such as `running` or `exited`.
-        image: what it was started from, as it is called there. image_id: its digest, without `sha256:`.
-        user: who runs in it, as `--user` has it; empty where nobody said so.
-        mounts: the places in it where something is mounted.
-        network, ipc: as `--network` and `--ipc` have them.
-        sources: what of the engine's machine is mounted at these places; empty for what has no path there.
+        image: the name of its image, as typed.
+        image_id: the image's digest, without `sha256:`.
+        user: the value of `--user`; empty if there was none.
+        mounts: the paths of its mounts.
+        network, ipc: the values of `--network` and `--ipc`.
+        sources: for each of these mounts, the path on the engine's machine; empty if it has none.
     """
 
     name: str
@@ -95,15 +106,15 @@ class Container:
     sources: Mapping[str, str] = field(default_factory=dict)
 
     def loss(self, program: str) -> str:
-        """What removing it takes away, for remedies: somebody has kept it."""
+        """The loss if it is removed, for remedies."""
         return f"with all that was written in it; {program} commit {self.name} IMAGE keeps that"
 
 
 LIMIT = 1024 * 1024
-"""Bytes of a file that are read. Those of this machine's settings have fewer."""
+"""The most bytes to read of a file. This machine's settings have fewer."""
 
 Address = str | tuple[str, int]
-"""Where something listens: the path of a socket, or a host and a port."""
+"""The address of a listener: the path of a socket, or a host and a port."""
 
 
 def _nothing(address: Address) -> bool:
@@ -116,9 +127,16 @@ def _nowhere(place: str | int) -> bool:
 
 @dataclass(frozen=True)
 class Host:
-    """This machine. Attributes: root: the folder under which its files are. environment: the caller's. name: its own.
-    connects: whether something listens at an address; a path is below the root already. owns: whether an address, or what a
-    name stands for, is one of this machine's own. echoes: whether a packet of multicast to a port comes back."""
+    """This machine.
+
+    Attributes:
+        root: the folder that has its files.
+        environment: the caller's variables.
+        name: the machine's name.
+        connects: whether something listens at an address; a path has the root already.
+        owns: whether an address, or the address of a name, is this machine's own.
+        echoes: whether a multicast packet to a port comes back.
+    """
 
     root: Path
     environment: Mapping[str, str] = field(default_factory=dict)
@@ -136,7 +154,7 @@ class Host:
         return all(self.path(place).exists() for place in places)
 
     def content(self, place: str) -> bytes:
-        """What is in a file; nothing if it is missing, may not be read, or is none: a pipe or a device may have no end."""
+        """The content of a file; nothing if it is missing, not readable, or no file: a pipe or a device may have no end."""
         try:
             with open(os.open(self.path(place), os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC), "rb") as stream:
                 return stream.read(LIMIT) if stat.S_ISREG(os.fstat(stream.fileno()).st_mode) else b""
@@ -144,18 +162,18 @@ class Host:
             return b""
 
     def text(self, place: str) -> str:
-        """The same as text."""
+        """The content of a file as text."""
         return self.content(place).decode(errors="replace")
 
     def files(self, folder: str) -> list[str]:
-        """The paths of what is in a folder."""
+        """The paths of the files in a folder."""
         try:
             return [f"{folder}/{name}" for name in sorted(os.listdir(self.path(folder)))]
         except OSError:
             return []
 
     def owner(self, place: str) -> tuple[int, int]:
-        """The ids of the user and the group to whom a file belongs; -1 where it is missing."""
+        """The ids of a file's user and group; -1 if it is missing."""
         try:
             found = self.path(place).stat()
         except OSError:
@@ -167,15 +185,19 @@ class Host:
         return self.connects(str(self.path(socket)))
 
     def program(self, name: str) -> bool:
-        """Whether a program is installed. Those of services may be in a folder that is not on the caller's PATH."""
+        """Whether a program is installed. A service's program may be in a folder that is not on the caller's PATH."""
         folders = [*self.environment.get("PATH", "").split(":"), "/usr/bin", "/usr/local/bin"]
         return any(folder.startswith("/") and self.has(f"{folder}/{name}") for folder in folders)
 
 
 @dataclass(frozen=True)
 class Context:
-    """All of it. Attributes: line: what was written. trusted: the person trusts the image's repository, so that the image may start
-    as root. What the image says of itself does not count for that."""
+    """All facts.
+
+    Attributes:
+        line: the command line.
+        trusted: the user trusts the image's repository, so the image may start as root. The image's own labels do not count.
+    """
 
     line: Line
     engine: Engine
@@ -186,10 +208,10 @@ class Context:
 
     @property
     def is_here(self) -> bool:
-        """Whether containers run on this machine, so that its devices and sockets are theirs."""
+        """Whether containers run on this machine and can have its devices and sockets."""
         return is_here(self.engine, self.host)
 
 
 def is_here(engine: Engine, host: Host) -> bool:
-    """Whether an engine runs containers on this machine. Docker Desktop has its own; that for Windows hands in what WSL has."""
+    """Whether an engine runs containers on this machine. Docker Desktop has its own machine; on Windows it shares WSL's files."""
     return engine.machine in ("", host.name) or (engine.machine == "docker-desktop" and host.has("/dev/dxg"))

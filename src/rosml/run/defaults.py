@@ -1,4 +1,4 @@
-"""The files with defaults for `rosml run`: the person's, the project's, and a command line on top of them."""
+"""The files with defaults for `rosml run`: the user's, the project's, and a command line on top of them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rosml.run import paths, taken
 from rosml.run.words import Line, split
 
 PERSON = "rosml/run.toml"
-"""The person's file, in the folder of settings."""
+"""The user's file, in their folder of settings."""
 
 PROJECT = ".rosml.toml"
 """The project's file."""
@@ -26,20 +26,26 @@ KEYS = {
     "options": '["--mws", "-e", "ROS_DOMAIN_ID=7"]',
     "command": '["ros2", "topic", "list"]',
 }
-"""What a file may have, and an example of each."""
+"""The keys of a file, each with an example."""
 
 DOTTED = re.compile(r"""(?<![A-Za-z0-9_-])(?:(?:[A-Za-z0-9_-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){20}""")
-"""A key of so many parts, which no file here has: tomllib takes a gigabyte and seconds for one of 32 kB."""
+"""A key with too many parts. tomllib takes a gigabyte and seconds for one of 32 kB."""
 
 LIMIT = 64 * 1024
-"""Bytes that a file may have: the whole of it is shown to people who are asked about it."""
+"""The most bytes of a file: users see all of it when we ask them about it."""
 
 
 @dataclass(frozen=True)
 class File:
-    """A file with defaults. Attributes: content: as it was read, once. owner: the uid of the user to whom it belongs. line:
-    what it says, as a command line; relative paths in it are absolute already. leads: the paths in a project's file, and what they
-    lead to; the line has the latter, so that a link which changes later leads the engine nowhere else."""
+    """A file with defaults.
+
+    Attributes:
+        content: its bytes, read once.
+        owner: its user's uid.
+        line: its settings as a command line, with absolute paths.
+        leads: the paths in a project's file and their targets. `line` has the targets, so that a link that changes later
+            leads the engine nowhere else.
+    """
 
     path: str
     content: bytes
@@ -50,15 +56,15 @@ class File:
 
 @dataclass(frozen=True)
 class Files:
-    """The files that there are."""
+    """The files that exist."""
 
     person: File | None = None
     project: File | None = None
 
     def under(self, typed: Line) -> Line:
         """A command line with the defaults below it: of two options that set the same thing, the engines take the later one.
-        Whoever types an image gets no default for the command, which belongs to another image; whoever asks for another
-        container gets none for its name, which one may have already."""
+        If the user types an image, there is no default for the command, which belongs to another image. If they ask for
+        another container, there is none for its name, which may be taken."""
         lines = [line for _, line in self.counting(typed)]
         image, command = typed.image, typed.command
         if image in ("", HERE):
@@ -68,8 +74,8 @@ class Files:
         return Line(own, (*(given for line in lines for given in line.engine), *typed.engine), image, command)
 
     def counting(self, typed: Line) -> list[tuple[str, Line]]:
-        """The files, each with what counts of it: one image, with the command of its own file or of one above that names no image;
-        and the options that nobody above it replaces."""
+        """The files, each with the part that counts: one image, with the command of its own file or of one above that names no
+        image, and the options that nothing above replaces."""
         found: list[tuple[str, Line]] = []
         above, needs_image, needs_command = typed.engine, typed.image in ("", HERE), not typed.command
         for file in filter(None, (self.project, self.person)):
@@ -84,7 +90,7 @@ class Files:
         return found
 
     def said(self, typed: Line) -> list[str]:
-        """What counts of each file, for people."""
+        """The part of each file that counts, in words."""
         return [
             f"from {shown(path)}: {' '.join(words)}"
             for path, line in self.counting(typed)
@@ -97,29 +103,31 @@ def _engine(line: Line) -> list[str]:
 
 
 def base(environment: Mapping[str, str], variable: str, usual: str) -> str:
-    """A folder of the person's, as the XDG Base Directory Specification has it.
+    """A folder of the user's, by the XDG Base Directory Specification.
 
     Args:
-        variable: the one that names it; a relative path does not count. usual: where it is otherwise, in their home.
+        variable: the variable that names it; a relative path does not count.
+        usual: its usual path in their home.
     """
     named = environment.get(variable, "")
     return named if named.startswith("/") else os.path.join(home(), usual)
 
 
 def home() -> str:
-    """The person's home folder; / where they have none, or a relative one, which would be a place in somebody's project."""
+    """The user's home folder; / if they have none, or a relative one, which would be a place in somebody's project."""
     found = os.path.expanduser("~")
     return found if found.startswith("/") else "/"
 
 
 def files(environment: Mapping[str, str], folder: str, options: Collection[str], refused: Collection[str]) -> Files:
-    """The files that there are for a folder.
+    """The files that exist for a folder.
 
     Args:
-        options: rosml's own options that a file can have. refused: those for the command line alone. Both with `--`.
+        options: rosml's own options that a file can have, with `--`.
+        refused: those for the command line alone, with `--`.
 
     Raises:
-        RosmlError: one of them is wrong, or cannot be read.
+        RosmlError: a file is wrong, or cannot be read.
     """
     person = f"{base(environment, 'XDG_CONFIG_HOME', '.config')}/{PERSON}"
     project = project_file(folder, home())
@@ -130,17 +138,18 @@ def files(environment: Mapping[str, str], folder: str, options: Collection[str],
 
 
 def is_own(owner: int, environment: Mapping[str, str]) -> bool:
-    """Whether a file's owner is the person, or root; for root by sudo, also the one who called it."""
+    """Whether a file's owner is the user or root; for root by sudo, also the user who called sudo."""
     uid, caller = os.geteuid(), environment.get("SUDO_UID", "")
     return owner in (uid, 0) or (uid == 0 and caller == str(owner))
 
 
 def project_file(folder: str, end: str) -> str:
-    """The file of a project: in a folder or the nearest one above it; empty where there is none. The search ends below the home
-    folder, where the person's own file counts, and at the end of a file system.
+    """The file of a project: in a folder or the nearest one above it; empty if there is none. The search ends below the home
+    folder, for which the user's own file counts, and at the end of a file system.
 
     Args:
-        folder: an absolute path. end: the home folder; links may lead there.
+        folder: an absolute path.
+        end: the home folder; links may lead there.
     """
     here, end, device = folder, os.path.realpath(end), _device(folder)
     while here != end and _device(here) == device:
@@ -153,7 +162,7 @@ def project_file(folder: str, end: str) -> str:
 
 
 def _device(folder: str) -> int:
-    """The file system of a folder; -1 where nobody may look."""
+    """The file system of a folder; -1 if we may not look."""
     try:
         return os.stat(folder).st_dev
     except OSError:
@@ -161,7 +170,7 @@ def _device(folder: str) -> int:
 
 
 def shown(text: str) -> str:
-    """Text for a terminal: what would move its cursor, or change the order of letters, is written as an escape."""
+    """Text for a terminal, with escapes for characters that move the cursor or change the order of letters."""
     return "".join(x if x.isprintable() else x.encode("unicode_escape").decode() for x in text)
 
 
@@ -169,16 +178,16 @@ def shown(text: str) -> str:
 
 
 def _file(path: str, options: Collection[str], refused: Collection[str], is_project: bool = False) -> File:
-    """A file that is there.
+    """Reads a file that exists.
 
     Args:
-        is_project: it is a project's: it may be no link, and its own links are followed now.
+        is_project: it is a project's file: it may be no link, and we follow the links of its paths now.
 
     Raises:
         RosmlError: as in `files`.
     """
     try:
-        # O_NONBLOCK: a pipe in its place would wait for somebody who writes.
+        # O_NONBLOCK: a pipe in its place would wait for a writer.
         flags = os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC | (os.O_NOFOLLOW if is_project else 0)
         with open(os.open(path, flags), "rb") as stream:
             found = os.fstat(stream.fileno())
@@ -196,7 +205,7 @@ def _file(path: str, options: Collection[str], refused: Collection[str], is_proj
 
 
 def _wrong(path: str, line: int, text: str, remedy: str) -> RosmlError:
-    """What is wrong with a file. `line`: where; 0 for the file as a whole."""
+    """The error about a file. `line`: its place; 0 for the whole file."""
     place = f"{path}:{line}" if line else path
     return RosmlError(shown(f"{place}: {text}"), f"{shown(remedy)}; --no-defaults leaves it out", exit_code=2)
 
@@ -212,10 +221,10 @@ def _text(path: str, content: bytes) -> str:
 def _line(
     path: str, text: str, options: Collection[str], refused: Collection[str], follows: bool
 ) -> tuple[Line, tuple[paths.Lead, ...]]:
-    """What a file says, and where its paths lead, if they are followed.
+    """The settings of a file, and the targets of its paths if we follow them.
 
     Raises:
-        RosmlError: it is broken, or says something else.
+        RosmlError: the file is broken, or has other settings.
     """
     import tomllib  # most folders have no file
 
@@ -246,16 +255,16 @@ def _line(
 
 
 def _place(text: str, key: str) -> int:
-    """The line where a key stands; 0 where it is written in some other way."""
+    """The line of a key; 0 if it is written in some other way."""
     found = re.search(rf"^[ \t]*(\[+[ \t]*)?([\"']?){re.escape(key)}\2[ \t]*[=.\]]", text, re.MULTILINE)
     return text.count("\n", 0, found.start()) + 1 if found else 0
 
 
 def _check(key: str, value: object) -> None:
-    """Whether a key is known, and has what it should have.
+    """Checks a key and its value.
 
     Raises:
-        RosmlError: it is not, or has not.
+        RosmlError: the key is unknown, or its value has the wrong type.
     """
     if key not in KEYS:
         from rosml.base.problems import near  # only needed when something is wrong
@@ -272,7 +281,7 @@ def _check(key: str, value: object) -> None:
 
 
 def _options(words: Sequence[str], options: Collection[str], refused: Collection[str]) -> Line:
-    """Options, which may be of rosml or of the engine. No image and no command hides among them.
+    """Options of rosml and of the engine, without a hidden image or command.
 
     Raises:
         RosmlError: a word is no option.

@@ -1,6 +1,6 @@
-"""What would run, as a `devcontainer.json` for editors: https://containers.dev/implementors/json_reference/.
+"""Writes a call as a `devcontainer.json` for editors: https://containers.dev/implementors/json_reference/.
 
-An editor replaces the image's entrypoint by a command that waits, and enters the container as the user who runs there.
+An editor replaces the image's entrypoint by a command that waits, then enters the container as its user.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from rosml.run.paths import FILES, joined
 from rosml.run.user import VARIABLE
 
 FOLDER = "${localWorkspaceFolder}"
-"""What the file calls the folder that the editor opens."""
+"""The variable for the folder that the editor opens."""
 
 DROPPED = ("interactive", "tty")
 """Editors have their own terminals."""
@@ -26,12 +26,12 @@ DROPPED = ("interactive", "tty")
 LISTS = {"cap-add": "capAdd", "security-opt": "securityOpt"}
 SWITCHES = ("init", "privileged")
 ELSEWHERE = ("env", "mount", "user", *LISTS, *SWITCHES)
-"""Options for which the file has a word of its own."""
+"""Options with a field of their own in the file."""
 
 
 def bare(context: Context) -> Context:
-    """The same without the image's entrypoint: the user's bare ids run. In a trusted image that makes users, the group 0 may write to
-    the workspace; it may write to files of root's group in what is mounted as well."""
+    """The context without the image's entrypoint: the user's bare ids run. In a trusted image that makes users, the group 0 may
+    write to the workspace, and also to mounted files of root's group."""
     line, image = context.line, context.image
     named = line.asks("no-user") or line.has("user") or (context.engine.rootless and not context.engine.podman)
     trusted = context.trusted or context.engine.rootless
@@ -51,7 +51,7 @@ def text(call: Call) -> str:
 
 
 def content(call: Call) -> dict[str, Any]:
-    """What is in the file. What has no counterpart goes to the engine as it is.
+    """The content of the file. Options without a counterpart go to the engine unchanged.
 
     Raises:
         RosmlError: an editor has its own command.
@@ -89,13 +89,13 @@ def _values(call: Call, name: str) -> Sequence[str]:
 
 
 def _variable(value: str) -> tuple[str, str]:
-    """A variable of the container; without a value it has that of whoever starts it."""
+    """A variable of the container. Without a value, it has that of the user who starts it."""
     name, equals, said = value.partition("=")
     return name, said if equals else f"${{localEnv:{name}}}"
 
 
 def _target(option: Option, folder: str) -> str:
-    """Where the current folder is mounted; empty where an option mounts something else, or in another way."""
+    """The path at which an option mounts the current folder; empty if it mounts something else, or in another way."""
     if option.name == "volume":
         source, _, target = (option.value or "").partition(":")
         return target if source == folder and ":" not in target else ""

@@ -1,4 +1,4 @@
-"""Device files that a container gets: who may open them."""
+"""The groups that may open the device files of a container."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rosml.run.plugin import Plugin
 
 
 def devices(context: Context) -> Sequence[str]:
-    """The groups of what somebody hands in by `--device`: a user in the container is in none of this machine's."""
+    """The groups of device files that the user hands in by `--device`. A user in the container is in none of this machine's groups."""
     places = [place for value in context.line.values("device") if (place := value.partition(":")[0]).startswith("/")]
     if not context.is_here or "keep-groups" in context.line.values("group-add"):
         return []
@@ -18,8 +18,8 @@ def devices(context: Context) -> Sequence[str]:
 
 
 def groups(context: Context, nodes: Iterable[str]) -> list[str]:
-    """The words for the groups that may open device files, which have other numbers elsewhere. Without root's rights no groups can be
-    given."""
+    """The words for the groups that may open device files. Their numbers differ between machines. Without root's rights, the engine
+    cannot give groups."""
     if context.engine.rootless:
         return []
     found = {context.host.owner(node)[1] for node in nodes} - {0, -1, context.person.gid}
@@ -27,7 +27,7 @@ def groups(context: Context, nodes: Iterable[str]) -> list[str]:
 
 
 def _nodes(context: Context, place: str) -> list[str]:
-    """A device file, or all that are in a folder, as the engines take it."""
+    """A device file, or all device files in a folder, as with the engines."""
     within = [f"{folder}/{file}" for folder, _, files in os.walk(context.host.path(place)) for file in files]
     top = str(context.host.root).rstrip("/")
     return [file.removeprefix(top) for file in within] or [place]

@@ -1,4 +1,4 @@
-"""The engine, docker or podman, is asked what it is and what it has. Nothing else of this package starts a process."""
+"""Asks the engine, docker or podman, what it is and what it has. No other module of this package starts a process."""
 
 from __future__ import annotations
 
@@ -23,24 +23,24 @@ ENGINE = "ROSML_ENGINE"
 """The environment variable that names an engine, or its path."""
 
 ENGINES = ("docker", "podman")
-"""What is looked for, in this order."""
+"""The engines to look for, in this order."""
 
 FOR_PULL = (
     *("arch", "authfile", "cert-dir", "creds", "decryption-key", "disable-content-trust", "os", "platform", "quiet"),
     *("retry", "retry-delay", "signature-policy", "tls-verify", "variant"),
 )
-"""The options of `run` that say how an image is pulled; `pull` has them as well."""
+"""Options of `run` about pulling an image; `pull` has them as well."""
 
 
 HERE = re.compile(r"(localhost|127(\.[0-9]+){3})(:[0-9]+)?/")
-"""Images of a registry on this machine. Docker asks it without TLS; podman has to be told."""
+"""Images of a registry on this machine. Docker asks it without TLS; podman needs an option for that."""
 
 
 def program(environment: Mapping[str, str]) -> str:
     """The engine's command.
 
     Raises:
-        RosmlError: there is none.
+        RosmlError: no engine is installed.
     """
     path = environment.get("PATH")
     if named := environment.get(ENGINE, ""):
@@ -59,30 +59,35 @@ def program(environment: Mapping[str, str]) -> str:
 
 
 INFO = "{{json .}}"
-"""What an engine is asked of itself."""
+"""The template for `info`."""
 
 PATIENCE = 1.0
-"""Seconds in which an engine answers somebody who has pressed the Tab key."""
+"""Seconds to wait for an engine after the Tab key."""
 
 ID = re.compile("[A-Za-z0-9][A-Za-z0-9_.-]*")
-"""How an engine calls a container."""
+"""The id or the name of a container."""
 
 CDI = ("/etc/cdi", "/var/run/cdi")
-"""Where podman looks for CDI's files."""
+"""The folders in which podman looks for CDI files."""
 
 IMAGE = "{{json .}}"
-"""What is asked of an image: all of it. docker and podman have two names for its id in a template, and one in JSON."""
+"""The template for an image: all facts. docker and podman name its id differently in a template, and alike in JSON."""
 
 CONTAINER = (
     "{{json .Name}} {{json .State.Status}} {{json .Image}} {{json .Config}} {{json .Mounts}} {{json .HostConfig}}"
 )
-"""What is asked of a container."""
+"""The template for a container."""
 
 
 @dataclass(frozen=True)
 class Facts:
-    """What an engine says. Attributes: image: None where the engine does not have it. taken: the container that has the
-    wanted name; None where there is none."""
+    """The answers of an engine.
+
+    Attributes:
+        engine: the engine itself.
+        image: the image; None if the engine does not have it.
+        taken: the container with the wanted name; None if there is none.
+    """
 
     engine: Engine
     image: Image | None
@@ -90,13 +95,15 @@ class Facts:
 
 
 def ask(command: str, image: str, name: str) -> Facts:
-    """Asks an engine, all at once.
+    """Asks an engine for all facts at once.
 
     Args:
-        command: the engine's command. image: as the person wrote it. name: for a container; empty where none is wanted.
+        command: the engine's command.
+        image: the image as typed.
+        name: the wanted name of a container, or an empty text.
 
     Raises:
-        RosmlError: the engine does not answer, or with something else than what was asked.
+        RosmlError: the engine does not answer, or we cannot read its answer.
     """
     about = _begun(command, "info", "--format", INFO)
     inspected = _begun(command, "image", "inspect", "--format", IMAGE, image)
@@ -108,26 +115,26 @@ def ask(command: str, image: str, name: str) -> Facts:
     found = _image(command, described, image)
     if found is None and engine is None:
         raise _silent(command, described.complaint or said.complaint)
-    # An engine also finds a container by the beginning of its id, and its name is not ours then.
+    # An engine also finds a container by the beginning of its id; that one has another name.
     return Facts(engine or _guessed(command), found, next((x for x in taken if x.name == name), None))
 
 
 def about(command: str) -> Engine:
-    """What an engine is."""
+    """The facts about an engine."""
     return _engine(command, _ended(_begun(command, "info", "--format", INFO))) or _guessed(command)
 
 
 def image(command: str, identity: str) -> Image | None:
-    """An image by its name or digest; None where the engine does not have it.
+    """An image by its name or digest; None if the engine does not have it.
 
     Raises:
-        RosmlError: what the engine says of it cannot be read.
+        RosmlError: we cannot read the engine's answer.
     """
     return _image(command, _ended(_begun(command, "image", "inspect", "--format", IMAGE, identity)), identity)
 
 
 def container(command: str, name: str) -> Container | None:
-    """A container by its name or id; None where there is none.
+    """A container by its name or id; None if there is none.
 
     Raises:
         RosmlError: the engine does not answer.
@@ -140,7 +147,7 @@ def container(command: str, name: str) -> Container | None:
 
 
 def containers(command: str, label: str) -> list[Container]:
-    """The containers with a label, those that have ended among them.
+    """The containers with a label, running or stopped.
 
     Args:
         label: its key.
@@ -175,12 +182,12 @@ def _listed(command: str, *options: str) -> list[Container]:
             raise ValueError(listed.text)
     if not ids:
         return []
-    # One that ends meanwhile is missing in the answer.
+    # A container that ends meanwhile is missing in the answer.
     return _containers(command, _ended(_begun(command, "container", "inspect", "--format", CONTAINER, *ids)), *ids)
 
 
 def folder(command: str, image: str, place: str) -> list[str]:
-    """What is in a folder of an image, which a container of it lists; nothing where it cannot."""
+    """The names in a folder of an image, listed by a container of it; none if that fails."""
     alone = ("--rm", "--network", "none", "--entrypoint", "ls")
     listed = _ended(_begun(command, "run", *alone, image, place))
     return [] if listed.code else listed.text.split()
@@ -197,7 +204,7 @@ def container_names(command: str) -> list[str]:
 
 
 def _lines(command: str, what: str, form: str, *options: str) -> list[str]:
-    """The lines of a list; none where the engine fails, or takes long: somebody has pressed the Tab key."""
+    """The lines of a list. None if the engine fails or takes long: the user waits after the Tab key."""
     try:
         done = subprocess.run(
             [command, what, *options, "--format", form],
@@ -212,13 +219,14 @@ def _lines(command: str, what: str, form: str, *options: str) -> list[str]:
 
 
 def start(command: str, kept: Container, here: bool) -> None:
-    """Starts a container that has ended.
+    """Starts a container that has stopped.
 
     Args:
-        kept: the container. here: the engine runs on this machine.
+        kept: the container.
+        here: the engine runs on this machine.
 
     Raises:
-        RosmlError: the engine cannot, or it ends at once.
+        RosmlError: the engine cannot start it, or it ends at once.
     """
     name, removal = kept.name, f"{command} rm {kept.name} removes it {kept.loss(command)}"
     if subprocess.run([command, "start", name], stdout=subprocess.DEVNULL, check=False).returncode:
@@ -234,10 +242,10 @@ def start(command: str, kept: Container, here: bool) -> None:
 
 
 def pull(command: str, line: Line) -> None:
-    """Has the engine pull an image; what it says of its progress goes to standard error, as that of `docker run` does.
+    """Lets the engine pull an image. Progress goes to standard error, as with `docker run`.
 
     Raises:
-        RosmlError: it cannot, or must not.
+        RosmlError: the engine cannot pull it, or the user forbids it.
     """
     if line.value("pull") == "never":
         raise RosmlError(f"no image {line.image} here, and --pull=never", f"{command} pull {line.image}")
@@ -248,8 +256,8 @@ def pull(command: str, line: Line) -> None:
         options.append(plain)
     argv = [command, "pull", *options, line.image]
     if subprocess.run(argv, stdout=2, check=False).returncode:
-        remedy = f"look at its name; where it is private: {command} login REGISTRY"
-        remedy += f"; where its registry has no TLS: rosml run {plain} {line.image}" if plain else ""
+        remedy = f"check its name; if it is private: {command} login REGISTRY"
+        remedy += f"; if its registry has no TLS: rosml run {plain} {line.image}" if plain else ""
         raise RosmlError(f"no image {line.image} here, and {command} cannot pull it", remedy)
 
 
@@ -278,13 +286,13 @@ def _ended(process: subprocess.Popen[str]) -> _Answer:
 
 @contextlib.contextmanager
 def _understood(command: str, answer: _Answer, *words: str) -> Iterator[None]:
-    """What reads an answer.
+    """Runs code that reads an answer.
 
     Args:
-        words: with which a person can ask the same.
+        words: the words by which a user can ask the same.
 
     Raises:
-        RosmlError: in the place of a ValueError.
+        RosmlError: the code raised a ValueError.
     """
     try:
         yield
@@ -295,10 +303,10 @@ def _understood(command: str, answer: _Answer, *words: str) -> Iterator[None]:
 
 
 def _engine(command: str, said: _Answer) -> Engine | None:
-    """Which engine answers, by what `info` says; None where none does. podman may be called docker.
+    """The engine that `info` describes; None if none answers. podman may be called docker.
 
     Raises:
-        RosmlError: it says something else.
+        RosmlError: we cannot read the answer.
     """
     if not said.text.strip():
         return None
@@ -308,7 +316,7 @@ def _engine(command: str, said: _Answer) -> Engine | None:
 
 
 def _described_engine(command: str, found: Mapping[str, Any]) -> Engine | None:
-    """Which engine describes itself so.
+    """The engine of a description; None if docker's server does not answer.
 
     Raises:
         ValueError: it is no description.
@@ -329,16 +337,16 @@ def _described_engine(command: str, found: Mapping[str, Any]) -> Engine | None:
 
 
 def _guessed(command: str) -> Engine:
-    """Which engine it is, where it has the image and yet says nothing of itself that can be read."""
+    """The engine by its name alone, if it has the image and yet `info` says nothing."""
     podman = os.path.basename(command).startswith("podman")
     return Engine(command, podman, rootless=podman and os.geteuid() != 0, cdi=CDI if podman else ())
 
 
 def _kind(kind: type[T], found: object) -> T:
-    """What was found, which is of a kind.
+    """Returns a value of the wanted type.
 
     Raises:
-        ValueError: it is not.
+        ValueError: it has another type.
     """
     if not isinstance(found, kind):
         raise ValueError(found)
@@ -346,15 +354,15 @@ def _kind(kind: type[T], found: object) -> T:
 
 
 def _texts(found: object) -> list[str]:
-    """A list of texts; the engines write null for one that is empty."""
+    """A list of texts; the engines write null for an empty list."""
     return [_kind(str, text) for text in _kind(list, found or [])]
 
 
 def _image(command: str, answer: _Answer, name: str) -> Image | None:
-    """An image, from what `inspect` says; None where the engine does not have it.
+    """An image, from the answer of `inspect`; None if the engine does not have it.
 
     Raises:
-        RosmlError: that cannot be read. Who runs in the image depends on it.
+        RosmlError: we cannot read the answer. Who runs in the container depends on it.
     """
     if answer.code:
         return None
@@ -368,27 +376,27 @@ def _image(command: str, answer: _Answer, name: str) -> Image | None:
 
 
 def _containers(command: str, answer: _Answer, *names: str) -> list[Container]:
-    """Containers, from what `inspect` says of each; of those that are missing it says nothing.
+    """Containers, from the answer of `inspect`, which leaves out missing ones.
 
     Raises:
-        RosmlError: that cannot be read.
+        RosmlError: we cannot read the answer.
     """
     with _understood(command, answer, "container", "inspect", *names):
         return [_container(line) for line in _answer(answer.text).split("\n") if line.strip()]
 
 
 def _container(line: str) -> Container:
-    """A container, from a line of what `inspect` says.
+    """A container, from a line of `inspect`.
 
     Raises:
-        ValueError: it is no such line.
+        ValueError: we cannot read the line.
     """
     name, state, image, config, mounts, settings = untrusted.json_values(line)
     kinds = [_kind(dict, mount) for mount in _kind(list, mounts or [])]
     sources = {str(mount.get("Destination", "")): str(mount.get("Source") or "") for mount in kinds}
     variables, labels, entrypoint = _described(_kind(dict, config))
     named, user = str(config.get("Image") or ""), str(config.get("User") or "")
-    given = _kind(str, name).removeprefix("/")  # docker's begin with it
+    given = _kind(str, name).removeprefix("/")  # docker's names begin with it
     network, ipc = (str(_kind(dict, settings or {}).get(key) or "") for key in ("NetworkMode", "IpcMode"))
     seen = (_kind(str, state), named, _bare(image), user)
     return Container(given, *seen, variables, labels, entrypoint, frozenset(sources), network, ipc, sources)
@@ -408,7 +416,7 @@ def _words(found: object) -> tuple[str, ...]:
 
 
 def _answer(text: str) -> str:
-    """What an engine prints, without warnings before the answer, which is an object or begins with a text."""
+    """The answer of an engine without the warnings before it. It is an object, or begins with a text."""
     return re.sub(r'\A(?:(?!["{]).*\n)+(?=["{])', "", text)
 
 
@@ -418,7 +426,7 @@ def _bare(identity: object) -> str:
 
 
 def _silent(command: str, complaint: str) -> RosmlError:
-    """An engine that does not answer: its own words, and what to do about it."""
+    """The error if an engine does not answer: its own words and a remedy."""
     words = complaint.splitlines()[-1] if complaint else "it says nothing"
     others = [name for name in ENGINES if name != command and shutil.which(name)]
     other = f"; or take the other one: {ENGINE}={others[0]}" if others and command in ENGINES else ""
@@ -429,11 +437,11 @@ def _silent(command: str, complaint: str) -> RosmlError:
 
 
 def lacking(command: str, image: str) -> RosmlError:
-    """What to say where an image is missing, and nothing may be pulled: who runs in it depends on the image."""
+    """The error if an image is missing and we may not pull it: who runs in the container depends on the image."""
     return RosmlError(f"no image {image} here", f"{command} pull {image}, then call it again")
 
 
 def still_lacking(command: str, image: str) -> RosmlError:
-    """What to say where an image is missing although it was pulled."""
+    """The error if an image is missing although it was pulled."""
     remedy = f"`{command} image inspect {image}` says why; `{command} images` lists what is there"
     return RosmlError(f"{command} has pulled {image}, and yet does not have it", remedy)

@@ -1,4 +1,4 @@
-"""What would run, as a file from which another program starts it: what of a call such a file can have."""
+"""A call without its passing parts, for files from which other programs start it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rosml.run.context import Context
 from rosml.run.words import Given, Line, split
 
 OF_A_CALL = ("attach", "detach", "detach-keys", "quiet", "replace", "rm", "rmi", "sig-proxy")
-"""Options that say how one call waits and cleans up; whoever starts the file has their own."""
+"""Options about how a single call waits and cleans up. Programs that start the file have their own."""
 
 SYNONYMS = {"net": "network", "dns-option": "dns-opt"}
 """Options with two names."""
@@ -21,12 +21,17 @@ FIELDS = {"src": "source", "dst": "target", "destination": "target", "ro": "read
 """Fields of `--mount` with several names."""
 
 X11 = ("-v", "/tmp/.X11-unix:/tmp/.X11-unix", "-e", "DISPLAY", "-e", "QT_X11_NO_MITSHM=1")
-"""Windows for as long as a file lasts: the sockets of all displays, and the DISPLAY of whoever starts it."""
+"""Options for windows that last as long as a file: the sockets of all displays, and the DISPLAY of the user who starts it."""
 
 
 @dataclass(frozen=True)
 class Option:
-    """An option of the engine. Attributes: name: its long name. value: None where it is a switch."""
+    """An option of the engine.
+
+    Attributes:
+        name: its long name.
+        value: its value; None if it is a switch.
+    """
 
     name: str
     value: str | None = None
@@ -39,8 +44,13 @@ class Option:
 
 @dataclass(frozen=True)
 class Call:
-    """What would run. Attributes: name: for people, from the folder. options: of the engine; of two that set the same thing the
-    last one counts. folder: the current one, where the file will be."""
+    """A call.
+
+    Attributes:
+        name: its name for people, from the folder.
+        options: the engine's options. If two set the same thing, the last one counts.
+        folder: the current folder, for the file.
+    """
 
     name: str
     options: tuple[Option, ...]
@@ -50,11 +60,10 @@ class Call:
 
 
 def lasting(context: Context) -> Context:
-    """The same as it is on a terminal, without what lasts no longer than a session: the cookie of X11, and the socket of ssh's
-    agent.
+    """The context as on a terminal, without the parts of a session: the cookie of X11, and the socket of ssh's agent.
 
     Raises:
-        RosmlError: somebody asks for ssh's agent.
+        RosmlError: the user asks for ssh's agent.
     """
     line = context.line
     if line.asks("ssh-agent"):
@@ -66,7 +75,7 @@ def lasting(context: Context) -> Context:
 
 
 def preceded(line: Line, *words: str) -> Line:
-    """The same with more options of the engine before those that somebody wrote."""
+    """The line with more options of the engine before the typed ones."""
     return replace(line, engine=(*split([*words, line.image], ()).engine, *line.engine))
 
 
@@ -80,13 +89,13 @@ def _has_windows(context: Context) -> bool:
 
 
 def call(context: Context, argv: Sequence[str]) -> Call:
-    """What would run.
+    """The call.
 
     Args:
         argv: the engine's command, from the plugins.
 
     Raises:
-        RosmlError: a word of it is no text.
+        RosmlError: a word of the command is no text.
     """
     odd = next((word for word in argv if not _is_text(word)), None)
     if odd is not None:
@@ -108,16 +117,16 @@ def _is_text(word: str) -> bool:
 
 
 def _pairs(given: Given) -> list[tuple[str, str | None]]:
-    """The options in a word, such as `-itv`, each with its value; the last one alone can have one."""
+    """The options in a word, such as `-itv`, each with its value; only the last one can have a value."""
     *switches, last = given.names
     return [*((name, None) for name in switches), (last, given.value)]
 
 
 def fields(option: Option) -> list[tuple[str, str]]:
-    """The fields of a value such as `type=bind,source=/a,target=/b`; a switch among them has no value.
+    """The fields of a value such as `type=bind,source=/a,target=/b`; a switch among them has an empty value.
 
     Raises:
-        RosmlError: it has no such fields.
+        RosmlError: its quotes do not close.
     """
     import csv  # few values have any
 
@@ -131,7 +140,7 @@ def fields(option: Option) -> list[tuple[str, str]]:
 
 
 def placed(path: str, folder: str, start: str) -> str:
-    """A path; one in the current folder begins with another word, so that the file can be used elsewhere."""
+    """A path. If it lies in the current folder, it begins with `start` instead, so that the file works elsewhere."""
     if folder == "/" or not f"{path}/".startswith(f"{folder}/"):
         return path
     return start + path[len(folder) :]

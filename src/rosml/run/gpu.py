@@ -1,4 +1,4 @@
-"""GPUs: those that this machine's device files show, in the way in which the engine takes them."""
+"""GPUs: finds them by this machine's device files, and makes the engine's options."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ WSL = ("/dev/dxg", "/usr/lib/wsl/lib/libcuda.so.1")
 """Windows shows every GPU as /dev/dxg; CUDA's library is there if NVIDIA's driver is."""
 
 HOOKS = ("nvidia-container-runtime-hook", "nvidia-container-toolkit")
-"""What docker calls for --gpus, of NVIDIA's Container Toolkit."""
+"""The programs of NVIDIA's Container Toolkit that docker calls for --gpus."""
 
 TOOLKIT = "install NVIDIA's Container Toolkit"
 GUIDE = "https://docs.nvidia.com/datacenter/cloud-native/container-toolkit/"
 
 
 def gpu(context: Context) -> Added:
-    """All GPUs of NVIDIA; where there are none, the others' /dev/dri. Which ones another machine has is unknown.
+    """All NVIDIA GPUs; if there are none, /dev/dri of other GPUs. Those of another machine are unknown.
 
     Raises:
         RosmlError: the machine's driver is too old for the image.
@@ -46,13 +46,13 @@ def gpu(context: Context) -> Added:
 
 
 def _is_theirs(line: Line) -> bool:
-    """Whether somebody says themselves which GPUs there are."""
+    """Whether the user chooses the GPUs."""
     devices = any(x.startswith(("nvidia.com/", "/dev/nvidia", "/dev/dri", "/dev/dxg")) for x in line.values("device"))
     return devices or line.has("gpus", "runtime") or line.sets("NVIDIA_VISIBLE_DEVICES")
 
 
 def _nvidia(engine: Engine, host: Host, jetson: bool, wsl: bool) -> Sequence[str]:
-    """The engine's words for all GPUs of NVIDIA; none where it cannot hand them in."""
+    """The engine's words for all NVIDIA GPUs; none if it cannot hand them in."""
     if jetson and not engine.podman:
         return ["--runtime", "nvidia"] if engine.nvidia else []
     if any("nvidia.com/gpu" in host.text(file) for folder in engine.cdi for file in host.files(folder)):
@@ -63,7 +63,7 @@ def _nvidia(engine: Engine, host: Host, jetson: bool, wsl: bool) -> Sequence[str
 
 
 def _lacking(engine: Engine) -> tuple[str, str]:
-    """Why there is no GPU, and what to do about it."""
+    """Why there is no GPU, and the remedy."""
     text = f"the container gets no GPU: {engine.program} cannot hand in NVIDIA's"
     made = ", then sudo nvidia-ctk cdi generate --output=/etc/cdi/nvidia.yaml" if engine.podman else ""
     return text, f"{TOOLKIT}{made} ({GUIDE}); --no-gpu asks for none"
@@ -79,13 +79,13 @@ def _check_driver(context: Context) -> None:
 
 
 def driver(host: Host) -> str:
-    """The version of NVIDIA's driver, such as `580.159.04`; empty where it is unknown."""
+    """The version of NVIDIA's driver, such as `580.159.04`; empty if unknown."""
     loaded = re.search(r"Kernel Module\b.*?\s(\d+\.\d[\d.]*)", host.text("/proc/driver/nvidia/version"))
     return loaded[1] if loaded else host.text("/sys/module/nvidia/version").strip()
 
 
 def _numbers(version: str) -> tuple[int, ...]:
-    """The numbers of a version, to compare it; none of what is no version: an image may say anything."""
+    """The numbers of a version, for comparisons; none if the text is no version, as an image may say anything."""
     found = re.fullmatch(r"[0-9]{1,9}(\.[0-9]{1,9}){0,9}", version.strip())
     return tuple(map(int, found[0].split("."))) if found else ()
 

@@ -1,4 +1,4 @@
-"""This machine: where its files are, and what listens."""
+"""This machine: its files and its listeners."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from pathlib import Path
 from rosml.run.context import Address, Host
 
 ROOT = Path("/")
-"""Where the machine's files are."""
+"""The root of the machine's files."""
 
 PATIENCE = 0.3
-"""Seconds in which a display answers, or does not."""
+"""Seconds to wait for an answer, such as a display's."""
 
 NO_ADDRESS = (OSError, OverflowError, UnicodeError)
-"""What a port beyond 65535 and a name with an empty part raise, and all else that does not answer."""
+"""Errors of addresses that do not answer, of ports beyond 65535, and of names with an empty part."""
 
 GROUP = "239.255.0.1"
-"""Where nodes of ROS 2 announce themselves: DDS's own group."""
+"""The multicast group of DDS, to which nodes of ROS 2 announce themselves."""
 
 
 def host(environment: Mapping[str, str]) -> Host:
@@ -43,7 +43,7 @@ def connects(address: Address) -> bool:
 
 
 def owns(address: str) -> bool:
-    """Whether an address, or what a name stands for, is one of this machine's own."""
+    """Whether an address, or the address of a name, is this machine's own."""
     import socket
 
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asked:
@@ -55,8 +55,8 @@ def owns(address: str) -> bool:
 
 
 def echoes(port: int) -> bool:
-    """Whether a packet to the group of DDS's discovery comes back to this machine, which it does not leave. Nodes that listen
-    there as well pass over it. If one of them lets nobody else listen at the port, another port is tried."""
+    """Whether a packet to DDS's multicast group comes back. It does not leave this machine, and nodes that listen ignore it. If a
+    node lets nobody else listen at the port, we try another port."""
     import socket
     import time
 
@@ -83,7 +83,7 @@ def echoes(port: int) -> bool:
 
 
 def write(path: Path, content: bytes) -> None:
-    """Writes a private file, which nobody sees half written. One that has the content already stays: containers have it mounted.
+    """Writes a private file at once. If it has the content already, it stays, because containers have it mounted.
 
     Raises:
         OSError: it cannot be written, or its folder is another user's, or a link that another user made.

@@ -1,4 +1,4 @@
-"""Paths of this machine in the options of the engine: what is mounted, and files that the engine reads and writes."""
+"""Paths of this machine in options of the engine: mounts, and files that the engine reads and writes."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rosml.base.errors import RosmlError
 from rosml.run.words import Given
 
 SOURCES = ("source", "src")
-"""How a mount names what is mounted."""
+"""The fields of a mount that name its source."""
 
 READ = ("authfile", "cert-dir", "env-file", "hosts-file", "label-file", "pod-id-file", "signature-policy")
 """Options whose value is a file of this machine that the engine reads, or a folder of such files."""
@@ -21,24 +21,25 @@ FILES = (*READ, "cidfile", "conmon-pidfile", "init-path", "pidfile")
 """Options whose value is a path of this machine."""
 
 NO_HOSTS = ("image", "none")
-"""What --hosts-file takes in the place of a path."""
+"""Values of --hosts-file that are no path."""
 
 NAMESPACES = ("cgroupns", "ipc", "net", "network", "pid", "userns", "uts")
 """Options of podman that may have a path, after `ns:`."""
 
 LAYERS = ("upperdir", "workdir")
-"""What podman's `-v /a:/b:O` may have as paths after `/b`."""
+"""The paths that podman's `-v /a:/b:O` may have after `/b`."""
 
 Change = Callable[[str], str]
-"""What becomes of a path."""
+"""A function from a path to a new one."""
 
 
 def anchored(given: Given, folder: str) -> Given:
-    """The same option of a file, whose folder the engine does not know: also files that the engine itself would find from the
+    """An option from a file with defaults, with absolute paths: also of files that the engine itself would look for in the
     current folder.
 
     Args:
-        given: options of the engine. folder: that of the file.
+        given: options of the engine.
+        folder: the folder of the file.
 
     Raises:
         RosmlError: as in `changed`.
@@ -47,11 +48,11 @@ def anchored(given: Given, folder: str) -> Given:
 
 
 def resolved(given: Given, folder: str) -> Given:
-    """The same option; where it mounts a relative folder, with its absolute path. The engine finds other files itself.
+    """The option with an absolute path if it mounts a relative folder. The engine finds other files itself.
 
     Args:
         given: options of the engine.
-        folder: the current one.
+        folder: the current folder.
 
     Raises:
         RosmlError: as in `changed`.
@@ -60,7 +61,7 @@ def resolved(given: Given, folder: str) -> Given:
 
 
 def mounted(given: Given) -> list[str]:
-    """What `-v` mounts of this machine. `--mount` refuses a folder that is missing; of `-v`, docker makes it, for root.
+    """The folders of this machine that `-v` mounts. If one is missing, docker makes it, for root; `--mount` refuses it.
 
     Args:
         given: an option whose paths are absolute.
@@ -75,12 +76,12 @@ def bind(source: str, target: str) -> str:
 
 
 def joined(fields: Sequence[str]) -> str:
-    """A value of fields with commas between them; one that has a comma, a quote or a line's end in it is quoted."""
+    """A value of fields, separated by commas. A field with a comma, a quote or a line's end is quoted."""
     return ",".join(f'"{x.replace(chr(34), chr(34) * 2)}"' if set(x) & set(',"\n\r') else x for x in fields)
 
 
 def _absolute(path: str, folder: str) -> str:
-    """As docker does it, by the words of the path alone; an absolute path stays as it is written."""
+    """An absolute path, made from the text alone, as docker does. A path that is absolute stays unchanged."""
     if path == "~" or path.startswith("~/"):  # --volume=~/a: no shell has read that
         return os.path.expanduser(path)
     return path if path.startswith("/") else os.path.normpath(f"{folder}/{path}")
@@ -90,7 +91,7 @@ def _absolute(path: str, folder: str) -> str:
 
 
 def changed(given: Given, change: Change) -> Given:
-    """The same option, with another path for each path of this machine that it names.
+    """The option with a new path for each path of this machine.
 
     Args:
         given: options of the engine. Only the last one in a word has a value.
@@ -113,7 +114,7 @@ def changed(given: Given, change: Change) -> Given:
 
 
 def _volume(value: str, change: Change) -> str:
-    """`./a:/b`, `.a:/b`, `a/b:/c`, `.:/b:ro` and `~/a:/b`; not `/a`, which is a place in the container, or the volume `name:/b`."""
+    """`./a:/b`, `.a:/b`, `a/b:/c`, `.:/b:ro` and `~/a:/b`; not `/a`, a path in the container, or the volume `name:/b`."""
     source, colon, rest = value.partition(":")
     if not colon or not (source.startswith(".") or "/" in source):
         return value
@@ -135,7 +136,7 @@ def _mount(value: str, change: Change) -> str:
 
     try:
         (fields,) = csv.reader([value], strict=True)
-    except (csv.Error, ValueError):  # the engine says what is wrong with it
+    except (csv.Error, ValueError):  # the engine reports the mistake
         return value
     kinds = [field.lower() for field in fields]
     names = SOURCES if "type=bind" in kinds else ()
@@ -193,8 +194,14 @@ WRITTEN: dict[str, Callable[[str, Change], str]] = {
 
 @dataclass(frozen=True)
 class Lead:
-    """A path of a file with defaults, and what it leads to. Attributes: words: of the option, with the latter. reads: the engine
-    reads what is in there."""
+    """A path in a file with defaults.
+
+    Attributes:
+        path: the path.
+        target: where its links lead.
+        words: the option's words, with the target.
+        reads: the engine reads the content.
+    """
 
     path: str
     target: str
@@ -202,10 +209,10 @@ class Lead:
     reads: bool = False
 
     def said(self, folder: str) -> str:
-        """How people are shown it; empty if no link is on the way.
+        """The path for people; empty if it has no link.
 
         Args:
-            folder: that of the project.
+            folder: the project's folder.
         """
         if self.target == os.path.normpath(self.path):
             return ""
@@ -218,7 +225,7 @@ def _is_in(path: str, folder: str) -> bool:
 
 
 def followed(given: Given) -> tuple[Given, tuple[Lead, ...]]:
-    """The same option with what its paths lead to: what somebody is asked about is what the engine gets.
+    """The option with the targets of its paths, so that the engine gets what the user was asked about.
 
     Args:
         given: an option whose paths are absolute.
@@ -240,8 +247,8 @@ def followed(given: Given) -> tuple[Given, tuple[Lead, ...]]:
 
 
 def _end(path: str) -> str:
-    """Where a path leads. The links of udev, such as /dev/serial/by-id/camera, change whenever somebody plugs something in; only
-    root makes them. Other file systems below /dev, such as /dev/shm, may have links of anybody's."""
+    """The target of a path. Links of udev, such as /dev/serial/by-id/camera, stay: they change whenever somebody plugs something
+    in, and only root makes them. Other file systems below /dev, such as /dev/shm, may have anybody's links."""
     target, path = os.path.realpath(path), os.path.normpath(path)
     try:
         found, devices = os.lstat(path), os.lstat("/dev")

@@ -1,4 +1,4 @@
-"""Who calls, and from where: what this process and this machine say."""
+"""The user who calls, by this process and this machine."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from rosml.base.errors import RosmlError
 from rosml.run.context import Person
 
 ZONES = "zoneinfo/"
-"""The folder of time zones, wherever the system keeps it."""
+"""The name of the system's folder of time zones."""
 
 
 def person(environment: Mapping[str, str]) -> Person:
-    """The one who calls this process.
+    """The user of this process.
 
     Raises:
         RosmlError: the current folder was removed.
@@ -46,17 +46,18 @@ def _name(uid: int) -> str:
 
 
 def timezone(environment: Mapping[str, str], etc: Path = Path("/etc")) -> str:
-    """The name of the time zone: that of TZ, or else the system's; empty where neither has a name.
+    """The name of the time zone: that of TZ, or else the system's; empty if neither has a name.
 
     Args:
-        environment: with TZ, or without. etc: the system's folder of settings.
+        environment: variables, with TZ or without.
+        etc: the system's folder of settings.
     """
     places = (environment.get("TZ", "").removeprefix(":"), _link(etc / "localtime"), _text(etc / "timezone"))
     return next(filter(None, map(_zone, places)), "")
 
 
 def _zone(place: str) -> str:
-    """The zone that a path leads to; a place that is no path names one. A path to anywhere else has no name for it."""
+    """The zone of a path, or of a name; empty for a path to anywhere else."""
     if ZONES in place:
         return place.rpartition(ZONES)[2]
     return "" if place.startswith(("/", ".")) else place
@@ -77,7 +78,7 @@ def _text(file: Path) -> str:
 
 
 def reads(descriptor: int) -> bool:
-    """Whether something may be read there: a terminal, a pipe, a file; not /dev/null, and nothing where it is closed."""
+    """Whether a descriptor may have something to read: a terminal, a pipe or a file; not /dev/null or a closed one."""
     try:
         found = os.fstat(descriptor)
         return not (stat.S_ISCHR(found.st_mode) and found.st_rdev == os.stat(os.devnull).st_rdev)

@@ -1,4 +1,4 @@
-"""Places where nodes of ROS run: a container that would start, one that runs, and this machine. What each has decides whether
+"""Places of ROS nodes: a container that would start, a running one, and this machine. From their settings follows whether
 their nodes find each other, and whether data arrives."""
 
 from __future__ import annotations
@@ -19,24 +19,24 @@ SHM = "/dev/shm"
 """The folder of shared memory."""
 
 ROS_1 = ("indigo", "jade", "kinetic", "lunar", "melodic", "noetic")
-"""Distributions of ROS 1; images of ours say ROS_VERSION as well."""
+"""Distributions of ROS 1; our images also set ROS_VERSION."""
 
 WITHOUT_RANGE = ("dashing", "eloquent", "foxy", "galactic", "humble")
-"""Distributions of ROS 2 that know ROS_LOCALHOST_ONLY alone."""
+"""Distributions of ROS 2 that know only ROS_LOCALHOST_ONLY."""
 
 DEFAULT = "rmw_fastrtps_cpp"
-"""What ROS 2 takes where RMW_IMPLEMENTATION names nothing else; galactic alone took Cyclone DDS."""
+"""The default RMW implementation of ROS 2; galactic alone took Cyclone DDS."""
 
 RMW = "io.rosml.rmw"
-"""The label of an image whose ROS takes another one."""
+"""The label of an image with another default."""
 
 
 WITHOUT = "-e FASTDDS_BUILTIN_TRANSPORTS=UDPv4"
-"""Has Fast DDS do without shared memory."""
+"""Turns off Fast DDS's shared memory."""
 
 
 def share(network: str) -> str:
-    """What to do where nodes on a network would hand over data in a memory that others on it do not have."""
+    """The remedy if nodes on a network would hand over data in a memory that others on it do not have."""
     return f"--ipc {network}; or without shared memory: {WITHOUT}"
 
 
@@ -45,11 +45,11 @@ class Place:
     """A place where nodes run.
 
     Attributes:
-        name: as messages have it.
+        name: its name in messages.
         environment: the variables there.
         network, ipc: `host`, `container:…`, a name, or `private`.
-        uid: whom files in shared memory belong to, outside; empty where it is unknown.
-        default: the RMW implementation that is taken where nobody names one; empty where the image does not say.
+        uid: the owner of its files in shared memory, seen from outside; empty if unknown.
+        default: the default RMW implementation; empty if unknown.
     """
 
     name: str
@@ -61,7 +61,7 @@ class Place:
 
     @property
     def version(self) -> str:
-        """1 or 2; empty where there is no ROS."""
+        """1 or 2; empty if there is no ROS."""
         distribution = self.environment.get("ROS_DISTRO", "")
         return self.environment.get("ROS_VERSION") or (distribution and ("1" if distribution in ROS_1 else "2"))
 
@@ -73,8 +73,8 @@ class Place:
 
     @property
     def middleware(self) -> str:
-        """What the RMW implementation speaks, such as `fastrtps`: rmw_fastrtps_cpp and rmw_fastrtps_dynamic_cpp understand
-        each other."""
+        """The protocol of the RMW implementation, such as `fastrtps`: rmw_fastrtps_cpp and rmw_fastrtps_dynamic_cpp
+        understand each other."""
         return self.rmw.removeprefix("rmw_").partition("_")[0]
 
     @property
@@ -93,20 +93,20 @@ class Place:
 
     @property
     def shares_memory(self) -> bool:
-        """Whether nodes hand data to others on the same network by shared memory. Fast DDS does, unless it is set up
-        otherwise; what a file of settings says is unknown."""
+        """Whether nodes hand data to others on the same network through shared memory. Fast DDS does, unless variables turn it
+        off; we do not read its settings files."""
         told = self.environment.get("FASTDDS_BUILTIN_TRANSPORTS", "DEFAULT")
         own = any(map(self.environment.get, ("FASTDDS_DEFAULT_PROFILES_FILE", "FASTRTPS_DEFAULT_PROFILES_FILE")))
         return self.version == "2" and self.middleware == "fastrtps" and not own and not told.startswith("UDP")
 
     @property
     def joins_another(self) -> bool:
-        """Whether its network is the machine's, or another container's: Fast DDS takes nodes there for those of one machine."""
+        """Whether its network is the machine's or another container's: to Fast DDS, all nodes on it are on one machine."""
         return self.network == HOST or self.network.startswith("container:")
 
     @property
     def has_their_memory(self) -> bool:
-        """Whether it has the shared memory of those whose network it has."""
+        """Whether it shares the memory of those whose network it shares."""
         return self.ipc == self.network
 
 
@@ -140,7 +140,7 @@ def running(container: Container, rootless: bool) -> Place:
 
 
 def machine(context: Context) -> Place | None:
-    """This machine; None where it has no ROS, or where containers run on another one."""
+    """This machine; None if it has no ROS, or if containers run on another one."""
     host = context.host
     installed = [place.rpartition("/")[2] for place in host.files("/opt/ros")]
     if not context.is_here or not (installed or host.environment.get("ROS_DISTRO")):
@@ -150,12 +150,12 @@ def machine(context: Context) -> Place | None:
 
 
 def _number(user: str) -> str:
-    """A user's id; empty for a name, which stands for another one outside."""
+    """A user's id; empty for a name, which means another user outside."""
     return user if user.isdecimal() else ""
 
 
 def _named(network: str) -> str:
-    """A network; docker calls the usual one by two names."""
+    """The name of a network; docker has two names for the usual one."""
     network = network.removeprefix("name=").partition(",")[0]
     if network.startswith(("pasta", "slirp4netns")) or network == ALONE:
         return ALONE
@@ -163,7 +163,7 @@ def _named(network: str) -> str:
 
 
 def _variables(context: Context, line: words.Line) -> dict[str, str]:
-    """The variables that a command sets; those of a file count less. One without a value is the caller's."""
+    """The variables that a command sets; those of a file count less. A variable without a value has the caller's."""
     outer, found = context.host.environment, dict[str, str]()
     files = [context.host.text(f"{context.person.folder}/{x}" if x[:1] != "/" else x) for x in line.values("env-file")]
     entries = [entry for text in files for entry in text.replace("\r\n", "\n").split("\n") if not entry.startswith("#")]

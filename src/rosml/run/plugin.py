@@ -1,4 +1,4 @@
-"""What a plugin of `rosml run` is: one concern, such as GPUs. From what is known, it says what the engine gets."""
+"""The interface of plugins. A plugin of `rosml run` is one concern, such as GPUs: from the facts, it makes options of the engine."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ from dataclasses import dataclass, field
 from rosml.run.context import Context
 
 GROUP = "rosml.run"
-"""The entry points by which an installed package registers its plugins."""
+"""The group of entry points by which an installed package registers its plugins."""
 
 
 @dataclass(frozen=True)
 class Added:
-    """What a plugin adds.
+    """The result of a plugin.
 
     Attributes:
-        words: options of the engine. The person's own follow them.
-        files: what is in private files, by their absolute paths; they are written before the container starts.
-        notes: what the person should know, and what to do about it.
+        words: options of the engine. The user's own follow them.
+        files: the content of private files, by absolute paths. rosml writes them before the container starts.
+        notes: warnings, each with a remedy.
     """
 
     words: Sequence[str] = ()
@@ -34,11 +34,11 @@ class Plugin:
     """A concern.
 
     Attributes:
-        plan: from all that is known to what is added, or to words alone. It changes nothing, and starts no process. A
-            RosmlError from it ends the call.
-        options: its switches, without `--`, and what each does. `context.line.asks` says whether somebody wrote one.
-        before, after: names of other plugins, for the order of the words. Those that are missing do not count.
-        package: where it comes from; empty where it is rosml's own. rosml fills it in.
+        plan: a function from the facts to `Added`, or to words alone. It changes nothing, and starts no process. If it raises
+            a RosmlError, the call ends.
+        options: its switches, without `--`, and the help for each. `context.line.asks` says whether the user typed one.
+        before, after: names of other plugins, for the order of the words. Missing ones do not count.
+        package: its package; empty for rosml's own. rosml fills it in.
     """
 
     name: str
@@ -50,7 +50,7 @@ class Plugin:
 
 
 def in_order(plugins: Sequence[Plugin]) -> tuple[list[Plugin], list[Plugin]]:
-    """Plugins by what they declare, otherwise in the order in which they are given; and those for which there is no order."""
+    """Plugins in the order that they declare, otherwise in the given order; and the plugins that contradict it."""
     left, ordered, refused = [*plugins], list[Plugin](), list[Plugin]()
     while left:
         ready = next((plugin for plugin in left if not any(_precedes(other, plugin) for other in left)), None)

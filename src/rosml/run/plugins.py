@@ -1,4 +1,4 @@
-"""The plugins that there are: rosml's own, and those of packages that are installed beside it; and what all of them add."""
+"""All plugins: rosml's own and those of installed packages; and the command line that they make."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ OWN: tuple[Plugin, ...] = (
     *sockets.PLUGINS,
     ros.PLUGIN,
 )
-"""rosml's own, in the order of their words. They are registered here: entry points cost the time of a search."""
+"""rosml's own plugins, in the order of their words. They are registered here, because a search for entry points takes time."""
 
 OPTION = re.compile("[a-z0-9]+(-[a-z0-9]+)*")
 """The name of an option of a plugin."""
@@ -45,7 +45,12 @@ OPTION = re.compile("[a-z0-9]+(-[a-z0-9]+)*")
 
 @dataclass(frozen=True)
 class Found:
-    """All plugins, in their order. Attributes: notes: which of other packages were left out, and what to do about it."""
+    """All plugins.
+
+    Attributes:
+        plugins: in their order.
+        notes: left out plugins of other packages, each with a remedy.
+    """
 
     plugins: tuple[Plugin, ...]
     notes: tuple[tuple[str, str], ...] = ()
@@ -53,8 +58,13 @@ class Found:
 
 @dataclass(frozen=True)
 class Plan:
-    """What is to be done. Attributes: argv: the engine's command. folders: of this machine, which -v mounts. files, notes: as in what
-    plugins add."""
+    """The plan of a call.
+
+    Attributes:
+        argv: the engine's command.
+        folders: folders of this machine that -v mounts.
+        files, notes: as in `Added`.
+    """
 
     argv: tuple[str, ...]
     folders: tuple[str, ...] = ()
@@ -66,10 +76,11 @@ class Plan:
 
 
 def found(reserved: Iterable[str], folders: Sequence[str] | None = None) -> Found:
-    """All plugins. One of another package that cannot be loaded, or that takes an option which somebody else has, is left out.
+    """All plugins. If one of another package cannot be loaded, or takes an option that is taken, it is left out.
 
     Args:
-        reserved: options that no plugin can have, without `--`. folders: where packages are; by default, where Python looks.
+        reserved: options that no plugin may have, without `--`.
+        folders: the folders of packages; by default, those of Python.
     """
     plugins, notes = [*OWN], list[tuple[str, str]]()
     taken = {*reserved, *words.table().names, *(option for plugin in OWN for option in plugin.options)}
@@ -82,7 +93,7 @@ def found(reserved: Iterable[str], folders: Sequence[str] | None = None) -> Foun
                 raise ValueError(f"its option --{clash[0]} is taken")
             if plugin.name in {other.name for other in plugins}:
                 raise ValueError(f"another plugin is called {plugin.name}")
-        except Exception as error:  # whatever another package does wrong, the container starts
+        except Exception as error:  # the container starts, whatever another package does wrong
             notes.append(_left_out(entry, package, error))
             continue
         plugins.append(replace(plugin, package=package))
@@ -93,11 +104,11 @@ def found(reserved: Iterable[str], folders: Sequence[str] | None = None) -> Foun
 
 
 def registered(folders: Iterable[str]) -> Iterator[tuple[str, str, str]]:
-    """The entry points of the group: package, name, place. importlib.metadata takes several times as long for them, as it
-    reads the metadata of all packages.
+    """The entry points of the group: package, name, place. importlib.metadata is several times slower: it reads the metadata
+    of all packages.
 
     Args:
-        folders: where packages are.
+        folders: the folders of packages.
     """
     for folder in dict.fromkeys(folders):
         try:
@@ -129,7 +140,7 @@ def _loaded(place: str) -> Plugin:
     """The plugin at `module:name`.
 
     Raises:
-        Exception: whatever its module raises, or there is none.
+        Exception: any error of its module, or there is none.
     """
     module, _, name = place.partition(":")
     plugin = getattr(import_module(module), name)
@@ -147,10 +158,10 @@ def _left_out(name: str, package: str, error: Exception) -> tuple[str, str]:
 
 
 def plan(context: Context, plugins: Iterable[Plugin] = OWN) -> Plan:
-    """What the plugins add, the person's own options, the image, and the command as it is.
+    """The engine's command: the plugins' options, the user's own, the image, and the unchanged command.
 
     Raises:
-        RosmlError: a plugin cannot do what it is asked for.
+        RosmlError: a plugin cannot do what the user asks for.
     """
     line, more, files, notes = context.line, list[str](), dict[str, bytes](), list[tuple[str, str]]()
     for plugin in plugins:
@@ -175,10 +186,10 @@ def plan(context: Context, plugins: Iterable[Plugin] = OWN) -> Plan:
 
 
 def _added(plugin: Plugin, context: Context) -> Added:
-    """What a plugin adds.
+    """Calls a plugin.
 
     Raises:
-        TypeError: it is something else.
+        TypeError: its result has another type.
     """
     added = plugin.plan(context)
     if not isinstance(added, Added):

@@ -1,4 +1,4 @@
-"""ROS in a container: the settings of this machine's ROS, and a network in which nodes reach those elsewhere."""
+"""ROS in a container: the settings of this machine's ROS, and a network in which nodes reach others."""
 
 from __future__ import annotations
 
@@ -11,23 +11,23 @@ from rosml.run.plugin import Added, Plugin
 from rosml.run.sockets import NETWORK, WHOLE_NETWORK, no_network
 
 ANYWHERE = {"1": ("ROS_MASTER_URI",), "2": ("ROS_DOMAIN_ID", "ROS_STATIC_PEERS")}
-"""What is passed to every container with this version of ROS."""
+"""Variables for every container with this version of ROS."""
 
 ON_THE_NETWORK = {
     "1": ("ROS_IP", "ROS_HOSTNAME"),
     "2": ("ROS_AUTOMATIC_DISCOVERY_RANGE", "ROS_LOCALHOST_ONLY", "ROS_DISCOVERY_SERVER"),
 }
-"""What names addresses of this machine, or the machine itself: elsewhere the container would take itself for it."""
+"""Variables that name this machine or its addresses. On another network they would mean the container itself."""
 
 ON_REQUEST = ("RMW_IMPLEMENTATION",)
-"""What the image may lack, so that no node starts. It is passed where somebody asks for a network for ROS."""
+"""Variables for calls with --ros-network only: if the image lacks that implementation, no node starts."""
 
 
 def ros(context: Context) -> Added:
-    """What makes ROS in the container one with that of this machine.
+    """The words that connect ROS in the container with that of this machine.
 
     Raises:
-        RosmlError: somebody asks for this machine's network, and the container cannot have it.
+        RosmlError: the user asks for this machine's network, and the container cannot have it.
     """
     line = context.line
     words = _network(context) if line.asks(WHOLE_NETWORK) else []
@@ -43,7 +43,7 @@ def ros(context: Context) -> Added:
 
 
 def _network(context: Context) -> list[str]:
-    """This machine's network and shared memory, of which somebody may have written one.
+    """This machine's network and shared memory; the user may have typed one of them.
 
     Raises:
         RosmlError: the container cannot have the network.
@@ -59,8 +59,8 @@ def _network(context: Context) -> list[str]:
 
 
 def _own_name(context: Context, planned: places.Place) -> list[str]:
-    """The machine's name as an address, where its own /etc/hosts, which docker copies, does not have it: systemd answers for it, and no
-    image asks systemd. Nodes of ROS 1 call themselves by that name. podman writes it by itself."""
+    """The machine's name as an address, if its /etc/hosts, which docker copies, lacks it: systemd resolves it there, but in no
+    image. Nodes of ROS 1 announce themselves by that name. podman writes it by itself."""
     name, hosts = context.host.name, context.host.text("/etc/hosts")
     here = planned.version == "1" and planned.network == places.HOST and context.is_here and not context.engine.podman
     known = not hosts or name in hosts.split() or context.line.has("add-host", "hostname", "uts")
@@ -68,7 +68,7 @@ def _own_name(context: Context, planned: places.Place) -> list[str]:
 
 
 def _settings(context: Context, planned: places.Place) -> Mapping[str, str]:
-    """The variables that are passed: those of the image's version of ROS, if they are set here."""
+    """The variables to pass: those for the image's version of ROS that are set here."""
     version, here = planned.version, context.is_here and planned.network == places.HOST
     names: Sequence[str] = (*ANYWHERE.get(version, ()), *(ON_THE_NETWORK.get(version, ()) if here else ()))
     if version == "2" and context.line.asks(WHOLE_NETWORK):

@@ -1,4 +1,4 @@
-"""What listens at a socket of the person's session: windows of X11 and Wayland, sound, ssh's agent."""
+"""Sockets of the user's session: windows of X11 and Wayland, sound, ssh's agent."""
 
 from __future__ import annotations
 
@@ -12,22 +12,22 @@ from rosml.run.paths import bind
 from rosml.run.plugin import NOTHING, Added, Plugin
 
 OURS = "/run/rosml"
-"""The folder of the container in which rosml mounts what has no place of its own there."""
+"""The folder of the container for rosml's own mounts."""
 
 COOKIE = f"{OURS}/xauth"
-"""Where the cookie of X11 is in a container."""
+"""The path of X11's cookie in a container."""
 
 DISPLAY = re.compile(r"(?P<machine>[^:/]*)(?:/unix)?:(?P<number>[0-9]{1,4})(?:\.[0-9]+)?")
 """Such as `:0`, `localhost:10.0`, `robot:1`."""
 
 LOCALHOST = ("localhost", "127.0.0.1")
-"""How a display of `ssh -X` names its machine."""
+"""The machine in a display of `ssh -X`."""
 
 NETWORK = ("network", "net", "publish", "publish-all", "link", "ip", "ip6", "mac-address", "network-alias", "net-alias")
-"""Options that go with a network of the container's own."""
+"""Options for a network of the container's own."""
 
 WHOLE_NETWORK = "ros-network"
-"""rosml's option that gives this machine's network to the container: the engines take it once."""
+"""rosml's option for this machine's network. The engines take one network."""
 
 
 SNAP = "docker is a snap here, and a snap does not see the sockets of your session"
@@ -35,14 +35,14 @@ OTHER = "install another docker: snap remove docker; apt-get install docker.io"
 
 
 def runtime(host: Host, person: Person) -> str:
-    """The folder of the person's session; empty where they have none. It is removed at logout. sudo may leave that of
-    somebody else in the environment."""
+    """The folder of the user's session, until they log out; empty if they have none. sudo may leave another user's folder in the
+    environment."""
     places = (host.environment.get("XDG_RUNTIME_DIR", "").rstrip("/"), f"/run/user/{person.uid}")
     return next((x for x in places if x.startswith("/") and host.owner(x)[0] == person.uid), "")
 
 
 def mounted(source: str, target: str) -> list[str]:
-    """The words for a file that is mounted."""
+    """The words that mount a file."""
     return ["--mount", bind(source, target)]
 
 
@@ -52,10 +52,10 @@ def variables(**values: str) -> list[str]:
 
 
 def _elsewhere(context: Context, option: str) -> Sequence[str]:
-    """What another machine, or a snap, gets of a session: nothing.
+    """No words: another machine, or a snap, gets no part of a session.
 
     Raises:
-        RosmlError: somebody asks for it.
+        RosmlError: the user asks for it.
     """
     if context.line.asks(option):
         if context.engine.snap:
@@ -66,7 +66,7 @@ def _elsewhere(context: Context, option: str) -> Sequence[str]:
 
 
 def _reaches(context: Context) -> bool:
-    """Whether the engine sees the sockets of the person's session."""
+    """Whether the engine sees the sockets of the user's session."""
     return context.is_here and not context.engine.snap
 
 
@@ -74,10 +74,10 @@ def _reaches(context: Context) -> bool:
 
 
 def windows(context: Context) -> Added:
-    """The display that answers: X11's, or Wayland's where there is no X11, or where somebody asks for it.
+    """The display that answers: X11's; Wayland's if there is no X11, or if the user asks for it.
 
     Raises:
-        RosmlError: somebody asks for Wayland, and nothing answers.
+        RosmlError: the user asks for Wayland, and nothing answers.
     """
     line = context.line
     if not _reaches(context):
@@ -99,7 +99,7 @@ def windows(context: Context) -> Added:
 
 
 def _x11(context: Context) -> Added:
-    """X11, where DISPLAY answers; with its cookie alone, in a file for each display that only this person can read."""
+    """X11, if DISPLAY answers. Its cookie alone is in a file for each display, which only this user can read."""
     host, display = context.host, context.host.environment.get("DISPLAY", "")
     named = DISPLAY.fullmatch(display)
     if not named:
@@ -120,7 +120,7 @@ def _x11(context: Context) -> Added:
         words = [*(["--network", "host"] if local and not given else []), *variables(DISPLAY=display)]
     words += variables(QT_X11_NO_MITSHM="1")  # the container shares no memory with the display
     cookie = _cookie(host, machine, number)
-    if not cookie:  # the display may let everybody of this uid in
+    if not cookie:  # the display may admit every process of this uid
         return Added(words)
     folder = runtime(context.host, context.person)
     if not folder:
@@ -132,15 +132,15 @@ def _x11(context: Context) -> Added:
 
 
 def _cookie(host: Host, machine: str, number: str) -> xauthority.Entry | None:
-    """The person's cookie for a display. Args: machine, number: of `DISPLAY`."""
+    """The user's cookie for a display, given the machine and the number of `DISPLAY`."""
     place = host.environment.get("XAUTHORITY") or f"{host.environment.get('HOME', '')}/.Xauthority"
     remote = "" if machine in ("", "unix", *LOCALHOST) else machine
     return xauthority.cookie(xauthority.read(host.content(place)), number, remote or host.name, host.name)
 
 
 def files_again(host: Host, person: Person, kept: Container) -> Mapping[str, bytes]:
-    """The files of the session that a container has mounted, to be written before it starts again: logging out has removed them, and
-    the display has another cookie by now. Without one, the file has none, and the container starts without windows."""
+    """The session's files that a container has mounted. Write them before it starts again: a logout has removed them, and the
+    display has a new cookie. Without a cookie the file is empty, and the container starts without windows."""
     source, named = kept.sources.get(COOKIE, ""), DISPLAY.fullmatch(kept.environment.get("DISPLAY", ""))
     if not named or source != f"{runtime(host, person)}/rosml/xauth-{named['number']}":
         return {}
@@ -149,7 +149,7 @@ def files_again(host: Host, person: Person, kept: Container) -> Mapping[str, byt
 
 
 def no_network(context: Context) -> str:
-    """Why a container cannot have this machine's network; empty where it can."""
+    """Why a container cannot have this machine's network; empty if it can."""
     line, engine = context.line, context.engine
     if engine.rootless and not engine.podman:
         return "docker without root does not reach this machine's network"
@@ -160,7 +160,7 @@ def no_network(context: Context) -> str:
 
 
 def _wayland(context: Context) -> list[str]:
-    """Wayland's socket, and what Qt and GTK look at; nothing where none answers."""
+    """Wayland's socket, and the variables of Qt and GTK; nothing if none answers."""
     name, folder = context.host.environment.get("WAYLAND_DISPLAY") or "wayland-0", runtime(context.host, context.person)
     socket = name if name.startswith("/") else f"{folder}/{name}" if folder else ""
     if not socket or not context.host.answers(socket):
@@ -175,7 +175,7 @@ def _wayland(context: Context) -> list[str]:
 
 
 def sound(context: Context) -> Sequence[str]:
-    """PulseAudio's socket, which PipeWire has as well, and PipeWire's own.
+    """PulseAudio's socket, which PipeWire also has, and PipeWire's own.
 
     Raises:
         RosmlError: neither answers.
@@ -218,7 +218,7 @@ def ssh_agent(context: Context) -> Sequence[str]:
 
 
 PLUGINS = (
-    Plugin("windows", windows, {"no-x11": "no windows", "wayland": "windows by Wayland, also where X11 answers"}),
+    Plugin("windows", windows, {"no-x11": "no windows", "wayland": "windows by Wayland, also if X11 answers"}),
     Plugin("sound", sound, {"sound": "sound, by PulseAudio or PipeWire"}),
     Plugin(
         "ssh-agent", ssh_agent, {"ssh-agent": "the keys of your ssh agent, which the container can use but not read"}

@@ -1,4 +1,4 @@
-"""Which options of the engine set one thing, of which a container has one: a place, a variable, its name."""
+"""Options of the engine that set the same thing: a path, a variable, the name."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from rosml.run.words import Given
 
 
 def without(given: Given, later: Iterable[Given]) -> Given | None:
-    """An option without what later ones set: the engines refuse two mounts at a place. None where nothing is left of it."""
+    """An option without the things that later ones set, as the engines refuse two mounts at a path. None if nothing is left."""
     thing = _thing(given)
     if not thing[0] or thing not in {_thing(other) for other in later}:
         return given
@@ -17,7 +17,7 @@ def without(given: Given, later: Iterable[Given]) -> Given | None:
 
 
 def _thing(given: Given) -> tuple[str, str]:
-    """The kind and the name of what the last option of a word sets; empty where there may be several."""
+    """The kind and the name of the thing that the last option of a word sets; empty if a container may have several."""
     name, value = given.names[-1], given.value or ""
     if name == "name":
         return name, ""

@@ -1,4 +1,4 @@
-"""Which repository an image is of, by its name: people trust repositories. What an image says of itself is not asked."""
+"""The repository of an image, by its name: users trust repositories. The image's own labels do not count."""
 
 from __future__ import annotations
 
@@ -29,25 +29,27 @@ TRANSPORTS = (
     "ostree",
     "sif",
 )
-"""What podman takes before a colon for a way to an image, and not for a name."""
+"""Words before a colon that podman takes for a transport, not for a name."""
 
 HUB = "docker.io"
-"""The registry that docker means if a name has none."""
+"""docker's registry for names without one."""
 
 SERVICES = "services.json"
-"""What the set-up of a checkout says of its registry and builder, in the folder `.state`."""
+"""The file in `.state` with a checkout's registry and builder."""
 
 NAMESPACE = "rosml"
-"""Where the images of a checkout are in its local registry."""
+"""The prefix of a checkout's images in its local registry."""
 
 
 def repository(name: str, identity: str, podman: bool) -> str:
-    """The repository of an image, with its registry and without tag and digest: `docker.io/library/ros` for `ros:jazzy`. An image
-    that somebody names by its id, or in another way, stands for itself. Upper and lower case are not the same.
+    """The repository of an image, with its registry and without tag and digest: `docker.io/library/ros` for `ros:jazzy`. If the
+    user names an image by its id, or in another way, it is its own repository. Upper and lower case differ.
 
     Args:
-        name: as somebody wrote it. identity: the image's id, without `sha256:`. podman: it resolves a name without a registry by
-            settings of its own. Such a name stays as it is, which is the name of no repository elsewhere.
+        name: the image as typed.
+        identity: the image's id, without `sha256:`.
+        podman: the engine is podman. It resolves a name without a registry by its own settings, so such a name stays as it is,
+            and is no repository elsewhere.
     """
     found, by_id = REFERENCE.fullmatch(name), ID.fullmatch(name)
     path = podman and name.partition(":")[0] in TRANSPORTS and ":" in name
@@ -78,5 +80,5 @@ def local_registry(state: Path) -> str:
 
 
 def is_local(repository: str, registry: str) -> bool:
-    """Whether a repository is of the images that a checkout builds into its local registry."""
+    """Whether a repository has the images that a checkout builds into its local registry."""
     return bool(registry) and repository.startswith(f"{registry}/{NAMESPACE}/")

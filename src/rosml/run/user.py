@@ -1,4 +1,4 @@
-"""Who runs in the container, so that what is written into a mount belongs to the person who calls."""
+"""The user in the container: files in a mount shall belong to the user who calls."""
 
 from __future__ import annotations
 
@@ -35,22 +35,28 @@ SYSTEM = frozenset(
         "www-data",
     ]
 )
-"""Names that users of the image's system have, with uids of their own: an entrypoint makes no second one."""
+"""Names of system users in images. They have their own uids, so an entrypoint makes no second one."""
 
 KEPT = "--userns=keep-id"
-"""podman without root: the person has the same uid in the container."""
+"""For podman without root: the user has the same uid in the container."""
 
 VARIABLE = "DOCKER_UID"
-"""An image whose environment has it makes the user itself, and starts as root for that (docs/contract.md). Any image can say so."""
+"""A variable in the environment of images that make the user themselves, and start as root for that (docs/contract.md). Any
+image can claim so."""
 
 LOCKED = "no-new-privileges"
-"""The value of --security-opt with which no setuid program of the image gets another user's rights."""
+"""The value of --security-opt that gives no setuid program of the image another user's rights."""
 
 
 def user(context: Context) -> Sequence[str]:
-    """An image that makes the user itself gets the person's ids as variables, if it may start as root. In another one, the bare ids
-    run, and an engine with root locks them in: otherwise a setuid program of the image would be root. In docker without root, root
-    is the person. An image that makes the user and starts as another one is started as root. If somebody says who runs, nothing is added."""
+    """The words that decide who runs.
+
+    - If the image makes the user itself and may start as root, it gets the user's ids as variables. It is started as root even
+      if it names another user.
+    - In other images the bare ids run. An engine with root locks them in; otherwise a setuid program of the image would be root.
+    - In docker without root, root is the user.
+    - If the user chooses who runs, nothing is added.
+    """
     line, engine = context.line, context.engine
     if line.asks("no-user") or line.has("user") or (engine.podman and line.has("userns")):
         return []
@@ -66,39 +72,38 @@ def user(context: Context) -> Sequence[str]:
 
 
 def needs_trust(context: Context) -> bool:
-    """Whether it depends on the person's trust who runs: the image wants to start as root, root in it has more rights than the
-    person, and nobody says who runs."""
+    """Whether the user's trust decides who runs: the image wants to start as root, root in it has more rights than the user, and
+    the user does not choose who runs."""
     line = context.line
     said = line.asks("no-user") or line.has("user") or (context.engine.podman and line.has("userns"))
     return claims(context) and _gains(context) and not said
 
 
 def claims(context: Context) -> bool:
-    """Whether the image says that its entrypoint makes the user, and that entrypoint runs."""
+    """Whether the image claims that its entrypoint makes the user, and that entrypoint runs."""
     return VARIABLE in context.image.environment and not context.line.has("entrypoint")
 
 
 def _gains(context: Context) -> bool:
-    """Whether root in the container has rights that the person lacks."""
+    """Whether root in the container has rights that the user lacks."""
     return not context.engine.rootless and context.person.uid != 0
 
 
 def _bare(context: Context) -> Sequence[str]:
-    """The ids without a user: there is no home for them but /tmp, and no name but in variables, where Python's getpass looks. root
-    has both."""
+    """The bare ids. Their home is /tmp, and their name is in variables, which Python's getpass reads. root has its own."""
     person = context.person
     facts = {"HOME": "/tmp", **({"USER": person.name, "LOGNAME": person.name} if person.name else {})}
     return ["--user", f"{person.uid}:{person.gid}", *(_variables(facts) if person.uid else [])]
 
 
 def _locked(context: Context) -> Sequence[str]:
-    """No other rights than those with which the container starts, unless somebody says something else."""
+    """The option against more rights than at the start, unless the user types another value."""
     said = any(value.startswith(LOCKED) for value in context.line.values("security-opt"))
     return [] if said else ["--security-opt", LOCKED]
 
 
 def _contract(context: Context) -> Sequence[str]:
-    """What an entrypoint makes the user from. A name that it would refuse is left out: the image has one."""
+    """The variables from which an entrypoint makes the user. A name that it would refuse is left out: the image has one."""
     person = context.person
     facts = {VARIABLE: person.uid, "DOCKER_GID": person.gid}
     fits = NAME.fullmatch(person.name) and person.name not in SYSTEM

@@ -1,4 +1,4 @@
-"""The words of `rosml run`: its own options, the engine's, the image, and the command, which nobody touches."""
+"""The words of `rosml run`: its own options, the engine's, the image, and the command, which stays unchanged."""
 
 from __future__ import annotations
 
@@ -20,16 +20,17 @@ NOT_OF_RUN = {
     "config": "it is an option of docker itself: set DOCKER_CONFIG",
     "version": "rosml --version, or docker --version, or podman --version",
 }
-"""What to do about options that the engines, or rosml, have at another place."""
+"""Remedies for options that the engines or rosml have at another place."""
 
 
 @dataclass(frozen=True)
 class Given:
-    """Options of the engine, as somebody wrote them: `--rm`, `-e A=b` (two words), or `-it` (two options in a word).
+    """Options of the engine as typed: `--rm`, `-e A=b` (two words), or `-it` (two options in a word).
 
     Attributes:
-        words: as they were written. names: the long names of what is in them, such as `env`.
-        value: of the last one; None where it is a switch. It is the end of the last word.
+        words: the words as typed.
+        names: the long names of the options in them, such as `env`.
+        value: the value of the last option, at the end of the last word; None if it is a switch.
     """
 
     words: tuple[str, ...]
@@ -46,8 +47,14 @@ class Given:
 
 @dataclass(frozen=True)
 class Line:
-    """A command line. Attributes: own: words for rosml itself. engine: options for the engine. image: empty where there is
-    none. command: all that follows the image."""
+    """A command line.
+
+    Attributes:
+        own: words for rosml itself.
+        engine: options for the engine.
+        image: the image; empty if there is none.
+        command: all words after the image.
+    """
 
     own: tuple[str, ...]
     engine: tuple[Given, ...]
@@ -55,15 +62,15 @@ class Line:
     command: tuple[str, ...]
 
     def asks(self, name: str) -> bool:
-        """Whether somebody asked for a switch of rosml's own, such as `no-rm`."""
+        """Whether the user typed a switch of rosml's own, such as `no-rm`."""
         return f"--{name}" in self.own
 
     def has(self, *names: str) -> bool:
-        """Whether somebody wrote one of these options of the engine, by their long names."""
+        """Whether the user typed one of these options of the engine, by their long names."""
         return any(name in given.names for given in self.engine for name in names)
 
     def value(self, name: str) -> str:
-        """The value of an option of the engine; the last one where there are several, empty where there is none."""
+        """The last value of an option of the engine; empty if there is none."""
         return (self.values(name) or [""])[-1]
 
     def values(self, *names: str) -> list[str]:
@@ -72,19 +79,24 @@ class Line:
 
     @property
     def taken(self) -> str:
-        """Which option took the last word as its value, where no image follows; empty where none did."""
+        """The option that took the last word as its value, if no image follows; empty if none did."""
         last = self.engine[-1] if self.engine and not self.image else Given((), ())
         return f"{last.value!r} is the value of {last.words[0]}" if len(last.words) > 1 else ""
 
     def sets(self, *variables: str) -> bool:
-        """Whether somebody sets one of these environment variables of the container."""
+        """Whether the user sets one of these environment variables of the container."""
         return any(value.partition("=")[0] in variables for value in self.values("env"))
 
 
 @dataclass(frozen=True)
 class Table:
-    """The options that the engines have. Attributes: values: long names of those that take a value. switches: of the others.
-    letters: the long name for each letter."""
+    """The engines' options.
+
+    Attributes:
+        values: the long names of options with a value.
+        switches: the long names of the others.
+        letters: the long name for each letter.
+    """
 
     values: frozenset[str]
     switches: frozenset[str]
@@ -98,7 +110,7 @@ class Table:
 
 @cache
 def table() -> Table:
-    """The options of docker and podman, as engine_options.txt has them."""
+    """The options of docker and podman, from engine_options.txt."""
     kinds: dict[str, set[str]] = {"value": set(), "switch": set()}
     letters: dict[str, str] = {}
     for line in Path(__file__).with_name("engine_options.txt").read_text(encoding="utf-8").splitlines():
@@ -115,8 +127,9 @@ def split(words: Collection[str], own: Collection[str], with_value: Collection[s
     """Reads a command line as docker and podman read theirs: the first word that is no option is the image.
 
     Args:
-        words: what follows `rosml run`.
-        own: rosml's own options, such as `--dry-run`. with_value: those of them that take a value; the others are switches.
+        words: the words after `rosml run`.
+        own: rosml's own options, such as `--dry-run`.
+        with_value: own options that take a value; the others are switches.
 
     Raises:
         RosmlError: an option is unknown, or lacks its value.
@@ -162,7 +175,7 @@ def _long(word: str, rest: Iterator[str], own: Collection[str]) -> Given:
 
 
 def _remedy(word: str, own: Collection[str]) -> str:
-    """What to do about an unknown option: the name that may be meant, and how an option of a newer engine is written."""
+    """The remedy for an unknown option: a similar name, and the way to write an option of a newer engine."""
     if word.removeprefix("--") in NOT_OF_RUN:
         return NOT_OF_RUN[word.removeprefix("--")]
     from difflib import get_close_matches  # only needed when something is wrong
@@ -174,7 +187,7 @@ def _remedy(word: str, own: Collection[str]) -> str:
 
 
 def _letters(word: str, rest: Iterator[str]) -> Given:
-    """Options with one letter, several of which may stand in a word: `-it`, `-eA=b`, `-itv /a:/a`."""
+    """Options with one letter; a word may have several: `-it`, `-eA=b`, `-itv /a:/a`."""
     names: list[str] = []
     left = word[1:]
     while left:

@@ -1,7 +1,7 @@
-"""The file in which X11's cookies are: `XAUTHORITY`, as libXau reads and writes it.
+"""The file with X11's cookies: `XAUTHORITY`, as libXau reads and writes it.
 
-An entry is a family, and four fields with their lengths before them: address, number of the display, kind of secret, secret.
-All numbers have two bytes, the higher one first.
+An entry is a family and four fields: address, number of the display, kind of secret, secret. Before each field is its length.
+All numbers have two bytes, big-endian.
 """
 
 from __future__ import annotations
@@ -10,12 +10,20 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 LOCAL, WILD = 256, 65535
-"""Families: a machine by its name, and any address at all."""
+"""Families: a machine by its name, and any address."""
 
 
 @dataclass(frozen=True)
 class Entry:
-    """A cookie. Attributes: number: that of the display; empty for any. kind: such as `MIT-MAGIC-COOKIE-1`."""
+    """A cookie.
+
+    Attributes:
+        family: the kind of the address.
+        address: the machine.
+        number: the display's number; empty for any.
+        kind: the kind of secret, such as `MIT-MAGIC-COOKIE-1`.
+        secret: the secret.
+    """
 
     family: int
     address: bytes
@@ -25,7 +33,7 @@ class Entry:
 
 
 def read(content: bytes) -> list[Entry]:
-    """The entries of a file, up to where it is damaged."""
+    """The entries of a file, up to the first damaged one."""
     found, at = [], 0
     while at + 2 <= len(content):
         family, at = int.from_bytes(content[at : at + 2]), at + 2
@@ -51,11 +59,13 @@ def written(entries: Iterable[Entry]) -> bytes:
 
 
 def cookie(entries: Sequence[Entry], number: str, machine: str, here: str) -> Entry | None:
-    """The entry for a display, made good for any machine: a container has another name. That of the display's machine comes first.
-    An entry of this machine is for no display of another one.
+    """The entry for a display, changed to fit any machine, because a container has another name. An entry of the display's machine
+    comes first. An entry of this machine fits no display of another one.
 
     Args:
-        number: of the display. machine: its machine's name. here: this one's.
+        number: the display's number.
+        machine: the display's machine.
+        here: this machine.
     """
     fitting = [entry for entry in entries if entry.number in (b"", number.encode())]
     ranked = sorted(fitting, key=lambda entry: not _is_of(entry, machine))

@@ -308,7 +308,7 @@ def test_podman_takes_a_registry_of_this_machine_without_tls(
 def test_podman_is_told_of_a_registry_without_tls(desk: Desk) -> None:
     desk.engine("podman", info=PODMAN)
     said = desk.call("reg.local/me", ROSML_ENGINE="podman").stderr
-    assert "where its registry has no TLS: rosml run --tls-verify=false reg.local/me" in said
+    assert "if its registry has no TLS: rosml run --tls-verify=false reg.local/me" in said
 
 
 def test_an_image_that_nobody_has(desk: Desk) -> None:

@@ -19,12 +19,12 @@ if TYPE_CHECKING:
     from rosml.containerize.ci_job import Image, Job
 
 KEPT = "interrupted: finished steps are kept where the builder is; run the job again"
-"""What is said after Ctrl-C."""
+"""The message after Ctrl-C."""
 
 
 @click.group("ci", short_help="Builds images of a commit, for the CI files in containerize/.", cls=Group, kept=KEPT)
 def main() -> None:
-    """What 'rosml containerize' is in CI: for the files in containerize/, which pass inputs as variables.
+    """Runs 'rosml containerize' in CI. The files in containerize/ call it, and pass inputs as variables.
 
     \b
     Example:
@@ -33,7 +33,7 @@ def main() -> None:
 
 
 def _job() -> tuple[Job, dict[str, str], Path]:
-    """The job, the inputs that it is given, and the folder of the packages."""
+    """The job, its inputs, and the folder of the packages."""
     from rosml.containerize import app_inputs, ci_inputs, ci_job
 
     what, given = ci_job.commit(os.environ), ci_inputs.given(os.environ)
@@ -65,7 +65,7 @@ def login() -> None:
 
 
 @main.command(alone=True)
-@click.option("--out", required=True, type=click.Path(path_type=Path), help="folder for reports, and what was made")
+@click.option("--out", required=True, type=click.Path(path_type=Path), help="folder for reports and images.json")
 def build(out: Path) -> None:
     """Builds the images of a commit, tests them and pushes them."""
     from rosml.containerize import ci_inputs, ci_job
@@ -93,7 +93,7 @@ def build(out: Path) -> None:
 @main.command(alone=True, short_help="Makes one index of the images for several platforms.")
 @click.argument("folder", type=click.Path(exists=True, file_okay=False, path_type=Path))
 def index(folder: Path) -> None:
-    """Makes an index of what the jobs for one platform each left in FOLDER, and moves the tags to it."""
+    """Makes an index of the images that the jobs for one platform each left in FOLDER, and moves the tags to it."""
     from rosml.containerize import ci_job
     from rosml.registry.client import Registries
 

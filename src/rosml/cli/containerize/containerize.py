@@ -21,11 +21,11 @@ if TYPE_CHECKING:
     from rosml.machine.services import Services
 
 KEPT = "interrupted: no image was made; finished steps are kept, the next call carries on"
-"""What is said after Ctrl-C."""
+"""The message after Ctrl-C."""
 
 
 def _options(function: Function) -> Function:
-    """An option for each input of the table."""
+    """Adds an option for each input of the table."""
     for item in reversed(app_inputs.TABLE):
         if item.gone or item.name in app_inputs.SECRET:
             continue
@@ -36,7 +36,7 @@ def _options(function: Function) -> Function:
 
 
 def _services() -> Services:
-    """What builds: what was set up for the checkout whose `./rosml` this is; the user's Docker if it is installed."""
+    """The builder and the registry: those of the checkout; the user's Docker if `rosml` is installed."""
     from rosml.cli.machine import setup
     from rosml.machine.services import Services
 
@@ -53,7 +53,7 @@ def _services() -> Services:
     "containerize", short_help="Builds images of the ROS packages in a folder.", cls=Command, alone=True, kept=KEPT
 )
 @click.argument("folder", type=click.Path(exists=True, file_okay=False, path_type=Path), default=".")
-@click.option("--lock", is_flag=True, help="take what is newest now, and write the lock file")
+@click.option("--lock", is_flag=True, help="take the newest versions, and write the lock file")
 @_options
 @options.JSON
 def main(folder: Path, lock: bool, as_json: bool, **given: str | bool | None) -> None:
@@ -64,8 +64,7 @@ def main(folder: Path, lock: bool, as_json: bool, **given: str | bool | None) ->
     NAME:TAG-dev  the base image with all dependencies and your sources
     NAME:TAG-slim with --enable-slim: the first one without compilers and headers
 
-    If FOLDER has a file containerize.lock, which --lock writes, they are built from what that says: base image, repositories and
-    packages.
+    If FOLDER has a file containerize.lock, which --lock writes, the build takes base image, repositories and packages from it.
 
     Each option can be a variable instead, such as BASE_IMAGE, in the environment or in a file .env in FOLDER. Passwords and
     keys can only be variables: GIT_HTTPS_PASSWORD, GIT_SSH_PRIVATE_KEY.

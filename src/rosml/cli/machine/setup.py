@@ -1,4 +1,4 @@
-"""Makes this machine ready for what the other commands do: `rosml setup`, which scripts/bootstrap.py calls."""
+"""`rosml setup`: makes this machine ready for the other commands. scripts/bootstrap.py calls it."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ if TYPE_CHECKING:
     from rosml.machine.setup.state import State
 
 KEPT = "interrupted; call it again to carry on"
-"""What is said after Ctrl-C."""
+"""The message after Ctrl-C."""
 
 UV = "ROSML_UV"
-"""Where uv is: set by scripts/bootstrap.py, which has installed the Python packages then."""
+"""The variable with the path of uv. scripts/bootstrap.py sets it after it has installed the Python packages."""
 
 PREINSTALLED = (
     "/usr/local/lib/android",
@@ -37,25 +37,25 @@ PREINSTALLED = (
     "/opt/ghc",
     "/opt/hostedtoolcache/CodeQL",
 )
-"""What GitHub's machines bring that takes gigabytes and is not used here."""
+"""Folders of GitHub's machines that take gigabytes, and that we do not use."""
 
-TESTS = click.option("--tests", is_flag=True, help="also what its tests need: a registry, and pytest")
+TESTS = click.option("--tests", is_flag=True, help="also install a registry and pytest, for its tests")
 
 
 STANDARD_ERROR = 2
 
 PROGRAM = (sys.executable, str(ROOT / "scripts/bootstrap.py"))
-"""The way from a bare Python: finds uv, installs Python packages, and calls `rosml setup` again."""
+"""The command that starts from a bare Python: it finds uv, installs Python packages, and calls `rosml setup` again."""
 
 
 def bootstrap() -> None:
-    """Becomes scripts/bootstrap.py, which brings uv and Python packages and calls the command again; once."""
+    """Becomes scripts/bootstrap.py, once: it installs uv and Python packages, then calls the command again."""
     if UV not in os.environ:
         os.execv(PROGRAM[0], [*PROGRAM, *(sys.argv[2:] or ["up"])])
 
 
 def is_up(root: Path) -> bool:
-    """Whether a checkout has what builds need: a registry that answers, and a builder."""
+    """Whether a checkout is ready for builds: its registry and its builder answer."""
     from rosml.base.errors import RosmlError
     from rosml.machine.services import Services
 
@@ -69,10 +69,10 @@ def is_up(root: Path) -> bool:
 
 
 def bring_up(root: Path) -> None:
-    """Sets this machine up, as `rosml setup` does. What it says goes to standard error.
+    """Sets this machine up, as `rosml setup` does. Its output goes to standard error.
 
     Raises:
-        RosmlError: it failed; it has said why.
+        RosmlError: setup failed, and has printed why.
     """
     from rosml.base.errors import RosmlError
 
@@ -82,14 +82,14 @@ def bring_up(root: Path) -> None:
 
 
 class Step(Command):
-    """A command of set-up: with the packages that it needs."""
+    """A command of `rosml setup`. It installs the Python packages first."""
 
     def __init__(self, *arguments: Any, **settings: Any) -> None:
         super().__init__(*arguments, kept=KEPT, before=(bootstrap,), **settings)
 
 
 class Steps(Group):
-    """The commands of set-up."""
+    """The commands of `rosml setup`."""
 
     command_class = Step
 
@@ -105,12 +105,12 @@ class Steps(Group):
 def main(context: click.Context) -> None:
     """Makes this machine ready: tools at pinned versions, a local registry, a builder.
 
-    It takes your Docker. Without Docker it starts a buildkitd of its own, which needs root. All that it makes is in .state and
-    .venv; Debian packages are installed only where they are missing, and it says so. Without a command: up.
+    It uses your Docker. Without Docker it starts its own buildkitd, which needs root. All its files are in .state and .venv.
+    If Debian packages are missing, it installs them and says so. Without a command: up.
 
     \b
     Environment:
-      ROSML_DOCKER_HUB=0|1  do not ask whether Docker Hub answers
+      ROSML_DOCKER_HUB=0|1  whether Docker Hub answers; setup does not check
       ROSML_CA_BUNDLE       a company's certificates; also SSL_CERT_FILE, REQUESTS_CA_BUNDLE, CURL_CA_BUNDLE
       BUILDX_BUILDER        use this builder
 
@@ -127,14 +127,14 @@ def main(context: click.Context) -> None:
         _up(state, _docker_hub(state))
 
 
-@main.command(short_help="Finds the tools that builds need, and installs the others.")
+@main.command(short_help="Installs missing tools.")
 def tools() -> None:
-    """Finds the tools that builds need, installs those that are missing."""
+    """Finds the tools that builds need, and installs missing ones."""
     state = _state()
     _tools(state, _docker_hub(state))
 
 
-@main.command(short_help="Finds or installs tools, starts the registry and the builder.")
+@main.command(short_help="Installs missing tools, starts the registry and the builder.")
 def up() -> None:
     """Finds or installs the tools, then starts the local registry and the builder."""
     state = _state()
@@ -143,14 +143,14 @@ def up() -> None:
 
 @main.command(hidden=True)
 def suite() -> None:
-    """Does what `up` does, for `make test`: with Docker, Chromium and actionlint where there are none."""
+    """Does what `up` does, for `make test`: also installs Docker, Chromium and actionlint if they are missing."""
     state = _state()
     _up(state, _docker_hub(state), tests=True)
 
 
-@main.command(short_help="Installs what is enough to read and write a registry.")
+@main.command(short_help="Installs the Python packages alone: enough for a registry.")
 def client() -> None:
-    """uv and the commands' Python packages: enough to read and write a registry."""
+    """Installs uv and the commands' Python packages: enough to read and write a registry."""
     from rosml.machine.services import Services
     from rosml.machine.setup import services
 
@@ -162,7 +162,7 @@ def client() -> None:
 
 @main.command(hidden=True)
 def linters() -> None:
-    """The Python packages, and actionlint, which is built in some seconds."""
+    """Installs the Python packages for linters, and builds actionlint in some seconds."""
     installer = _installer(_state())
     if not installer.found("actionlint", "--version"):
         installer.go_program("actionlint")
@@ -177,13 +177,13 @@ def emulate() -> None:
     state = _state()
     hub = _docker_hub(state)
     if emulation.ensure(_installer(state), hub):
-        builder.stop(state)  # it looks once which architectures there are
+        builder.stop(state)  # it looks for architectures once, when it starts
     _up(state, hub)
 
 
 @main.command(hidden=True)
 def browser() -> None:
-    """Installs Chromium where there is none: tests open the catalogue's page in it."""
+    """Installs Chromium if it is missing: tests open the catalogue's page in it."""
     from rosml.machine.setup.tools import browser_packages
 
     _installer(_state()).debian_packages(browser_packages())
@@ -205,7 +205,7 @@ def signer(tests: bool) -> None:
 
 @main.command(hidden=True)
 def room() -> None:
-    """Removes what GitHub's machines bring and nobody needs here; on those only."""
+    """Frees disk space on GitHub's machines: removes preinstalled folders that we do not use."""
     if os.environ.get("RUNNER_ENVIRONMENT") != "github-hosted":
         terminal.echo("this is none of GitHub's own machines: nothing is removed")
         return
@@ -223,16 +223,16 @@ def down() -> None:
     _down(remove=False)
 
 
-@main.command(short_help="Stops both, and removes all that was made.")
+@main.command(short_help="Stops both, and removes .state and .venv.")
 def clean() -> None:
-    """Stops the registry and the builder, and removes all that was made (.state, .venv)."""
+    """Stops the registry and the builder, and removes all files of setup (.state, .venv)."""
     _down(remove=True)  # scripts/bootstrap.py, which waits for this, removes the folders
 
 
 @main.command()
 @options.JSON
 def status(as_json: bool) -> None:
-    """Says what is running."""
+    """Shows what is running."""
     from rosml.machine.setup import services
 
     facts = services.status(_state())
@@ -291,7 +291,7 @@ def _up(state: State, hub: bool, tests: bool = False) -> None:
 
 
 def _program(name: str, ask: str, file: str, tests: bool) -> None:
-    """Finds or builds the scanner or the signer, and writes down where it is."""
+    """Finds or builds the scanner or the signer, and saves its path."""
     from rosml.base import files
 
     installer = _installer(_state())

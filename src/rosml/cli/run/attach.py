@@ -1,4 +1,4 @@
-"""`rosml attach`: enters a container that is there, by docker or podman."""
+"""`rosml attach`: enters a container with docker or podman."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ from rosml.run import words
 @click.pass_context
 def main(context: click.Context, /) -> None:
     """Opens another shell in a container that runs: with ROS, and as the same user. Without NAME, it is the container that
-    `rosml run` started in this folder. One that has ended is started again.
+    `rosml run` started in this folder. If the container has stopped, it starts again.
 
-    The first word that is no option is the container's name, or a point for that of this folder. What follows it is the
-    command, and reaches the container as it is. Options of `docker exec`, such as -e and --workdir, go to the engine.
+    The first word that is no option is the container's name, or a point for that of this folder. The words after it are the
+    command, and reach the container unchanged. Options of `docker exec`, such as -e and --workdir, go to the engine.
 
     \b
     Examples:

@@ -1,4 +1,4 @@
-"""`rosml run --check`: says what ROS between a container and others depends on, and starts nothing of anybody's."""
+"""`rosml run --check`: shows what keeps ROS nodes of a container apart from others, and starts no command."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from rosml.run.context import Context
 COLOURS = {check.GOOD: "green", check.ADVICE: "yellow", check.PROBLEM: "red"}
 
 RMWS = "/opt/ros/{}/share/ament_index/resource_index/rmw_typesupport"
-"""Where an image has a file for each RMW implementation."""
+"""The folder of an image with a file for each RMW implementation."""
 
 
 def show(context: Context, argv: Sequence[str], *, into: bool) -> None:
-    """Prints what there is to say of the container that a command of the engine would start.
+    """Prints the findings about the container that a command of the engine would start.
 
     Args:
-        into: whether the image may be looked into, by a container of it that lists a folder.
+        into: whether we may start a container of the image that lists a folder.
 
     Raises:
         RosmlError: the image has no ROS, or the engine does not answer.
@@ -51,7 +51,7 @@ def show(context: Context, argv: Sequence[str], *, into: bool) -> None:
 
 
 def print_findings(found: Sequence[check.Finding]) -> None:
-    """Prints a line for each, with its remedy below."""
+    """Prints a line for each finding, with its remedy below."""
     width = max(len(it.what) for it in found)
     for it in found:
         state = click.style(f"{it.state:8}", fg=COLOURS[it.state])

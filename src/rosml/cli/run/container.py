@@ -1,4 +1,4 @@
-"""What the commands have in common that become docker or podman: `rosml run` and `rosml attach`."""
+"""The common part of `rosml run` and `rosml attach`, which become docker or podman."""
 
 from __future__ import annotations
 
@@ -22,16 +22,16 @@ from rosml.run import words
 from rosml.run.context import Container, Person
 
 LINE = "rosml.run.line"
-"""Where the context has the command line, as it was split."""
+"""The key of the split command line in click's context."""
 
 SETTINGS = {"allow_interspersed_args": False, "help_option_names": ["--help"]}
-"""-h is the engines' own: the container's host name."""
+"""Without -h, which is an option of the engines: the container's host name."""
 
 
 class Words(Command):
-    """A command of which click reads its own options, the first word that is none, and nothing else.
+    """A command of which click reads only its own options and the first word that is none.
 
-    It fails with docker's own code, as all others are those of the command in the container.
+    It fails with docker's own code: all others belong to the command in the container.
     """
 
     failure = 125
@@ -41,10 +41,10 @@ class Words(Command):
             return super().parse_args(ctx, self.for_click(ctx, args))
 
     def for_click(self, ctx: click.Context, args: Sequence[str]) -> list[str]:
-        """The words that click reads. The whole line is in the context then.
+        """The words that click reads. Puts the whole line into the context.
 
         Raises:
-            RosmlError: an option of the engine is unknown, or lacks its value; not while a shell completes a word.
+            RosmlError: an option of the engine is unknown, or lacks its value; never while a shell completes a word.
         """
         options = [option for option in self.get_params(ctx) if isinstance(option, click.Option)]
         own = [name for option in options for name in option.opts]
@@ -72,11 +72,11 @@ def showing(main: Callable[..., None]) -> Callable[..., None]:
 
 
 SHOW = ("--dry-run", "--json", "--check", "--export")
-"""Options with which nothing of anybody's runs."""
+"""Options with which no command runs."""
 
 
 def only_shown(line: words.Line) -> bool:
-    """Whether nothing is to be run."""
+    """Whether the call only shows something."""
     return any(word.partition("=")[0] in SHOW for word in line.own)
 
 
@@ -84,7 +84,7 @@ def perform(line: words.Line, argv: Sequence[str], begin: Callable[[], object] |
     """Shows the engine's command, or becomes it.
 
     Args:
-        begin: what is done before.
+        begin: called before it becomes the engine.
     """
     if line.asks("json"):
         with printing():
@@ -101,7 +101,7 @@ def perform(line: words.Line, argv: Sequence[str], begin: Callable[[], object] |
 
 
 def shown(argv: Sequence[str]) -> str:
-    """A command as a shell reads it. Bytes that are no text are written as bash, zsh and ksh read them."""
+    """A command as a shell reads it. Bytes that are no text are quoted for bash, zsh and ksh."""
     return " ".join(map(_quoted, argv))
 
 
@@ -116,37 +116,37 @@ def _quoted(word: str) -> str:
 
 @contextlib.contextmanager
 def printing() -> Iterator[None]:
-    """What does nothing but print: whoever reads it may stop.
+    """For output only: its reader may stop early.
 
     Raises:
-        RosmlError: it cannot be written.
+        RosmlError: the output cannot be written.
     """
     try:
         yield
     except OSError as error:
         if error.errno not in (errno.EPIPE, errno.ENOSPC):
             raise
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # Python would try it again when it ends
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # otherwise Python tries again when it ends
         if error.errno == errno.EPIPE:
             raise click.exceptions.Exit(0) from None
         raise RosmlError(f"standard output: {error.strerror}", "send it to another place") from None
 
 
 def become(argv: Sequence[str]) -> NoReturn:
-    """Becomes the engine: it has the terminal, the signals and the exit code."""
-    for number in (signal.SIGPIPE, signal.SIGXFSZ):  # Python ignores them, and what is ignored stays so
+    """Becomes the engine, which then has the terminal, the signals and the exit code."""
+    for number in (signal.SIGPIPE, signal.SIGXFSZ):  # Python ignores them, and the engine would inherit that
         signal.signal(number, signal.SIG_DFL)
     os.execvp(argv[0], [*argv])
 
 
 def enter(program: str, line: words.Line, caller: Person, container: Container) -> None:
-    """Enters a container, or shows how; one that has ended is started before.
+    """Enters a container, or shows how. If the container has stopped, starts it first.
 
     Args:
         program: the engine's command.
 
     Raises:
-        RosmlError: it cannot be entered.
+        RosmlError: the container cannot be entered.
     """
     from rosml.run import attach, engine
 
@@ -169,7 +169,7 @@ def enter(program: str, line: words.Line, caller: Person, container: Container) 
         machine = host(os.environ)
         here = is_here(engine.about(program), machine)
         for file, content in sockets.files_again(machine, caller, container).items() if here else ():
-            with contextlib.suppress(OSError):  # then the engine says what is missing
+            with contextlib.suppress(OSError):  # the engine then says what is missing
                 write(machine.path(file), content)
         engine.start(program, container, here)
 
@@ -180,10 +180,10 @@ def enter_folder(line: words.Line, command: str) -> None:
     """Enters the container of the current folder.
 
     Args:
-        command: how somebody called this, for messages.
+        command: the call, for messages.
 
     Raises:
-        RosmlError: there is none, or there are several, or it cannot be entered.
+        RosmlError: the folder has no container or several, or it cannot be entered.
     """
     from rosml.run import attach, concerns, engine
     from rosml.run.person import person

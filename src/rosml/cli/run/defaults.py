@@ -1,4 +1,4 @@
-"""The files with defaults of `rosml run`, and the question whether a project's file may have what it wants."""
+"""The files with defaults of `rosml run`, and the question whether to allow what a project's file wants."""
 
 from __future__ import annotations
 
@@ -16,7 +16,9 @@ def read(line: words.Line, options: Collection[str], refused: Collection[str], f
     """The files that count for a command line: none with --no-defaults.
 
     Args:
-        line: what somebody typed. options, refused: as in `defaults.files`. folder: the current one.
+        line: the command line as typed.
+        options, refused: as in `defaults.files`.
+        folder: the current one.
     """
     if line.asks("no-defaults"):
         return defaults.Files()
@@ -24,17 +26,16 @@ def read(line: words.Line, options: Collection[str], refused: Collection[str], f
 
 
 def require(typed: words.Line, file: defaults.File | None) -> bool:
-    """Asks whether a project's file may have what it wants, unless somebody allowed that already. Where nothing runs, says that
-    it would ask.
+    """Asks whether to allow what a project's file wants, unless the user has allowed it before. If nothing runs, only warns.
 
     Args:
-        typed: what somebody typed: the file's image and command count where this names none.
+        typed: the command line as typed. If it names no image, the file's image and command count.
 
     Returns:
-        Whether it may; False only where nothing runs.
+        Whether it is allowed; False only if nothing runs.
 
     Raises:
-        RosmlError: they say no, or there is no terminal to ask on, or the engine would read a pipe or a device.
+        RosmlError: the user says no, or there is no terminal to ask on, or the engine would read a pipe or a device.
     """
     from rosml.run import consent
 

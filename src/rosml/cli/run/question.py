@@ -1,4 +1,4 @@
-"""A question of `rosml run` to the person, and the memory of the answer."""
+"""A question of `rosml run` to the user, and the memory of the answer."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rosml.cli import command
 
 
 def possible() -> bool:
-    """Whether somebody sees a question and can answer it."""
+    """Whether there is a terminal for a question and its answer."""
     return os.isatty(0) and os.isatty(2)
 
 
@@ -19,7 +19,7 @@ def agreed(*lines: str) -> bool:
     """Asks, and waits for the answer. Anything but `y` and `yes` is a no.
 
     Args:
-        lines: what is said before; the last one is the question.
+        lines: the text; its last line is the question.
     """
     terminal.echo("\n".join(lines), err=True, nl=False)
     terminal.echo(" [y/N] ", err=True, nl=False)
@@ -27,7 +27,7 @@ def agreed(*lines: str) -> bool:
 
 
 def keep(place: Path, content: bytes) -> None:
-    """Writes the memory of answers. If that fails, people are asked again."""
+    """Writes the memory of answers. If that fails, rosml asks again next time."""
     from rosml.run.host import write
 
     try:

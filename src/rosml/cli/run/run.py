@@ -1,4 +1,4 @@
-"""`rosml run`: starts an image, by docker or podman."""
+"""`rosml run`: starts an image with docker or podman."""
 
 from __future__ import annotations
 
@@ -18,20 +18,20 @@ from rosml.run.context import Context, Person
 from rosml.run.defaults import HERE, Files
 
 RESERVED = ("new", "no-defaults", trust.OPTION, "check", "verbose", "dry-run", "json", "export", "help")
-"""Options of the command itself: no plugin can have one of these names, and no file with defaults can have one of them."""
+"""The command's own options: no plugin may have one of these names, and no file with defaults may set one."""
 
 IMAGE = 'write image = "…" into .rosml.toml'
-"""How a folder gets an image of its own."""
+"""The remedy that gives a folder an image."""
 
 
 @cache
 def found() -> plugins.Found:
-    """The plugins; they are looked for once."""
+    """The plugins, searched once."""
     return plugins.found(RESERVED)
 
 
 class Run(container.Words):
-    """A command that has the options of plugins as well."""
+    """A command with the options of plugins."""
 
     def get_params(self, ctx: click.Context) -> list[click.Parameter]:
         """The command's own options, with those of the plugins after the first."""
@@ -50,21 +50,21 @@ class Run(container.Words):
     options_metavar="[OPTIONS OF ROSML, DOCKER OR PODMAN]",
 )
 @click.option(
-    "--new", is_flag=True, expose_value=False, help="another container, although one runs; the engine names it"
+    "--new", is_flag=True, expose_value=False, help="start another container although one runs; the engine names it"
 )
 @click.option("--no-defaults", is_flag=True, expose_value=False, help="read neither .rosml.toml nor your own run.toml")
 @click.option(
     f"--{trust.OPTION}",
     is_flag=True,
     expose_value=False,
-    help="let images of this repository start as root, to make your user: now and from now on",
+    help="from now on, let images of this repository start as root, to make your user",
 )
 @container.showing
 @click.option(
     "--check",
     is_flag=True,
     expose_value=False,
-    help="say what keeps nodes of ROS apart from others, and start no command",
+    help="say what keeps ROS nodes apart from others, and start no command",
 )
 @click.option(
     "--export",
@@ -79,15 +79,15 @@ def main(context: click.Context, /, export: str | None) -> None:
     """Starts a container of an image: as you, on your terminal, with your time zone, your GPUs and your display. It is removed
     when it ends.
 
-    The first word that is no option is the image. What follows it is the command, and reaches the container as it is. All
+    The first word that is no option is the image. The words after it are the command, and reach the container unchanged. All
     options of `docker run` and `podman run` go to the engine, such as -v, -e, --name and -p.
 
-    In a folder whose container runs, the same call opens another shell in it, as does a call without an image.
+    If the folder's container runs, the same call opens another shell in it; so does a call without an image.
 
     Defaults are in .rosml.toml of the project, and in ~/.config/rosml/run.toml. A point is the image that they name.
 
-    The engine is docker, or podman where there is no docker; ROSML_ENGINE names one. The exit code is the command's,
-    or 125 where nothing starts.
+    The engine is docker, or podman if there is no docker; ROSML_ENGINE names one. The exit code is the command's, or 125 if
+    nothing starts.
 
     \b
     Examples:
@@ -135,10 +135,10 @@ def enter(line: words.Line, image: str) -> None:
     """Enters the container of the current folder, as no image is typed. An option may have taken the image as its value.
 
     Args:
-        image: the one of the files with defaults; empty where they name none.
+        image: the image that the files with defaults name; empty if they name none.
 
     Raises:
-        RosmlError: there is none, or there are several, or it cannot be entered.
+        RosmlError: the folder has no container or several, or it cannot be entered.
     """
     from rosml.run import attach
 
@@ -154,12 +154,13 @@ def enter(line: words.Line, image: str) -> None:
 
 
 def start(program: str, line: words.Line, caller: Person, files: Files) -> None:
-    """Starts an image, or shows how. One that is not there is pulled, unless the command is only shown. Where it runs for this
-    folder already, enters that container.
+    """Starts an image, or shows how. If the image is missing, it is pulled, unless the command is only shown. If it runs for
+    this folder already, enters that container.
 
     Args:
-        program: the engine's command. line: what somebody typed. files: what they need not type. A container that runs has
-            their options already.
+        program: the engine's command.
+        line: the command line as typed.
+        files: the files with defaults. A container that runs has their options already.
 
     Raises:
         RosmlError: there is no such image, or another container has the name, or the image has no workspace, or a file of
@@ -201,7 +202,7 @@ def start(program: str, line: words.Line, caller: Person, files: Files) -> None:
 
 
 def planned(context: Context) -> plugins.Plan:
-    """What the plugins add; what people should know is said."""
+    """The plan of the plugins. Prints their warnings."""
     plan = plugins.plan(context, found().plugins)
     for text, remedy in (*found().notes, *plan.notes):
         command.warn(text, remedy)
@@ -209,13 +210,13 @@ def planned(context: Context) -> plugins.Plan:
 
 
 def looked_at(program: str, line: words.Line, caller: Person) -> Context:
-    """What is known of an image that is not started.
+    """The context of an image that is not started.
 
     Args:
         program: the engine's command.
 
     Raises:
-        RosmlError: the engine does not have it.
+        RosmlError: the engine does not have the image.
     """
     from rosml.run import engine
     from rosml.run.host import host
@@ -227,8 +228,8 @@ def looked_at(program: str, line: words.Line, caller: Person) -> Context:
 
 
 def check_ros(program: str, line: words.Line, caller: Person, files: Files) -> None:
-    """Says what ROS in a container of an image depends on. An image that a project's file names is not looked into before
-    somebody allows it.
+    """Shows what ROS in a container of the image depends on. If a project's file names the image, we look into it only after
+    the user allows that.
 
     Args:
         program, line, files: as in `start`.
@@ -248,10 +249,12 @@ def show(program: str, line: words.Line, caller: Person, files: Files, kind: str
     """Shows what would run, as a file.
 
     Args:
-        program, line, files: as in `start`. kind: of file.
+        program, line, files: as in `start`.
+        kind: the kind of file.
 
     Raises:
-        RosmlError: the engine does not have the image, or such a file cannot say that, or another option shows something else.
+        RosmlError: the engine does not have the image, or such a file cannot express the call, or another option shows
+            something else.
     """
     from rosml.run import compose, devcontainer, export
 
@@ -259,7 +262,7 @@ def show(program: str, line: words.Line, caller: Person, files: Files, kind: str
         raise RosmlError(f"--export does not go with --{other}", "leave out one of them", exit_code=2)
     whole = files.under(line)
     if kind == "devcontainer":
-        whole = replace(whole, command=line.command)  # an editor has its own in the place of a default
+        whole = replace(whole, command=line.command)  # an editor has its own instead of a default
     context = export.lasting(looked_at(program, whole, caller))
     defaults.require(line, files.project)
     context = trust.settled(context)

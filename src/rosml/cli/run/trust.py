@@ -1,4 +1,4 @@
-"""Whether the image of `rosml run` may start as root: the person's word for its repository, and the question for it."""
+"""Whether the image of `rosml run` may start as root: asks the user whether to trust its repository."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ OPTION = "trust"
 
 
 def settled(context: Context) -> Context:
-    """The same, and whether the image's repository is trusted. If nobody has said so, asks on a terminal, and keeps the answer; or
-    says how to trust it if nothing runs, or nobody can answer."""
+    """The context with whether the image's repository is trusted. If the user has not said so, asks on a terminal and keeps
+    the answer. If nothing runs, or there is no terminal, only warns."""
     says_so = context.line.asks(OPTION)
     if not says_so and not needs_trust(context):
         return context

@@ -1,4 +1,4 @@
-"""How shells complete `rosml run` and `rosml attach`: options of rosml and of the engine, images, containers, files."""
+"""Completion of `rosml run` and `rosml attach`: options of rosml and of the engine, images, containers, files."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ FILES = frozenset(("volume", "mount", "device", *paths.FILES))
 """Options of the engine whose value begins with a path of this machine."""
 
 ENTERS = "attach"
-"""The command that takes a container in the place of an image, and fewer options."""
+"""The command that takes a container instead of an image, and fewer options."""
 
 
 def items(command: click.Command, args: Sequence[str], incomplete: str) -> list[CompletionItem[str]]:
-    """How the last word of a command line goes on; nothing where what stands before it is wrong.
+    """The completions of the last word of a command line; none if the words before it are wrong.
 
     Args:
         args: the words before it, without `rosml run`.
@@ -48,7 +48,7 @@ def items(command: click.Command, args: Sequence[str], incomplete: str) -> list[
 
 
 def _waiting(args: Sequence[str], own: Collection[str]) -> str:
-    """The option of the engine that waits for its value; empty where none does."""
+    """The option of the engine that waits for its value; empty if none does."""
     try:
         return words.split([*args, "value"], own).engine[-1].names[-1]
     except RosmlError:
@@ -60,12 +60,12 @@ def _value(name: str, incomplete: str) -> list[CompletionItem[str]]:
 
 
 def _file(incomplete: str) -> list[CompletionItem[str]]:
-    """Has the shell look for files."""
+    """Lets the shell look for files."""
     return [CompletionItem(incomplete, type="file")]
 
 
 def _named(containers: bool) -> list[str]:
-    """What the engine has: containers, or images; nothing where there is none, or it takes long."""
+    """The engine's containers or images; none if there is no engine, or it takes long."""
     try:
         program = engine.program(os.environ)
     except RosmlError:
