@@ -58,8 +58,7 @@ def unnamed(error: RosmlError) -> RosmlError:
 
 
 def place_of(named: str, root: Path) -> Place:
-    """The place that is named: what commands need that build nothing. The services of a checkout are
-    looked up only where none is named.
+    """The place that is named, for commands that build nothing. If none is named, it is the local one of the checkout.
 
     Raises:
         RosmlError: no registry is named, and there is no local one.
