@@ -47,12 +47,12 @@ def test_who_builds() -> None:
 @pytest.mark.parametrize(
     ("reference", "repository"),
     [
-        (f"debian:bookworm@{DIGEST}", "docker.io%2Flibrary%2Fdebian"),
-        (f"docker.io/library/debian:bookworm@{DIGEST}", "docker.io%2Flibrary%2Fdebian"),
-        (f"docker-image://ubuntu:24.04@{DIGEST}", "docker.io%2Flibrary%2Fubuntu"),
-        (f"me/debian:1@{DIGEST}", "docker.io%2Fme%2Fdebian"),
-        (f"ghcr.io/me/debian@{DIGEST}", "ghcr.io%2Fme%2Fdebian"),
-        (f"127.0.0.1:5000/library/assembler@{DIGEST}", "127.0.0.1%3A5000%2Flibrary%2Fassembler"),
+        (f"debian:bookworm@{DIGEST}", "docker.io/library/debian"),
+        (f"docker.io/library/debian:bookworm@{DIGEST}", "docker.io/library/debian"),
+        (f"docker-image://ubuntu:24.04@{DIGEST}", "docker.io/library/ubuntu"),
+        (f"me/debian:1@{DIGEST}", "docker.io/me/debian"),
+        (f"ghcr.io/me/debian@{DIGEST}", "ghcr.io/me/debian"),
+        (f"127.0.0.1:5000/library/assembler@{DIGEST}", "127.0.0.1:5000/library/assembler"),
     ],
 )
 def test_base_images(reference: str, repository: str) -> None:

@@ -1,4 +1,4 @@
-"""Where a distribution's packages come from, and of when that apt repository is."""
+"""ROS's apt repository: its sync date, which is when it was published last, and the packages that it lacks."""
 
 from __future__ import annotations
 
@@ -46,8 +46,8 @@ def date_of(text: str, url: str) -> str:
     """
     found = re.search(r"^Date: (.+)$", text, re.MULTILINE)
     try:
-        moment = parsedate_to_datetime(found[1] if found else "").astimezone(UTC)
-        return moment.strftime("%Y-%m-%dT%H:%M:%SZ")
+        date = parsedate_to_datetime(found[1] if found else "").astimezone(UTC)
+        return date.strftime("%Y-%m-%dT%H:%M:%SZ")
     except (ArithmeticError, LookupError, TypeError, ValueError):
         raise RosmlError(f"{release_file.shown(url)} says no date", "check the mirror") from None
 

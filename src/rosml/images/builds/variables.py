@@ -20,7 +20,7 @@ def variables(
     architecture: str,
     prefix: str,
     say: Callable[[str], None],
-    moment: str = "",
+    date: str = "",
 ) -> dict[str, str]:
     """What a build or a test of an image is told.
 
@@ -30,8 +30,7 @@ def variables(
         image, architecture: what is built, and for what.
         prefix: of references: the registry and the path before the names of repositories.
         say: told what is going on, a line at a time.
-        moment: of when ROS's apt repository is taken to be: the build fails where it is of another time by then. It is
-            asked if nothing is said.
+        date: the sync date of ROS's apt repository, which the build requires; the repository is asked if empty.
 
     Raises:
         RosmlError: no base image can be had; there is no such channel of the apt repository (exit code 2).
@@ -43,8 +42,8 @@ def variables(
     for name in sorted(wanted):
         reference = base_images.reference(services, systems, name, architecture)
         found[names.os_variable(name)] = f"docker-image://{reference}"
-    date = sync_date(services, image_set, image.distribution, say, moment)
-    return found | ({"ROS_SYNC_DATES": json.dumps({image.distribution: date})} if date is not None else {})
+    published = sync_date(services, image_set, image.distribution, say, date)
+    return found | ({"ROS_SYNC_DATES": json.dumps({image.distribution: published})} if published is not None else {})
 
 
 def base(image: Image, variables: dict[str, str]) -> str:
@@ -53,12 +52,16 @@ def base(image: Image, variables: dict[str, str]) -> str:
 
 
 def sync_date(
-    services: Services, image_set: ImageSet, distribution: str, say: Callable[[str], None], moment: str = ""
+    services: Services, image_set: ImageSet, distribution: str, say: Callable[[str], None], date: str = ""
 ) -> str | None:
-    """Of when ROS's apt repository is, that a distribution's packages come from: a new state of it is installed anew.
+    """The sync date: when ROS published the apt repository that a distribution's packages come from. After a new one, they are
+    installed anew.
+
+    Args:
+        date: the sync date, if it is known; the repository is asked if empty.
 
     Returns:
-        The moment; empty if nobody knows it; None if its packages come from elsewhere.
+        The date; empty if nobody knows it; None if its packages come from elsewhere.
 
     Raises:
         RosmlError: there is no such channel of the repository (exit code 2).
@@ -66,14 +69,14 @@ def sync_date(
     source = apt_repository.of(image_set.matrix, distribution)
     if source is None:
         return None
-    if not moment:
+    if not date:
         try:
-            moment = sync.published(source)
-            sync.remember(services.state, source, moment)
+            date = sync.published(source)
+            sync.remember(services.state, source, date)
         except RosmlError as error:  # what the builder has of it may be enough
             if error.exit_code == 2:
                 raise
-            moment = sync.remembered(services.state, source)
-            say(f"{error.message}; taken for as it was last time: {moment or 'never asked'}")
-        say(f"ROS's apt repository {source.address}, published {moment or 'nobody knows when'}")
-    return moment
+            date = sync.remembered(services.state, source)
+            say(f"{error.message}; taken for as it was last time: {date or 'never asked'}")
+        say(f"ROS's apt repository {source.address}, published {date or 'nobody knows when'}")
+    return date

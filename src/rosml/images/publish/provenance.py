@@ -15,7 +15,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
-from urllib.parse import quote, urlsplit
+from urllib.parse import urlsplit
+
+from packageurl import PackageURL
 
 from rosml.base.errors import RosmlError
 from rosml.images.records.store import CREATED
@@ -96,8 +98,8 @@ def image(name: str, repository: str, digest: str, **annotations: str) -> dict[s
 
 def purl(repository: str, digest: str) -> str:
     """A package URL of an image, with the registry."""
-    last = repository.rpartition("/")[2]
-    return f"pkg:oci/{last}@{quote(digest, safe='')}?repository_url={quote(repository, safe='')}"
+    name = repository.rpartition("/")[2]
+    return PackageURL("oci", None, name, digest, {"repository_url": repository}).to_string()
 
 
 def base(reference: str, expected: str) -> dict[str, Any]:
@@ -126,9 +128,9 @@ def locks(root: Path, names: Iterable[str]) -> list[dict[str, Any]]:
     ]
 
 
-def packages(address: str, moment: str) -> dict[str, Any]:
+def packages(address: str, state: str) -> dict[str, Any]:
     """The descriptor of an apt repository that packages came from: of when it was."""
-    return {"name": "apt", "uri": address, "annotations": {"state": moment}}
+    return {"name": "apt", "uri": address, "annotations": {"state": state}}
 
 
 def source(root: Path) -> list[dict[str, Any]]:

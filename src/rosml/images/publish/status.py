@@ -71,7 +71,7 @@ def read(state: State, now: str) -> Iterator[ImageStatus]:
         date = date_of(found)
         members = found.members if found else []
         platforms = tuple((item.platform and item.platform.architecture) or "" for item in members)
-        made, today = _moment(date), _moment(now)
+        made, today = _time(date), _time(now)
         stands, reason = _stands(state, thing, found.digest if found else "")
         if odd := _odd(date, now):
             reason = f"{reason}; {odd}" if reason else odd
@@ -238,7 +238,7 @@ def _late(state: State, item: Item) -> str:
     return next((f"{target} is made anew" for target in below), "")
 
 
-def _moment(text: str) -> datetime | None:
+def _time(text: str) -> datetime | None:
     """A run's date; None where it is none: anybody may write an annotation."""
     try:
         return datetime.strptime(text, TIME)
