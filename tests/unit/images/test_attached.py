@@ -191,7 +191,7 @@ def test_every_image_says_what_it_was_made_from(registry: Publisher, image_set: 
     parts = known[TARGET, "amd64"].parts
     assert found.keys() == parts.keys()
     assert found["alpha-core"]["digest"] == {"sha256": parts["alpha-core"].removeprefix("sha256:")}
-    assert found["alpha-core"]["uri"].startswith("pkg:oci/ros@sha256%3A")
+    assert found["alpha-core"]["uri"].startswith("pkg:oci/ros@sha256:")
     assert f"repository_url={HOST}/{PREFIX}/ros" in found["alpha-core"]["uri"]
 
     part = next(item for item in run.state.items if item.kind == "part" and item.thing.locks)
