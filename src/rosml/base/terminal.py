@@ -63,13 +63,16 @@ class _Shown:
         return getattr(self._stream, name)
 
 
-def table(*columns: str, right: Collection[str] = (), wrapped: Collection[str] = ()) -> Table:
+def table(
+    *columns: str, right: Collection[str] = (), wrapped: Collection[str] = (), whole: Collection[str] = ()
+) -> Table:
     """An empty table.
 
     Args:
         columns: the heads of the columns.
         right: columns that are aligned to the right, such as numbers.
         wrapped: columns whose cells may take several lines.
+        whole: columns whose cells are never cut, however narrow the terminal is.
     """
     from rich.table import Table  # slow to import, and only needed here
 
@@ -78,7 +81,7 @@ def table(*columns: str, right: Collection[str] = (), wrapped: Collection[str] =
         made.add_column(
             column,
             justify="right" if column in right else "left",
-            overflow="fold" if column in wrapped else "ellipsis",
+            overflow="fold" if column in wrapped else "ignore" if column in whole else "ellipsis",
             no_wrap=column not in wrapped,
         )
     return made
@@ -104,6 +107,9 @@ def console() -> Console:
 def show(table: Table) -> None:
     """Prints a table without spaces at the ends of lines."""
     out = console()
+    for column in table.columns:
+        if column.overflow == "ignore":
+            column.min_width = max(out.measure(cell).maximum for cell in column.cells)
     with out.capture() as captured:
         out.print(table)
     echo(_PADDING.sub(r"\1", captured.get()), nl=False)

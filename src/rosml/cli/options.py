@@ -33,7 +33,7 @@ MATRIX = click.option(
     "--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml"
 )
 ONLY = click.option(
-    "--only", multiple=True, metavar="GLOB", callback=words, help="images by target, pattern or group; repeatable"
+    "--only", multiple=True, metavar="GLOB", callback=words, help="images by target, tag, pattern or group; repeatable"
 )
 JSON = click.option("--json", "as_json", is_flag=True, help="print the result as JSON on standard output")
 

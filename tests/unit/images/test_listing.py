@@ -54,8 +54,23 @@ def test_groups_without_a_common_image(groups: tuple[str, ...], tmp_path: Path) 
 def test_one_image_is_one(small: ImageSet, capsys: pytest.CaptureFixture[str]) -> None:
     tables.print_images(selection.members(small, ["alpha", "core", "torch", "cu1"]))
     lines = capsys.readouterr().out.splitlines()
-    assert lines[0].split()[:6] == ["target", "versions", "platforms", "main", "tag", "lock"]
-    assert lines[-1] == "1 image, 3 parts"
+    assert lines[0].split() == ["tag", "GB", "platforms", "content", "target"]
+    assert lines[1].split()[0] == "ros-torch:alpha-core-cu1" and lines[1].endswith("alpha-core-torch-cu1")
+    assert lines[-1] == "1 image, 3 parts; GB: unpacked, a forecast"
+
+
+@pytest.mark.parametrize("width", [60, 80, 100, 120])
+def test_tag_and_size_are_never_cut(
+    real: ImageSet, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, width: int
+) -> None:
+    """In a terminal of any width, a row says which image it is."""
+    monkeypatch.setenv("COLUMNS", str(width))
+    monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
+    images = selection.members(real, ["ros1-trixie", "torch"])
+    tables.print_images(images)
+    rows = [line.split() for line in capsys.readouterr().out.splitlines()[1 : 1 + len(images)]]
+    assert [row[0] for row in rows] == [image.tags[0] for image in images]
+    assert [row[1] for row in rows] == [f"{image.disk.unpacked / 1000:.1f}" for image in images]
 
 
 def test_a_group_that_does_not_exist(small: ImageSet) -> None:
@@ -80,7 +95,7 @@ def test_command(real: ImageSet) -> None:
         check=True,
     )
     wanted = targets(real, image.distribution, image.framework)
-    assert [line.split()[0] for line in done.stdout.splitlines()[1 : len(wanted) + 1]] == wanted
+    assert [line.split()[-1] for line in done.stdout.splitlines()[1 : len(wanted) + 1]] == wanted
     assert f"\n{len(wanted)} images, " in done.stdout
 
 
@@ -102,4 +117,4 @@ def test_a_reader_that_has_seen_enough() -> None:
         check=False,
     )
     assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout.startswith("target ")
+    assert done.stdout.startswith("tag ")

@@ -702,6 +702,8 @@ def test_a_registry_that_refuses_leaves_the_others_alone(registry: Publisher, im
 
 def test_selection(image_set: ImageSet) -> None:
     assert [image.target for image in selection.select(image_set, ["alpha-core"])] == ["alpha-core"]
+    tagged = selection.select(image_set, ["ros-torch:*-cu1"])
+    assert {(image.framework, image.stack) for image in tagged} == {("torch", "cu1")}
     assert all(image.distribution == "omega" for image in selection.select(image_set, ["omega"]))
     assert {image.framework for image in selection.select(image_set, ["*-torch-*"])} == {"torch"}
     with pytest.raises(RosmlError, match="no image named 'alpha-cor'; did you mean 'alpha-core'"):

@@ -209,12 +209,16 @@ def test_what_cannot_be_had_is_told_apart(
     }
     counts = json.loads(status.as_json(found))["counts"]
     assert (counts["published"], counts["waiting for a builder"], counts["lock missing"]) == (1, 1, 3)
+    monkeypatch.setattr(tables, "FEW", len(found))
     tables.print_status(found, [], {"join": 2})
     lines = {line.split()[0]: " ".join(line.split()[1:]) for line in capsys.readouterr().out.splitlines() if line}
     assert lines["image"] == "state age platforms why"
     assert lines["alpha-core"] == "published 3 d amd64, arm64"
     assert lines["alpha-base"] == f"waiting for a builder {why}"
     assert lines[BASE] == "lock missing 1 of its locks are missing"
+    monkeypatch.setattr(tables, "FEW", 1)
+    tables.print_status(found, [], {})
+    assert [line.split()[0] for line in capsys.readouterr().out.splitlines()[:-1]] == ["image", "alpha-core"]
     total = lines[str(len(found))]
     assert total.startswith("images: 1 published") and total.endswith(
         "3 lock missing, 1 waiting for a builder; a further run would join 2"

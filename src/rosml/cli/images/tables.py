@@ -33,9 +33,14 @@ def show(
     rows: Iterable[Iterable[str | Text]],
     right: Collection[str] = (),
     wrapped: Collection[str] = (),
+    whole: Collection[str] = (),
 ) -> None:
-    """Prints a table; nothing where it has no rows."""
-    table = terminal.table(*columns, right=right, wrapped=wrapped)
+    """Prints a table; nothing if it has no rows.
+
+    Args:
+        right, wrapped, whole: columns, as `terminal.table` has them.
+    """
+    table = terminal.table(*columns, right=right, wrapped=wrapped, whole=whole)
     for row in rows:
         table.add_row(*row)
     if table.row_count:
@@ -66,19 +71,38 @@ def images_as_json(inputs: Inputs, images: Sequence[Image]) -> str:
     return json.dumps([{**facts(image), "inputs": inputs.digests(image)} for image in images], indent=2) + "\n"
 
 
+NAMED = ("torch", "tensorflow", "cuda")
+"""The versions by which people choose an image. `rosml list --json` has all of them, to the last number."""
+
+CONTENT = 20
+"""As many characters of an image's versions are shown at least, if they are shown."""
+
+
 def print_images(images: Sequence[Image]) -> None:
-    """Prints images, a row each."""
-    size = "GB unpacked (forecast)"
-    rows = []
+    """Prints images, a row each. In a narrow terminal, versions are cut, and the last columns are left out."""
+    columns = ["tag", "GB", "platforms", "content", "target"]
+    rows: list[list[str] | list[Text]] = []
     for image in images:
-        versions = ", ".join(f"{name} {version}" for name, version in image.versions.items())
-        state, gigabytes = "" if image.locked else "missing", f"{image.disk.unpacked / 1000:.1f}"
-        rows.append((image.target, versions, ", ".join(image.platforms), image.tags[0], state, gigabytes))
-    show(("target", "versions", "platforms", "main tag", "lock", size), rows, right=[size])
+        found = [f"{name} {short(image.versions[name])}" for name in NAMED if name in image.versions]
+        content, size = ", ".join(found) or "ROS", f"{image.disk.unpacked / 1000:.1f}"
+        row = [image.tags[0], size, ", ".join(image.architectures), content, image.target]
+        rows.append(row if image.locked else [coloured(cell, "dim") for cell in row])
     out = terminal.console()
+    widths = [max(len(cell) for cell in cells) for cells in zip(columns, *rows, strict=True)]
+    widths[3] = min(widths[3], CONTENT)
+    while sum(widths) + 2 * (len(widths) - 1) > out.width and len(widths) > 2:
+        widths.pop()
+    columns, rows = columns[: len(widths)], [row[: len(widths)] for row in rows]
+    show(columns, rows, right=["GB"], whole=["tag", "GB", "platforms"])
     parts = {name for image in images for name in image.parts}
-    out.print(f"{counted(len(images), 'image')}, {counted(len(parts), 'part')}", style="dim")
+    counts = f"{counted(len(images), 'image')}, {counted(len(parts), 'part')}; GB: unpacked, a forecast"
+    out.print(counts, style="dim")
     print_unlocked(images)
+
+
+def short(version: str) -> str:
+    """A version's first two numbers."""
+    return ".".join(version.split(".")[:2])
 
 
 def print_unlocked(images: Collection[Image]) -> None:
@@ -127,15 +151,22 @@ def print_scan(run: Run) -> None:
     terminal.echo(f"{counted(len(run.images), 'image')}: {run.outcome.value}")
 
 
+FEW = 24
+"""As many images as fit on a screen have a line each, whatever their state."""
+
+
 def print_status(found: list[ImageStatus], causes: Sequence[Cause], ahead: Mapping[str, int]) -> None:
-    """A line for each image, a block for each cause, and how many images there are of each state."""
+    """A line for each image that was published or failed, the published ones first; a block for each cause; and how many images
+    there are of each state. Of few images, each has a line."""
     from rosml.images.publish.status import STATES, age
 
+    order = list(STATES)
+    told = [it for it in found if it.digest or it.state == "failed" or len(found) <= FEW]
     rows = (
         (it.target, coloured(it.state, STATES[it.state]), age(it.age), ", ".join(it.platforms), it.reason)
-        for it in found
+        for it in sorted(told, key=lambda it: order.index(it.state))
     )
-    show(("image", "state", "age", "platforms", "why"), rows, wrapped=["why"])
+    show(("image", "state", "age", "platforms", "why"), rows, wrapped=["why"], whole=["image"])
     out = terminal.console()
     for cause in causes if len(found) > 1 else ():
         head = f"{counted(len(cause.targets), 'image')} {cause.state}"

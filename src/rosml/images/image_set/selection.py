@@ -11,7 +11,7 @@ from rosml.images.image_set.model import Image, ImageSet
 
 
 def select(image_set: ImageSet, only: Sequence[str]) -> tuple[Image, ...]:
-    """The images that patterns, groups or targets name; all if there is none.
+    """The images that patterns of targets or tags, or groups, name; all if there is none.
 
     Raises:
         RosmlError: a pattern names none (exit code 2).
@@ -21,6 +21,8 @@ def select(image_set: ImageSet, only: Sequence[str]) -> tuple[Image, ...]:
     wanted: set[str] = set()
     for pattern in only:
         found = fnmatch.filter(image_set.by_target, pattern)
+        if not found and ":" in pattern:
+            found = [image.target for image in image_set.images if fnmatch.filter(image.tags, pattern)]
         if not found and pattern in image_set.groups:
             found = [name for name in image_set.groups[pattern] if name in image_set.by_target]
         if not found:

@@ -143,6 +143,9 @@ class Cause:
     log: str
 
 
+_FOR = re.compile(r" \(for [\w.-]+\)")
+"""What an image waits for is often what another one, on which it stands, waits for."""
+
 OPEN = ("failed", "outdated", "missing")
 """The states of images that a further run may publish."""
 
@@ -157,7 +160,7 @@ def causes(found: Sequence[ImageStatus], architectures: Iterable[str]) -> list[C
     groups: dict[tuple[str, str], list[ImageStatus]] = {}
     for item in found:
         if item.state != "published":
-            reason = "" if item.state == UNLOCKED else names.sub("", item.reason)
+            reason = "" if item.state == UNLOCKED else _FOR.sub("", names.sub("", item.reason))
             parts = dict.fromkeys(UNLOCKED if part.startswith(UNLOCKED) else part for part in reason.split("; "))
             if len(parts) > 1:
                 parts.pop(ELSEWHERE, None)  # who looks has one machine, and a publishing run has all

@@ -60,7 +60,8 @@ def present(place: Place, entries: Iterable[Entry]) -> set[tuple[str, str]]:
 
 
 def _ask(state: State) -> Mapping[str, Image]:
-    """Asks the repositories of the distributions that can be built here; gives an image of each that was asked.
+    """Asks the repositories of the distributions that can be built here; gives an image of each that was asked. If nothing will be
+    made, those alone are asked of which there are images: to read the apt sources of a base image, this machine may have to make it.
 
     Raises:
         RosmlError: what the user said of them is wrong (exit code 2). If one does not answer, that is a remark.
@@ -72,6 +73,7 @@ def _ask(state: State) -> Mapping[str, Image]:
         and isinstance(item.thing, Image)
         and not state.hindrance(item)
         and item.thing.distribution not in state.package_state
+        and (not state.request.whole or item.key in state.present)
     }
 
     def asked(name: str) -> str | RosmlError:
