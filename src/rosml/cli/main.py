@@ -10,14 +10,29 @@ from importlib import import_module
 import click
 
 from rosml import __version__
+from rosml.base import terminal
 from rosml.base.environment import LACKING
 from rosml.base.errors import RosmlError
 from rosml.cli import command, completion
 from rosml.cli.checkout import Command, Group
 
-SETUP = {name: f"rosml setup {name}" for name in ("clean", "client", "down", "scanner", "signer")} | {
-    "up": "rosml setup"
+TRIED = {name: f"rosml setup {name}" for name in ("clean", "client", "down", "scanner", "signer")} | {
+    "up": "rosml setup",
+    "build": "rosml image, for a base image; rosml containerize, for your packages",
+    "doctor": "rosml setup status",
+    "exec": "rosml attach",
+    "images": "rosml list",
+    "info": "rosml explain",
+    "inspect": "rosml explain",
+    "ls": "rosml list",
+    "pull": "docker pull, with a tag that rosml list prints",
+    "search": "rosml list",
+    "shell": "rosml attach",
+    "show": "rosml explain",
+    "start": "rosml run",
+    "version": "rosml --version",
 }
+"""Words that people try, from other tools or from make, and the command for each."""
 
 
 SECTIONS = {
@@ -52,15 +67,22 @@ class Rosml(Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
+        if args[:1] == ["help"]:
+            args = [*args[1:], "--help"]
+            if args[0] == "--help":
+                terminal.echo(ctx.get_help())
+                ctx.exit()
         if LACKING and args and args[0] not in self.commands:
             text = f"no command {args[0]} here: not installed: {', '.join(LACKING)}"
             raise RosmlError(text, "pipx install --force '.[images]' in a checkout", exit_code=2)
         return super().resolve_command(ctx, args)
 
 
-@click.group(cls=Rosml, elsewhere=SETUP, sections=SECTIONS)
-@click.version_option(__version__, prog_name="rosml")
-def cli() -> None:
+@click.group(cls=Rosml, elsewhere=TRIED, sections=SECTIONS)
+@click.version_option(__version__, "-V", "--version", prog_name="rosml")
+@click.option("-q", "--quiet", is_flag=True, help="Print results and errors, and no progress; not for run and attach.")
+@click.pass_context
+def cli(context: click.Context, quiet: bool) -> None:
     """ROS base images with machine learning inside.
 
     list, explain and join need neither Docker nor root nor a checkout; nor do status, catalogue, publish undo and publish
@@ -79,6 +101,8 @@ def cli() -> None:
     Completion in bash; in zsh and fish likewise:
       eval "$(_ROSML_COMPLETE=bash_source rosml)"
     """
+    if quiet and context.invoked_subcommand not in QUICK:
+        context.with_resource(command.quiet())
 
 
 QUICK = completion.OF_WORDS

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -76,6 +77,12 @@ class Line:
     def values(self, *names: str) -> list[str]:
         """The values of options of the engine, in their order."""
         return [given.value or "" for given in self.engine if given.names[-1] in names]
+
+    @property
+    def late(self) -> bool:
+        """Whether an option of the engines stands after the image, and is the command therefore."""
+        first = next(iter(self.command), "")
+        return first.startswith("--") and first[2:].partition("=")[0] in table().names
 
     @property
     def taken(self) -> str:
@@ -156,6 +163,9 @@ def _line(own: list[str], engine: list[Given], rest: list[str]) -> Line:
     if image.startswith("-"):  # after `--`; the engine would take it for an option
         remedy = "rosml run IMAGE" if image == "-" else "write an image after --"
         raise RosmlError(f"{image!r} is no name of an image", remedy, exit_code=2)
+    if re.search(r"[<>]|^IMAGE$", image):
+        text = f"{image} is what stands for an image in a page"
+        raise RosmlError(text, "write an image that you have, such as ghcr.io/me/rosml/ros:jazzy-base", exit_code=2)
     return Line(tuple(own), tuple(engine), image, tuple(rest[1:]))
 
 

@@ -152,6 +152,7 @@ def test_a_command_that_is_mistyped(words: list[str], meant: str, capsys: pytest
     ("words", "told"),
     [
         (["up"], "rosml setup"),
+        (["search", "jazzy"], "rosml list"),
         (["publish", "image", "x"], "rosml image"),
         (["publish", "join"], "rosml publish join-images"),
     ],
@@ -159,6 +160,29 @@ def test_a_command_that_is_mistyped(words: list[str], meant: str, capsys: pytest
 def test_a_command_that_is_elsewhere(words: list[str], told: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert command.run(main.cli, arguments=words) == 2
     assert capsys.readouterr().err.endswith(f"It is: {told}\n")
+
+
+@pytest.mark.parametrize(
+    ("words", "shows"), [(["help"], "Run images:"), (["help", "publish", "undo"], "undo [OPTIONS]")]
+)
+def test_help_is_a_word_too(words: list[str], shows: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.run(main.cli, arguments=words) == 0
+    assert shows in capsys.readouterr().out
+
+
+def test_a_quiet_command_prints_its_result_and_its_error(capfd: pytest.CaptureFixture[str]) -> None:
+    def body() -> None:
+        command.say("what begins")
+        subprocess.run(["sh", "-c", "echo a program >&2"], check=True)
+        click.echo("the result")
+        raise RosmlError("it failed", "mend it")
+
+    main.cli.add_command(ending(body), "loud")
+    try:
+        assert command.run(main.cli, arguments=["-q", "loud"]) == 1
+        assert capfd.readouterr() == ("the result\n", "error: it failed\nremedy: mend it\n")
+    finally:
+        del main.cli.commands["loud"]
 
 
 @pytest.mark.parametrize(("no_color", "coloured"), [("", True), ("1", False)])

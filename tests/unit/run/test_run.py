@@ -48,7 +48,7 @@ def desk(tmp_path: Path) -> Desk:
         ["ubuntu", "printf", "", "%s", ""],
         ["ubuntu", "ls", "*", "?", "[a-z]"],
         ["ubuntu", "echo", "a\\b", "\\", "\n", "`id`", "$(id)"],
-        ["-it", "-v", "/a b:/c d", "ubuntu", "--rm", "--dry-run", "--json"],
+        ["-it", "-v", "/a b:/c d", "ubuntu", "--dry-run", "--rm", "--json"],
     ],
 )
 def test_words_arrive_as_they_are(desk: Desk, words: list[str]) -> None:
@@ -359,12 +359,28 @@ def test_a_name_that_is_taken(desk: Desk, state: str, found: str, refused: bool,
         (["--brand-new", "ubuntu"], "remedy: --brand-new=VALUE"),
         (["--no-rm=1", "ubuntu"], "'--no-rm' does not take a value"),
         (["--mws", "ubuntu"], "ubuntu has no workspace"),
+        (["<registry>/ros:jazzy-base"], "remedy: write an image that you have"),
+        (["IMAGE", "bash"], "remedy: write an image that you have"),
     ],
 )
 def test_a_call_that_is_wrong(desk: Desk, words: list[str], says: str) -> None:
     done = desk.call(*words)
     assert (done.returncode, says in done.stderr) == (125, True), done.stderr
     assert not [call for call in desk.calls if call[1] == "run"]
+
+
+def test_help_is_what_h_alone_asks_for(desk: Desk) -> None:
+    assert desk.call("-h").stdout.startswith("Usage: ")
+    desk.call("-h", "robot", "ubuntu")
+    assert [word for word in desk.calls[-1] if word in ("-h", "robot")] == ["-h", "robot"]
+
+
+@pytest.mark.parametrize(("word", "told"), [("--gpus", True), ("--version", False), ("-la", False)])
+def test_an_option_after_the_image(desk: Desk, word: str, told: bool) -> None:
+    """It reaches the container as it is; whoever meant the engine's own is told."""
+    done = desk.call("ubuntu", word)
+    assert desk.calls[-1][-1] == word
+    assert (f"options come first: rosml run {word} … ubuntu" in done.stderr) == told
 
 
 @pytest.mark.parametrize(

@@ -46,6 +46,8 @@ class Words(Command):
         Raises:
             RosmlError: an option of the engine is unknown, or lacks its value; never while a shell completes a word.
         """
+        if [*args] == ["-h"]:  # of the engines, it needs a value
+            return ["--help"]
         options = [option for option in self.get_params(ctx) if isinstance(option, click.Option)]
         own = [name for option in options for name in option.opts]
         with_value = [name for option in options if not option.is_flag for name in option.opts]

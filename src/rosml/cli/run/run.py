@@ -105,6 +105,9 @@ def main(context: click.Context, /, export: str | None) -> None:
     from rosml.run.person import person
 
     line: words.Line = context.meta[container.LINE]
+    if line.late:
+        text = f"{line.command[0]} is the command in the container, since it stands after the image"
+        command.warn(text, f"options come first: rosml run {line.command[0]} … {line.image}")
     caller = person(os.environ)
     own = [f"--{name}" for plugin in found().plugins for name in plugin.options]
     files = defaults.read(line, own, [f"--{name}" for name in RESERVED], caller.folder)
