@@ -140,33 +140,6 @@ def installed(bare: Bootstrap) -> set[str]:
     return {path.name for path in (bare.root / ".venv").rglob("*-1.0.dist-info")}
 
 
-def test_a_package_with_another_hash_is_refused(bare: Bootstrap, tmp_path: Path) -> None:
-    digest = wheel(tmp_path / "wheels", "one")
-    file = bare.root / "tools/requirements-app.txt"
-    file.write_text(f"one==1.0 --hash=sha256:{'0' * 64}\n")
-    with pytest.raises(bare.module.Failure, match=r"(?i)hash"):
-        install(bare, "app")
-    assert not installed(bare)
-    file.write_text(f"one==1.0 --hash=sha256:{digest}\n")
-    install(bare, "app")
-    assert installed(bare) == {"one-1.0.dist-info"}
-
-
-def test_a_package_without_a_hash_is_refused(bare: Bootstrap, tmp_path: Path) -> None:
-    wheel(tmp_path / "wheels", "one")
-    (bare.root / "tools/requirements-app.txt").write_text("one==1.0\n")
-    with pytest.raises(bare.module.Failure, match=r"(?i)hash"):
-        install(bare, "app")
-
-
-def test_what_a_package_requires_is_not_chosen_during_installation(bare: Bootstrap, tmp_path: Path) -> None:
-    digest = wheel(tmp_path / "wheels", "one", needs="two")
-    wheel(tmp_path / "wheels", "two")
-    (bare.root / "tools/requirements-app.txt").write_text(f"one==1.0 --hash=sha256:{digest}\n")
-    install(bare, "app")
-    assert installed(bare) == {"one-1.0.dist-info"}
-
-
 def ask(bare: Bootstrap, group: str, wanted: Mapping[str, str]) -> set[str]:
     """Installs a group of packages, given by name and sha256; what is there then."""
     text = "".join(f"{name}==1.0 --hash=sha256:{digest}\n" for name, digest in wanted.items())
@@ -175,10 +148,15 @@ def ask(bare: Bootstrap, group: str, wanted: Mapping[str, str]) -> set[str]:
     return installed(bare)
 
 
-def test_what_is_no_longer_asked_for_goes(bare: Bootstrap, tmp_path: Path) -> None:
-    one, two = ({name: wheel(tmp_path / "wheels", name)} for name in ("one", "two"))
+def test_what_is_installed_is_what_is_asked_for_by_hash(bare: Bootstrap, tmp_path: Path) -> None:
+    """What a package requires is not chosen during installation, and what is no longer asked for goes."""
+    one, two = {"one": wheel(tmp_path / "wheels", "one", needs="three")}, {"two": wheel(tmp_path / "wheels", "two")}
+    wheel(tmp_path / "wheels", "three")
     assert ask(bare, "dev", one | two) == {"one-1.0.dist-info", "two-1.0.dist-info"}
     assert ask(bare, "dev", one) == {"one-1.0.dist-info"}
+    (bare.root / "tools/requirements-dev.txt").write_text("two==1.0\n")
+    with pytest.raises(bare.module.Failure, match=r"(?i)hash"):
+        install(bare, "dev")
 
 
 def test_a_smaller_group_takes_nothing_away(bare: Bootstrap, tmp_path: Path) -> None:
