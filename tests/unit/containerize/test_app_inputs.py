@@ -111,6 +111,8 @@ def test_a_repository_does_not_decide_what_a_persons_rights_and_secrets_do(
         app_inputs.values(given, tmp_path, environment)
     assert caught.value.exit_code == 2 and re.search(remedy, caught.value.remedy)
     assert "secret" not in caught.value.message
+    pushes = variable == "PUSH" or "true" in (given.get("push"), environment.get("PUSH"))
+    assert ("as the images are pushed" in caught.value.message) is pushes
 
 
 @pytest.mark.parametrize(

@@ -770,6 +770,26 @@ def test_tests_that_fail_in_the_slim_image_alone_are_named(
     assert [call["name"] for call in calls] == ["packages"]
 
 
+def test_a_lock_file_that_is_written_anew_takes_nothing_from_a_cache(
+    repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    monkeypatch.setattr(cache.Cache, "found", lambda *_: pytest.fail("what is there may be old"))
+    given = {"base-image": "ros:jazzy", "command": "true", "cache": f"{services.registry}/me/cache"}
+    build.App(repository, inputs.values(given, repository, {}), {}, services, lambda _: None, renew=True).build()
+
+
+def test_another_ros_than_the_base_images_is_not_used(
+    repository: Path, services: Services, calls: list[dict[str, Any]]
+) -> None:
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    for name, said in (("humble", ["ROS_DISTRO=humble is not used: the base image has jazzy"]), ("jazzy", [])):
+        given = {"base-image": "ros:jazzy", "command": "true", "ros-distro": name}
+        told: list[str] = []
+        build.App(repository, inputs.values(given, repository, {}), {}, services, told.append).build()
+        assert [line for line in told if line.startswith("ROS_DISTRO")] == said
+
+
 def test_a_lock_file_is_written_then_followed(
     repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -824,6 +844,11 @@ def test_packages_that_use_the_apps_are_tested_before_there_is_an_image(
     tested = app(repository, services, base_image="ros:jazzy", command="true", downstream_workspace="uses.repos")
     with pytest.raises(RosmlError, match=r"there is no file uses\.repos"):
         tested.build()
+    (repository.parent / "outside").write_text("repositories: {}\n")
+    (repository / "link").symlink_to("../outside")
+    for name in ("../outside", "link"):
+        with pytest.raises(RosmlError, match=f"{name} leads out of"):
+            app(repository, services, base_image="ros:jazzy", command="true", downstream_workspace=name).build()
     (repository / "uses.repos").write_text("repositories: {}\n")
     with pytest.raises(RosmlError, match=r"the repositories of uses\.repos have no package"):
         tested.build()

@@ -313,6 +313,30 @@ def test_no_tag_moves_where_a_platform_is_missing(stand_in: StandIn, services: S
     assert tags(services, stand_in).keys() == {"latest-amd64"}
 
 
+def test_what_is_not_pushed_gets_no_index(stand_in: StandIn, services: Services, tmp_path: Path) -> None:
+    left(job(services, tmp_path, platform="amd64"), services, tmp_path)
+    with Registries() as registries:
+        assert job(services, tmp_path, platform="amd64", push="false").index(tmp_path / "made", registries) == []
+    assert tags(services, stand_in).keys() == {"latest-amd64"}
+
+
+@pytest.mark.parametrize("named", ["", "small:1"])
+def test_a_slim_image_that_one_platform_lacks(
+    named: str, stand_in: StandIn, services: Services, tmp_path: Path
+) -> None:
+    """Its own base image has none without compilers there. Where somebody named the base image, a job has failed."""
+    left(job(services, tmp_path, platform="amd64", target="run,slim"), services, tmp_path)
+    left(job(services, tmp_path, platform="arm64", target="run"), services, tmp_path)
+    last = job(services, tmp_path, platform="amd64,arm64", slim_base_image=named)
+    with Registries() as registries:
+        if named:
+            with pytest.raises(RosmlError, match=r"there is no slim image .* for linux/arm64; no tag was moved"):
+                last.index(tmp_path / "made", registries)
+        else:
+            assert [image.target for image in last.index(tmp_path / "made", registries)] == ["run"]
+    assert ("latest" in tags(services, stand_in)) is (not named)
+
+
 # ---- Tests -----------------------------------------------------------------------------------------------------------
 
 

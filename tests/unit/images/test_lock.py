@@ -356,6 +356,14 @@ def test_uv_is_killed(tmp_path: Path) -> None:
         resolve.resolve(request(), resolve.Uv(executable(tmp_path / "uv", "kill -9 $$")))
 
 
+def test_uv_is_not_started_any_more_after_ctrl_c(tmp_path: Path) -> None:
+    uv = resolve.Uv(executable(tmp_path / "uv", f"touch {tmp_path}/started"))
+    uv.end()
+    with pytest.raises(RosmlError, match="interrupted"):
+        uv(["pip"], tmp_path)
+    assert not (tmp_path / "started").exists()
+
+
 def test_earlier_locks_are_read(tmp_path: Path, small: ImageSet) -> None:
     for path, name in (("any/cuda", "nvidia-x"), ("3.12/common", "numpy"), ("3.12/torch", "torch"), ("3.9/x", "old")):
         file = tmp_path / f"locks/cu1/amd64/{path}.txt"
@@ -502,11 +510,19 @@ def test_frameworks_that_contradict_each_other_are_resolved_apart(tmp_path: Path
     assert list(lock_file.versions(texts["locks/cpu/arm64/3.12/common.txt"])) == ["numpy"]
 
 
-def test_what_they_share_must_agree(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("pinned", "complaint"),
+    [
+        (PINNED.format("numpy==1.2$n"), r"1\.2. and 1\.2."),
+        (PINNED.format("numpy==1.26").replace("sha256:aa", "sha256:a'$n'"), r"1\.26 and 1\.26"),
+    ],
+    ids=["version", "files of the same version"],
+)
+def test_what_they_share_must_agree(pinned: str, complaint: str, tmp_path: Path) -> None:
     tensorflow = "  tf: {repository: ros-tf, parts: [common, tensorflow-cc, tensorflow], accelerators: [cpu]}\n"
     image_set = parse(changed("  ml: {", f"{tensorflow}  ml: {{", APART))
-    uv = UV + "case $(cat in.txt) in *torch*) n=1 ;; *) n=2 ;; esac; " + PINNED.format("numpy==1.2$n")
-    with pytest.raises(RosmlError, match=r"common\.txt: numpy would be 1\.2. and 1\.2., depending on who asks"):
+    uv = UV + "case $(cat in.txt) in *torch*) n=1 ;; *) n=2 ;; esac; " + pinned
+    with pytest.raises(RosmlError, match=rf"common\.txt: numpy would be {complaint}, depending on who asks"):
         resolve.lock(image_set, tmp_path, fake_uv(tmp_path, uv))
 
 

@@ -89,6 +89,16 @@ def test_the_images_command_is_the_default(desk: Desk) -> None:
     assert desk.call().returncode == 0 and entered(desk) == ["dr", "sh"]
 
 
+def test_what_another_images_entrypoint_takes_is_no_default(desk: Desk) -> None:
+    """`sh` may be an argument of it."""
+    desk.engine(
+        containers={"dr": facts(desk, "alpine", Entrypoint=["/init"])},
+        images={"alpine": OTHER},
+        configs={"alpine": {"Cmd": ["sh"], "Entrypoint": ["/init"]}},
+    )
+    assert desk.call().returncode == 0 and entered(desk) == ["dr", "bash"]
+
+
 @pytest.mark.parametrize(
     "command",
     [

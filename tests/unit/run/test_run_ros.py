@@ -271,6 +271,7 @@ def test_all_is_well(robot: Robot) -> None:
         (["--network=none"], "network", "problem: none", "leave out --network none"),
         (["--network", "host"], "shared memory", "problem: its own, with --network host", "--ipc host"),
         (["-e", "ROS_DOMAIN_ID=7"], "domain", "problem: 7, and 3 in this shell", "-e ROS_DOMAIN_ID=3, or export"),
+        (["-e", "ROS_DOMAIN_ID=232"], "domain", "problem: 232, and 3 in this shell", "-e ROS_DOMAIN_ID=3"),
         (["-e", "ROS_DOMAIN_ID=233"], "domain", "problem: '233': no node starts", "ROS_DOMAIN_ID is a number"),
         (
             ["-e", f"ROS_DOMAIN_ID={'9' * 5000}"],
@@ -394,6 +395,9 @@ def test_small_limits_of_the_kernel(robot: Robot) -> None:
         robot.file(name, f"{value}\n")
     found = states(robot.found("--ros-network"), "/dev/shm")
     assert [*found] == ["receive buffer", "fragments"] and all(it.startswith("advice: net.") for it in found.values())
+    for value, state in ((4 * 2**20 - 1, "advice"), (4 * 2**20, "good")):
+        robot.file(check.RECEIVED, f"{value}\n")
+        assert robot.found("--ros-network")["receive buffer"].state == state
 
 
 @pytest.mark.parametrize(
