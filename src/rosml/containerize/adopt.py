@@ -1,4 +1,4 @@
-"""ROS on a base image that has none: which one, and a base image of it alone."""
+"""ROS for a base image without it: chooses a distribution, and makes a base image of it."""
 
 from __future__ import annotations
 
@@ -31,14 +31,15 @@ def with_ros(
     say: Callable[[str], None],
     image_set: ImageSet | None = None,
 ) -> Base:
-    """The base image itself if it has ROS; else the same with what is to be installed on it.
+    """Adds the ROS to install to a base image, if it has none.
 
     Args:
-        values: of all inputs. platforms: that the app is for.
-        image_set: what there is to install; what rosml's own matrix describes if left out.
+        values: the inputs.
+        platforms: the app's platforms.
+        image_set: the images to choose from; by default, those of rosml's own matrix.
 
     Raises:
-        RosmlError: no ROS can be installed on it, or not the one that is named (exit code 2).
+        RosmlError: no ROS can be installed on it, or not the named one (exit code 2).
     """
     if base.environment.get("ROS_DISTRO") or values.disable_ros_installation:
         return base
@@ -93,11 +94,14 @@ def make(
     tag: str,
     output: str,
 ) -> str:
-    """Makes a base image of one that has no ROS.
+    """Makes a base image with ROS of one without it.
 
     Args:
-        base: as `with_ros` gives it. environment: of the process. platforms: what it is for.
-        tag: its full name. output: where the builder hands it, as buildx takes it.
+        base: the result of `with_ros`.
+        environment: the variables of the process.
+        platforms: its platforms.
+        tag: its full name.
+        output: the builder's output, in buildx's words.
 
     Returns:
         Its digest.

@@ -1,4 +1,4 @@
-"""The bake file of an app: the stages of components/containerize/Dockerfile, and the images that are joined from them."""
+"""Writes the bake file of an app: the stages of components/containerize/Dockerfile, and the images that join them."""
 
 from __future__ import annotations
 
@@ -22,45 +22,49 @@ from rosml.machine import buildx, exported
 from rosml.machine.services import Services
 
 SCRIPTS = ROOT / "components"
-"""What steps of the build call."""
+"""The scripts that steps of the build call."""
 
 FOREIGN = ("scripts/containerize/workspace.sh", "scripts/containerize/test.sh")
-"""Those that run code of the packages. Others that run a script of the repository say so, if that is what failed."""
+"""Scripts that run code of the packages. Others may run a script of the repository; if that fails, they say so."""
 
 BASE_NAME = "org.opencontainers.image.base.name"
 BASE_DIGEST = "org.opencontainers.image.base.digest"
 
 LOCK = f"{PREFIX}lock"
-"""The label that says what an image was built from, as the lock file does."""
+"""The label with an image's inputs, as in the lock file."""
 
 REPORT, RESULTS, ASKED = "report", "results", "identified"
-"""The targets that leave an archive: one with what rosml's own steps say of the app, one with what its tests left, and one with
-which keys of rosdep became which packages, for when these cannot be installed."""
+"""The targets that leave an archive: the reports of rosml's own steps, the test reports, and the packages for each key of rosdep, in
+case these cannot be installed."""
 
 STAGES = ("app", "runtime", "workspace")
-"""Stages that images are joined from."""
+"""Stages that images join."""
 
 SLIM_STAGES = ("slim-app", "slim-runtime")
-"""Those that a slim image is joined from."""
+"""Stages that a slim image joins."""
 
 PACKAGES = "packages"
-"""The group of all that is built before the images."""
+"""The group of all targets before the images."""
 
 _MIRRORS = {"os-apt-mirror": "OS_APT_MIRROR", "ros-apt-mirror": "ROS_APT_MIRROR"}
 
 
 @dataclass(frozen=True)
 class Inputs:
-    """What an app is built from.
+    """The inputs of an app's build.
 
     Attributes:
-        base: the base image. distribution: its ROS. slim: the base image of the slim image, if there is to be one.
-        values: of the user's inputs.
-        contexts: folders with sources, manifests and requests, by the names of the Dockerfile. empty: one without files.
+        base: the base image.
+        distribution: its ROS distribution.
+        slim: the base image of the slim image, if there will be one.
+        values: the user's inputs.
+        contexts: folders with sources, manifests and requests, by their names in the Dockerfile.
+        empty: a folder without files.
         hooked: a script changes the sources before their dependencies are read.
-        rosdep: the digest of rosdep's lists, if a registry has them.
-        conditions: the ROS that conditions in manifests compare with.
-        commit, time: of the sources, in seconds since 1970.
+        rosdep: the digest of rosdep's lists, if they are from a registry.
+        conditions: the ROS with which conditions in manifests compare.
+        commit: the commit of the sources.
+        time: the time of that commit, in seconds since 1970.
     """
 
     base: Base
@@ -77,7 +81,7 @@ class Inputs:
 
     @property
     def stages(self) -> tuple[str, ...]:
-        """Stages that images are joined from."""
+        """Stages that images join."""
         return STAGES + (SLIM_STAGES if self.slim else ())
 
 
@@ -95,15 +99,16 @@ def render(
     """The bake file.
 
     Args:
-        environment: variables that are set.
-        left: the archives for what the targets `REPORT`, `RESULTS` and `ASKED` leave.
-        known: stages that are in a registry, with their references. kept: where others go, by stage.
-        unlinked: images that are not their base image and the app: they start from the stage that has the app's packages.
-        lock: what the images are built from, for a label.
+        environment: the names of set variables.
+        left: the archives of the targets `REPORT`, `RESULTS` and `ASKED`.
+        known: references of stages that a registry has.
+        kept: references to which other stages go.
+        unlinked: images that do not link the app onto their base image: they start from the stage with the app's packages.
+        lock: the inputs of the images, for a label.
     """
     values = inputs.values
     steps = _steps(services, environment, names.platforms)
-    if values.parallel_jobs:  # as a secret, for the result does not depend on it: steps need not run again
+    if values.parallel_jobs:  # as a secret: the result does not depend on it, so steps need not run again
         steps["secret"].append("type=env,id=parallel-jobs,env=PARALLEL_JOBS")
     stages = {name: f"docker-image://{reference}" for name, reference in known.items()}
     onto = inputs.base.adopted if BASE not in known else None
@@ -133,14 +138,14 @@ def render(
     }
     if tested:
         targets[RESULTS] = {**common, "target": f"{before}{RESULTS}", "output": [exported.output(left[RESULTS])]}
-    elif values.downstream_workspace:  # built all the same, for nobody to take
+    elif values.downstream_workspace:  # built all the same, without output
         targets[RESULTS] = {**common, "target": "downstream-built", "output": ["type=cacheonly"]}
     first = [*targets]
     targets[ASKED] = {**common, "target": ASKED, "output": [exported.output(left[ASKED])]}
     for stage in inputs.stages:
         targets[stage] = {**common, "target": stage}
     if onto:
-        # Some stages run on the builder's own platform, for whichever one the app is.
+        # Some stages run on the builder's own platform, whatever the app's is.
         every = [*dict.fromkeys([*names.platforms, f"linux/{native_architecture()}"])]
         own = {**steps, "platforms": every}
         targets |= adopted.base_targets(onto, BASE, own, inputs.empty, adopted.stage(services, onto))
@@ -172,10 +177,13 @@ def render_base(
     output: str,
     empty: Path,
 ) -> str:
-    """The bake file of a base image that gets ROS, alone.
+    """The bake file of a base image that gets ROS, without an app.
 
     Args:
-        environment: variables that are set. tag: its full name. output: where it goes. empty: a folder without files.
+        environment: the names of set variables.
+        tag: its full name.
+        output: the builder's output.
+        empty: a folder without files.
     """
     assert base.adopted
     onto, own = base.adopted, _steps(services, environment, platforms)
@@ -187,7 +195,7 @@ def render_base(
 
 
 def _steps(services: Services, environment: Iterable[str], platforms: Iterable[str]) -> dict[str, Any]:
-    """What all targets with steps have in common."""
+    """The common fields of all targets with steps."""
     secrets = [f"type=env,id={name},env={item}" for name, item in _MIRRORS.items() if item in environment]
     if services.ca_bundle:
         secrets.append(f"type=file,id=ca-bundle,src={services.ca_bundle}")
@@ -196,12 +204,12 @@ def _steps(services: Services, environment: Iterable[str], platforms: Iterable[s
 
 
 def mirrors_with_a_password(environment: Mapping[str, str]) -> list[str]:
-    """The variables that name a mirror with a user or a password in its address."""
+    """The variables with a mirror whose address has a user or a password."""
     return [name for name in _MIRRORS.values() if "@" in environment.get(name, "").partition("?")[0]]
 
 
 def _literal(value: Any) -> Any:
-    """A value in which bake expands nothing."""
+    """A value with escapes, so that bake expands nothing."""
     if isinstance(value, str):
         return value.replace("${", "$${").replace("%{", "%%{")
     if isinstance(value, Mapping):
@@ -210,7 +218,7 @@ def _literal(value: Any) -> Any:
 
 
 def _variables(target: str, inputs: Inputs) -> dict[str, str]:
-    """The environment of an image, beside its base image's."""
+    """The variables of an image that its base image does not have."""
     values = inputs.values
     found = {"WORKSPACE": "/docker-ros/ws"}
     base = inputs.slim if target == SLIM and inputs.slim else inputs.base
@@ -224,7 +232,7 @@ def _variables(target: str, inputs: Inputs) -> dict[str, str]:
 
 
 def _dockerfile(target: str, inputs: Inputs, linked: bool) -> str:
-    """How an image is joined: nothing runs. Values come as arguments, since a value of several lines cannot stand here."""
+    """The Dockerfile that joins an image without running anything. Values are arguments, as they may have several lines."""
     lines, command = ["FROM workspace"], ["bash"]
     if target != "dev":
         before = "slim-" if target == SLIM else ""

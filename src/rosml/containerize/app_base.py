@@ -1,4 +1,4 @@
-"""The image that an app is built on: found in a registry, and read."""
+"""The base image of an app: finds it in a registry, and reads it."""
 
 from __future__ import annotations
 
@@ -33,11 +33,15 @@ class Base:
     """A base image.
 
     Attributes:
-        name: as people write it, with its registry and tag. digest: of its index, or of its manifest.
-        environment: its variables, of the first platform that was asked for. labels: those of its configuration.
-        user, entrypoint: as whom it starts, and what before a command. shell: of RUN in Dockerfiles; empty if it says none.
+        name: its name as people write it, with its registry and tag.
+        digest: the digest of its index, or of its manifest.
+        environment: its variables, for the first wanted platform.
+        labels: the labels of its configuration.
+        user: the user as whom it starts.
+        entrypoint: its entrypoint.
+        shell: its shell for RUN in Dockerfiles; empty if it names none.
         local: whether it is in the user's Docker, and in no registry that answers.
-        adopted: what is installed on it, if it has no ROS.
+        adopted: the ROS to install on it, if it has none.
     """
 
     name: str
@@ -52,7 +56,7 @@ class Base:
 
     @property
     def reference(self) -> str:
-        """What the builder takes, whatever becomes of the tag; Docker finds its own images by their names alone."""
+        """The reference for the builder, by digest, as the tag may move. Docker finds its own images only by their names."""
         if self.local:
             return self.name
         return f"{self.repository}@{self.digest}"
@@ -64,23 +68,23 @@ class Base:
 
 
 def candidates(text: str, services: Services) -> tuple[str, ...]:
-    """Complete references that a user may mean, the likeliest first."""
+    """The full references that a user may mean, the likeliest first."""
     text = text.removeprefix(f"{DOCKER_HUB}/")
     if references.has_registry(text):
         return (text,)
-    # An app there is found by its whole name alone: otherwise it could take the place of any image of Docker Hub.
+    # An app there has to be named in full: otherwise it could replace any image of Docker Hub.
     local = (f"{services.registry}/{NAMESPACE}/{text}",) if services.registry else ()
     return (*local, references.complete(text))
 
 
 def find(text: str, services: Services, platforms: tuple[str, ...], digest: str = "") -> Base:
-    """The base image of that name: in a registry, or else in the user's Docker if that builds.
+    """The base image with a name: in a registry, or else in the user's Docker if that builds.
 
     Args:
-        digest: if it is to be that one, wherever its tag is now.
+        digest: the wanted digest, wherever the tag is now; empty for any.
 
     Raises:
-        RosmlError: there is none, or it is for other platforms.
+        RosmlError: there is no such image, or it is for other platforms.
     """
     names = candidates(text, services)
     refused: RosmlError | None = None
@@ -91,7 +95,7 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
             registry = registries(place.host)
             try:
                 manifest = registry.manifest(place.repository, digest or place.reference)
-            except RosmlError as error:  # it does not answer, or wants to know who asks
+            except RosmlError as error:  # the registry does not answer, or wants a log-in
                 refused = error
                 continue
             if manifest is not None:
@@ -118,7 +122,7 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
 
 
 def _made_here(name: str, services: Services, platforms: tuple[str, ...], digest: str) -> Base | None:
-    """An operating system's image that this machine makes if Docker Hub does not answer; the builder takes it for that one."""
+    """An operating system's image that this machine makes if Docker Hub does not answer. The builder uses it as the original."""
     systems = load(ROOT / "matrix.yaml").matrix.operating_systems
     system = next((key for key, facts in systems.items() if facts.image == name), "")
     if not system:
@@ -132,10 +136,10 @@ def _made_here(name: str, services: Services, platforms: tuple[str, ...], digest
 
 
 def runtime(base: Base) -> str:
-    """The name of the image without compilers that belongs to one of ours; empty if it says of none.
+    """The name of the image without compilers that belongs to one of our images; empty if labels name none.
 
-    Programs that were built on one run on the other. It is in the same repository, and of the same day and the same versions if
-    the tag says them.
+    Programs built on one run on the other. It is in the same repository, and of the same day and the same versions if the tag has
+    them.
     """
     labels = base.labels
     component, distribution = labels.get(RUNTIME, ""), labels.get(f"{PREFIX}distribution", "")
@@ -148,14 +152,14 @@ def runtime(base: Base) -> str:
 
 
 def differing(base: Base, other: Base) -> list[str]:
-    """What labels of one of our images say otherwise than those of another one: versions, systems, days."""
+    """The labels that differ between two of our images: versions, systems, days."""
     own = {f"{PREFIX}{name}" for name in ("component", "runtime", "app")}
     names = {name for labels in (base.labels, other.labels) for name in labels if name.startswith(PREFIX)} - own
     return sorted(name.removeprefix(PREFIX) for name in names if base.labels.get(name) != other.labels.get(name))
 
 
 def _in_docker(text: str, digest: str) -> Base | None:
-    """An image that the user's Docker has: of a digest, if one is wanted."""
+    """An image in the user's Docker, with the wanted digest if there is one."""
     try:
         command = ["docker", "image", "inspect", text]
         done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, check=False)
@@ -169,7 +173,7 @@ def _in_docker(text: str, digest: str) -> Base | None:
 
 
 class _Inspected(BaseModel):
-    """What Docker says of one of its images."""
+    """Docker's facts about one of its images."""
 
     Id: str
     RepoDigests: list[str] | None = None
@@ -180,13 +184,13 @@ _INSPECTED = TypeAdapter(list[_Inspected])
 
 
 def _base(name: str, digest: str, settings: Settings | None, local: bool = False) -> Base:
-    """A base image of what its configuration says."""
+    """A base image from its configuration."""
     said = settings or Settings()
     if not re.fullmatch(r"([A-Za-z0-9_][A-Za-z0-9_.-]*(:[A-Za-z0-9_][A-Za-z0-9_.-]*)?)?", said.User or ""):
         raise RosmlError(f"{name} starts as a user of no name: {said.User!r}", "set another USER in an image on it", 2)
     variables = {name: value for name, _, value in (item.partition("=") for item in said.Env or ())}
     entrypoint = tuple(said.Entrypoint or ())
-    if entrypoint and "/" in entrypoint[0]:  # it may be meant from the folder in which the image starts
+    if entrypoint and "/" in entrypoint[0]:  # it may be relative to the folder in which the image starts
         place = posixpath.normpath(posixpath.join(said.WorkingDir or "/", entrypoint[0]))
         entrypoint = (place, *entrypoint[1:])
     return Base(name, digest, variables, said.Labels or {}, said.User or "", entrypoint, tuple(said.Shell or ()), local)
@@ -213,10 +217,10 @@ def _read(registry: Registry, place: references.Reference, found: oci.Manifest, 
 
 
 def require_kept(registries: Registries, named: Iterable[str], platforms: tuple[str, ...]) -> None:
-    """Checks that tags lose no platform by an image for some.
+    """Checks that no tag would lose a platform.
 
     Raises:
-        RosmlError: the image of one is for others as well (exit code 2), or a registry does not answer.
+        RosmlError: a tag's present image is also for other platforms (exit code 2), or a registry does not answer.
     """
     for reference in named:
         place = references.parse(reference)
@@ -235,7 +239,7 @@ def require_kept(registries: Registries, named: Iterable[str], platforms: tuple[
 
 
 def _platforms(registry: Registry, place: references.Reference, found: oci.Manifest) -> list[str]:
-    """What an image is for; nothing if it is none."""
+    """The platforms of an image; none if it is no image."""
     facts: list[Platform | Config] = [entry.platform for entry in found.members if entry.platform]
     if not found.is_index:
         with contextlib.suppress(RosmlError):
@@ -246,5 +250,5 @@ def _platforms(registry: Registry, place: references.Reference, found: oci.Manif
 
 
 def _platform(facts: Platform | Config) -> str:
-    """A platform as people name it, without a variant."""
+    """A platform's usual name, without a variant."""
     return "/".join(filter(None, (facts.os, facts.architecture)))

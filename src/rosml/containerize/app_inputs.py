@@ -1,11 +1,11 @@
-"""What a user can say about an app: one table, from which the command's options and their documentation are made.
+"""The inputs of an app: one table, from which the command's options and their documentation are made.
 
 Names, variables and defaults are those of docker-ros (https://github.com/ika-rwth-aachen/docker-ros), so that its users keep
-their files. Values come from the command line, else from the environment, else from a file `.env` in the folder. A value of the
-command line counts where it is empty, too. A variable that is empty says nothing, as in `${VARIABLE:-default}`.
+their files. Values come from the command line, else from the environment, else from a file `.env` in the folder. On the command
+line, an empty value counts. An empty variable does not, as in `${VARIABLE:-default}`.
 
-The file `.env` comes with a repository that somebody else may have written, such as a pull request. It says what is built. What
-is done with the rights and secrets of the person, only the person says.
+The file `.env` belongs to the repository, which may be a stranger's, such as a pull request. It decides what is built. Only the
+user decides what is done with their rights and secrets.
 """
 
 from __future__ import annotations
@@ -29,20 +29,20 @@ YES, NO, UNPUSHED, WITH_SECRET = (
     "if nothing is pushed; a name without `/`",
     "with its secret, or without one",
 )
-"""Whether `.env` may set an input. UNPUSHED: it names what is pushed, and what other builds and Docker take for it. WITH_SECRET: it names the server that gets a secret; whoever
-gives the secret names the server."""
+"""Whether `.env` may set an input. UNPUSHED: it names images that are pushed, or that other builds and Docker find by name.
+WITH_SECRET: it names the server that gets a secret, so the user who gives the secret names the server."""
 
 
 @dataclass(frozen=True)
 class Input:
-    """One thing that a user can say.
+    """An input.
 
     Attributes:
-        name: as an option of the command and an input of the action, such as `base-image`.
-        help: what it means, in one clause.
-        default: its value where nobody says anything.
+        name: its name as an option of the command and an input of the action, such as `base-image`.
+        help: its meaning, in one clause.
+        default: its default value.
         flag: it is `true` or `false`.
-        gone: why it means nothing here, for a name of docker-ros that is answered and not followed.
+        gone: for inputs of docker-ros that are not used here: the reason, which we print.
         in_repository: whether the file `.env` of a repository may set it: YES, NO, UNPUSHED or WITH_SECRET.
     """
 
@@ -78,7 +78,7 @@ def _flag(help: str, default: bool = False, in_repository: str = YES) -> Any:
 
 @dataclass(frozen=True, kw_only=True)
 class Values:
-    """What a user says about an app: a field for each input, in the order in which they are documented."""
+    """The values of all inputs, in the order of their documentation."""
 
     base_image: str = _text("the image to build on; without a registry, one of the local registry or of Docker Hub")
     command: str = _text("what the run image starts, as a shell reads it")
@@ -165,7 +165,7 @@ class Values:
     git_ssh_known_host_keys: str = _text("what ssh-keyscan says of their servers", in_repository=WITH_SECRET)
 
     def named(self, name: str) -> str:
-        """An input by its name, such as `dev-image-tag`, as the user writes it."""
+        """The text of an input, by its name, such as `dev-image-tag`."""
         value = getattr(self, name.replace("-", "_"))
         return str(value).lower() if isinstance(value, bool) else str(value)
 
@@ -191,19 +191,19 @@ TABLE = (
     ),
     _gone("docker-ros-git-ref", "the version of rosml decides"),
 )
-"""All inputs, in the order in which they are documented."""
+"""All inputs, in the order of their documentation."""
 
 SECRET = ("git-https-password", "git-ssh-private-key")
-"""Inputs that are no options: other users of the machine see command lines."""
+"""Inputs that are no options, because other users of the machine can see command lines."""
 
 _SECRET_OF = {"git-https-server": "git-https-password", "git-ssh-known-host-keys": "git-ssh-private-key"}
-"""The secret that the servers get which an input names."""
+"""For inputs that name servers: the secret that these get."""
 
 _IMAGE = Input("image", in_repository=UNPUSHED)
-"""The run image with its tag, as docker-ros' local script knows it: image-name and image-tag in one."""
+"""The run image with its tag, as in docker-ros' local script: image-name and image-tag in one."""
 
 _INDUSTRIAL_CI = ("ROSDEP_SKIP_KEYS", "NOT_TEST_BUILD")
-"""Variables of industrial_ci that have another name here. Those with the same name count anyway."""
+"""Variables of industrial_ci with another name here. Those with the same name count anyway."""
 
 FILE = ".env"
 
@@ -212,32 +212,30 @@ _PATTERNS = {
     "rmw-implementation": ("rmw_[a-z0-9_]+", "name one, such as rmw_cyclonedds_cpp"),
     "parallel-jobs": ("[1-9][0-9]{0,3}", "name a number, such as 1"),
 }
-"""Inputs that become a part of names of packages, or numbers of a script: how their values look, and what to do about others."""
+"""Inputs that become part of package names, or numbers in a script: the pattern of their values, and a remedy."""
 
 _PIECE = re.compile(r"""'([^']*)'|"((?:[^"\\]|\\.)*)"|\\(.)|([^\s'"\\]+)""", re.DOTALL)
 
 
 def default(name: str) -> str:
-    """The value of an input of the table where nobody says anything."""
+    """The default of an input of the table."""
     return next(item.default for item in TABLE if item.name == name)
 
 
 def values(given: Mapping[str, str | None], folder: Path, environment: Mapping[str, str]) -> Values:
-    """What a user says.
+    """The values of all inputs.
 
     Args:
-        given: on the command line; None where it says nothing.
-        folder: the repository, where `.env` may be.
-        environment: of the process.
+        given: values of the command line; None if an input is not given.
+        folder: the repository, which may have `.env`.
+        environment: the variables of the process.
 
     Raises:
-        RosmlError: `.env` cannot be read, or says what it may not say; or a value is none that its input can have (exit code 2).
+        RosmlError: `.env` cannot be read, or sets an input that it may not set; or a value is wrong (exit code 2).
     """
     variables = read_env(folder / FILE)
     line = {name: value for name, value in given.items() if value is not None}
-    both = line.keys().isdisjoint(
-        ("image-name", "image-tag")
-    )  # whoever types one of them means the other one's default
+    both = line.keys().isdisjoint(("image-name", "image-tag"))  # if one of them is typed, the other one has its default
     of_repository = _said(_of_industrial_ci(environment, variables) | variables, both)
     of_person = _said(environment, both) | line
     found: dict[str, str] = {}
@@ -259,7 +257,7 @@ def values(given: Mapping[str, str | None], folder: Path, environment: Mapping[s
 
 
 def _said(variables: Mapping[str, str], image: bool) -> dict[str, str]:
-    """What variables say of inputs, by name; nothing of those that are empty.
+    """The inputs that variables set, by name. Empty variables do not count.
 
     Args:
         image: `IMAGE` counts, before the variables for its name and its tag.
@@ -279,7 +277,9 @@ def _require_allowed(
     """Checks that a repository may set an input.
 
     Args:
-        values: of all inputs. of_person: those that the person says. variables: of the repository's file.
+        values: the values of all inputs.
+        of_person: the values from the user.
+        variables: the variables of the repository's file.
 
     Raises:
         RosmlError: it may not (exit code 2).
@@ -307,14 +307,14 @@ def _require_allowed(
 
 
 def _line_of(file: Path, variable: str) -> int:
-    """The line of a file that sets a variable; the last one counts."""
+    """The last line of a file that sets a variable."""
     lines = file.read_text("utf-8-sig").split("\n")
     pattern = re.compile(rf"\s*(export\s+)?{variable}=")
     return max((number for number, line in enumerate(lines, 1) if pattern.match(line)), default=1)
 
 
 def _of_industrial_ci(environment: Mapping[str, str], file: Mapping[str, str]) -> dict[str, str]:
-    """What variables of industrial_ci say, by our names, if the user has switched it on."""
+    """The variables of industrial_ci, by our names, if the user has switched it on."""
     given = {**file, **environment}
     if given.get("ENABLE_INDUSTRIAL_CI", "").lower() != "true":
         return {}
@@ -325,10 +325,10 @@ def _of_industrial_ci(environment: Mapping[str, str], file: Mapping[str, str]) -
 
 
 def _require_possible(name: str, value: str) -> None:
-    """Checks what becomes a part of a shell's words, or of names of packages.
+    """Checks a value that becomes words of a shell, or part of a package name.
 
     Raises:
-        RosmlError: it cannot be that (exit code 2).
+        RosmlError: it cannot (exit code 2).
     """
     if name in ("cmake-args", "colcon-args"):
         problem, remedy = _problem_of_words(value), "write it as a shell reads it, such as -DNAME='a;b'"
@@ -340,7 +340,7 @@ def _require_possible(name: str, value: str) -> None:
 
 
 def _problem_of_words(text: str) -> str:
-    """Why a shell cannot read a text as words alone; empty where it can."""
+    """Why a shell cannot read a text as plain words; empty if it can."""
     place = 0
     while place < len(text):
         if text[place].isspace():
@@ -357,7 +357,7 @@ def _problem_of_words(text: str) -> str:
 
 
 def answers(folder: Path, environment: Mapping[str, str]) -> Iterator[str]:
-    """A sentence for each variable that is set and means nothing here: of docker-ros, or of the file alone."""
+    """A sentence for each set variable that has no effect: an input of docker-ros, or an unknown name in the file."""
     file = read_env(folder / FILE)
     for item in TABLE:
         if item.gone and (environment.get(item.variable) or file.get(item.variable)):
@@ -367,10 +367,10 @@ def answers(folder: Path, environment: Mapping[str, str]) -> Iterator[str]:
 
 
 def read_env(file: Path) -> dict[str, str]:
-    """The variables of a file of `NAME=VALUE` lines, as a shell reads them. Nothing is run or expanded.
+    """The variables in a file of `NAME=VALUE` lines, as a shell reads them, without running or expanding anything.
 
     Raises:
-        RosmlError: it cannot be read; or a line is no such line, or would need a shell (exit code 2).
+        RosmlError: it cannot be read; or a line has another form, or would need a shell (exit code 2).
     """
     content = files.regular(file, LARGEST_ENV)
     if content is None:
@@ -393,18 +393,18 @@ def read_env(file: Path) -> dict[str, str]:
 
 
 LARGEST_TEXT = 1 << 20
-"""Bytes of a list or a script of a repository."""
+"""The most bytes of a list or a script of a repository."""
 
 LARGEST_ENV = 256 << 10
-"""Bytes that a file of variables may have."""
+"""The most bytes of a file of variables."""
 
 _NOTHING = re.compile(r"(?:[ \t\n]|(?<![^ \t\n])#[^\n]*)*+")
-"""Blanks, lines without anything, and comments."""
+"""Blanks, empty lines, and comments."""
 
 _BEGIN = re.compile(r"(?:export[ \t]+)?([A-Za-z_][A-Za-z0-9_]*)=")
 
 _PART = re.compile(r"""'([^']*)'|"((?:[^"\\]|\\.)*+)"|\\(.)|([^ \t\n'"\\]++)""", re.DOTALL)
-"""A piece of a value. Only spaces, tabs and line ends are blanks for a shell."""
+"""A piece of a value. A shell's only blanks are spaces, tabs and line ends."""
 
 
 def _damaged(file: Path, text: str, place: int, why: str) -> RosmlError:
@@ -413,10 +413,10 @@ def _damaged(file: Path, text: str, place: int, why: str) -> RosmlError:
 
 
 def _unquoted(text: str, place: int, refusal: Callable[[str], RosmlError]) -> tuple[str, int]:
-    """What a shell makes of the value of a variable that begins at a place, and where it ends.
+    """The value of a variable that begins at a place, as a shell reads it, and its end.
 
     Raises:
-        RosmlError: a quotation has no end, or a shell would make something else of it.
+        RosmlError: a quotation has no end, or a shell would expand the value.
     """
     pieces: list[str] = []
     while place < len(text) and text[place] not in " \t\n":
@@ -428,7 +428,7 @@ def _unquoted(text: str, place: int, refusal: Callable[[str], RosmlError]) -> tu
             raise refusal("a shell would expand it: put the value into single quotes")
         if double is not None:
             pieces.append(re.sub(r"\\([$`\"\\\n])", lambda found: found[1].strip("\n"), double))
-        elif escaped != "\n":  # which joins two lines
+        elif escaped != "\n":  # an escaped line end joins two lines
             pieces.append(single or escaped or bare or "")
         place = piece.end()
     end = text.find("\n", place)
@@ -440,15 +440,16 @@ def _unquoted(text: str, place: int, refusal: Callable[[str], RosmlError]) -> tu
 
 
 def text_of(folder: Path, name: str, recursive: bool, roots: tuple[Path, ...]) -> str:
-    """What a file of the repository says; of all files of that name where it is meant so. Empty if there is none.
+    """The text of a file of the repository, or of all files of that name; empty if there is none.
 
     Args:
-        folder: the repository. name: the file, below it.
+        folder: the repository.
+        name: the file's path in it.
         recursive: every file of that name below the roots counts.
         roots: the repository and its upstream sources.
 
     Raises:
-        RosmlError: one cannot be read, is none, or leads out of its repository (exit code 2).
+        RosmlError: a file cannot be read, is no file, or leads out of its repository (exit code 2).
     """
     found = [(folder / name, folder)]
     if recursive:
@@ -469,7 +470,7 @@ def text_of(folder: Path, name: str, recursive: bool, roots: tuple[Path, ...]) -
 
 
 def _called(name: str, root: Path) -> list[Path]:
-    """All that has a name below a folder, links to nothing as well, and nothing of git's."""
+    """All files and folders of a name below a folder, also broken links, without those of git."""
     found = []
     for path, folders, names in os.walk(root):
         folders[:] = [below for below in folders if below != ".git"]

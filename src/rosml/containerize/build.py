@@ -1,4 +1,4 @@
-"""An app built: its part, and the images that are joined from it and a base image."""
+"""Builds an app: its part, and the images that join the part and a base image."""
 
 from __future__ import annotations
 
@@ -46,15 +46,15 @@ from rosml.registry.client import Registries
 _LACKING = re.compile(
     r"Unable to locate package ([a-z0-9][a-z0-9.+-]*)|Package '([^' ]+)' has no installation candidate"
 )
-"""How apt names a package that no source has."""
+"""apt's messages about a package that no source has."""
 
 TIME = 1767225600
-"""2026-01-01T00:00:00Z: of images whose sources are in no commit."""
+"""2026-01-01T00:00:00Z: the time of images whose sources are in no commit."""
 
 
 @dataclass(frozen=True)
 class Made:
-    """An image that was made. `digest` is that in the registry, or its id in Docker."""
+    """A new image. `digest` is its digest in the registry, or its id in Docker."""
 
     target: str
     reference: str
@@ -63,19 +63,23 @@ class Made:
 
 @dataclass
 class Built:
-    """What building an app came to.
+    """The result of a build.
 
     Attributes:
         base: the base image by its digest.
-        images: what was made.
-        outcome: what another build from the same would come to.
-        unstarted: what of `outcome.forgotten` the command starts.
-        upstream: repositories that were imported. downstream: those of the downstream workspace.
-        lock: what the images were built from, as a lock file says it. locked: the lock file, if it was written.
-        described: images that have an SBOM and a list of files beside them in the registry.
-        tests: of the packages. slim_tests: the same, as they ran in the slim image. downstream_tests: of packages that use them.
-        reports: folder of their JUnit files; empty where an earlier build passed them.
-        seconds: what it took.
+        images: the new images.
+        outcome: the part of the result that another build from the same would repeat.
+        unstarted: the files of `outcome.forgotten` that the command starts.
+        upstream: the imported repositories.
+        downstream: the repositories of the downstream workspace.
+        lock: the inputs of the images, for a lock file.
+        locked: the lock file, if it was written.
+        described: images with an SBOM and a list of files beside them in the registry.
+        tests: the packages' tests.
+        slim_tests: the same tests in the slim image.
+        downstream_tests: the tests of packages that use the app's.
+        reports: the folder of their JUnit files; empty if an earlier build passed them.
+        seconds: the time that it took.
     """
 
     base: str
@@ -100,7 +104,7 @@ class Built:
         return facts | self.outcome.model_dump()
 
     def summary(self) -> Iterator[tuple[str, str]]:
-        """What people are told at the end: what about, and a sentence."""
+        """Lines for people at the end: a subject and a sentence."""
         yield (
             "app",
             f"{counted(len(self.outcome.packages), 'ROS package')}, {counted(len(self.outcome.installed), 'package')} of apt added",
@@ -149,15 +153,15 @@ class Built:
 
 
 class App:
-    """One repository with ROS packages, on its way to images.
+    """Makes images of a repository with ROS packages.
 
     Args:
         folder: the repository.
-        values: of all inputs, as `inputs.values` gives them.
-        environment: of the process.
-        services: builder and registry of this machine.
-        say: tells people what begins now.
-        renew: takes what is newest and writes the lock file, in the place of following it.
+        values: the inputs, as `app_inputs.values` gives them.
+        environment: the variables of the process.
+        services: this machine's builder and registry.
+        say: tells the user what begins now.
+        renew: take the newest versions and write the lock file, instead of following it.
 
     Raises:
         RosmlError: a value is wrong (exit code 2).
@@ -182,13 +186,13 @@ class App:
             )
         if not values.base_image:
             raise RosmlError("there is no base image", "add --base-image, such as ros:jazzy-base", exit_code=2)
-        # By what is made: two calls may work side by side, and those that make the same take turns.
+        # Two calls may work side by side, unless they make the same image: then they take turns.
         name = f"{self._names.app}@{values.image_tag}".replace("/", "+").replace(":", "=")
         self._state = services.state / "containerize" / name
 
     @property
     def report(self) -> Path:
-        """Folder of what the tests left, with `results` of the packages' own; one for each platform if there are several."""
+        """The folder of test reports, in which `results` has the packages' own; one for each platform if there are several."""
         return self._state / "report"
 
     def build(self) -> Built:
@@ -240,7 +244,7 @@ class App:
     def _make(
         self, inputs: app_bake_file.Inputs, built: Built, cache: stage_cache.Cache | None, locked: lock.Lock | None
     ) -> None:
-        """Builds what no cache has, and joins the images."""
+        """Builds the stages that no cache has, and joins the images."""
         file = self._state / "bake.json"
         left = {
             name: self._state / f"{name}.tar"
@@ -258,7 +262,7 @@ class App:
             known, earlier = cache.found(keys), cache.report(keys)
             if {*inputs.stages} - known.keys():
                 earlier = None
-            if not named and IDENTIFIED not in known:  # it is what reads them
+            if not named and IDENTIFIED not in known:  # this stage reads them
                 inputs = self._with_lists(inputs, locked)
             kept = {stage: cache.reference(tag) for stage, tag in keys.stages.items() if stage not in known}
         arguments = (inputs, self._names, self._services, [*self._environment], left, known, kept)
@@ -301,10 +305,11 @@ class App:
                 self._describe(built, functools.partial(cache.detail, keys))
 
     def _packages(self, file: Path, asked: Path) -> None:
-        """Builds all that there is before the images.
+        """Builds all targets before the images.
 
         Args:
-            file: the bake file. asked: the archive of its target `ASKED`.
+            file: the bake file.
+            asked: the archive of its target `ASKED`.
 
         Raises:
             RosmlError: a step failed.
@@ -319,11 +324,12 @@ class App:
             raise
 
     def _explain(self, error: RosmlError, file: Path, left: Path) -> None:
-        """Says of packages that apt does not have which rule of rosdep names them, and who asks for that, if that is why a
-        build failed. The steps behind it do not know: they run again only if the packages are others.
+        """If a build failed because apt lacks packages, adds to the error which rule of rosdep names them, and which package
+        asks for that rule. The steps that install them do not know: they run again only if the packages differ.
 
         Args:
-            file: the bake file. left: the archive of its target `ASKED`.
+            file: the bake file.
+            left: the archive of its target `ASKED`.
         """
         lacking = {name for names in _LACKING.findall(error.message) for name in names if name}
         if not lacking:
@@ -347,10 +353,10 @@ class App:
                 )
 
     def _describe(self, built: Built, load: Callable[[str], bytes]) -> None:
-        """Attaches an SBOM and a list of files to the images to run. Some registries take no such thing.
+        """Attaches an SBOM and a list of files to the images to run. Some registries refuse that.
 
         Args:
-            load: gives what a build says of an image's contents, by a name as in `report.Said.details`.
+            load: reads the contents of an image, by a name as in `report.Said.details`.
         """
         owners = {
             name: repository
@@ -374,7 +380,7 @@ class App:
                     built.described.append(image.reference)
 
     def _write_lock(self, made: lock.Lock) -> None:
-        """Writes the lock file; says what of it is lost."""
+        """Writes the lock file. Says which of its packages are lost."""
         try:
             before = lock.read(self._lock_file, self._folder)
         except RosmlError as error:
@@ -387,10 +393,10 @@ class App:
         files.write(self._lock_file, made.text())
 
     def _locked(self, inputs: app_bake_file.Inputs, built: Built) -> lock.Lock:
-        """What the images are built from."""
+        """The lock: the inputs of the images."""
         slim = inputs.slim and lock.Image(name=self._values.slim_base_image, digest=inputs.slim.digest)
         named, rosdep = self._values.rosdep_index, None
-        if inputs.rosdep and (named or self._renew):  # otherwise they are others every day, and the image is the same
+        if inputs.rosdep and (named or self._renew):  # otherwise they change every day, and the image does not
             rosdep = lock.Image(name=named, digest=inputs.rosdep)
         return lock.Lock(
             base_image=lock.Image(name=self._values.base_image, digest=inputs.base.digest),
@@ -463,14 +469,14 @@ class App:
         if not within.there(self._folder / named, self._folder):
             text = f"downstream-workspace: there is no file {named} in {self._folder}"
             raise RosmlError(text, "name a .repos file there; other forms of industrial_ci do not count", exit_code=2)
-        # Who adds it after the lock file was written gets the newest.
+        # If it was added after the lock file was written, it is the newest.
         pins = locked.downstream if locked and locked.downstream else None
         return upstream, fetch(place, recursive=False, file=named, pins=pins)
 
     def _inputs(
         self, base: app_base.Base, slim: app_base.Base | None, locked: lock.Lock | None
     ) -> app_bake_file.Inputs:
-        """What the build reads, written down for it."""
+        """Writes the inputs of the build."""
         values, folder, state = self._values, self._folder, self._state
         distribution = base.environment.get("ROS_DISTRO") or values.ros_distro
         conditions = distribution
@@ -502,7 +508,7 @@ class App:
         workspace.write_requests(of_base, folder, upstream, base.environment, requests)
         if locked:
             locked.write_requests(requests)
-        if self._renew:  # what an earlier build installed is not what is newest
+        if self._renew:  # an earlier build may have installed older versions
             (requests / "renewed").write_text(f"{time.time()}\n")
         for path in workspace.empty_submodules(folder):
             self._say(f"the submodule {path} is not there: git submodule update --init --recursive")
@@ -538,7 +544,7 @@ class App:
         )
 
     def _with_lists(self, inputs: app_bake_file.Inputs, locked: lock.Lock | None) -> app_bake_file.Inputs:
-        """The same with rosdep's lists, if there are some beside those of the image."""
+        """The inputs with rosdep's lists, if there are others than the image's own."""
         named = self._values.rosdep_index
         pin = locked.rosdep_index.of(named) if locked and locked.rosdep_index else ""
         finder = rosdep_index.Finder(self._services, self._folder, self._say)
@@ -551,10 +557,10 @@ class App:
         return replace(inputs, contexts={**inputs.contexts, "rosdep": index}, rosdep=digest)
 
     def _keys(self, inputs: app_bake_file.Inputs) -> stage_cache.Keys:
-        """What the stages of the build are made from."""
+        """The keys of the build's stages: digests of their inputs."""
         values, contexts = self._values, inputs.contexts
         names = ["manifests", "requests", "additional"]
-        if values.rosdep_index:  # others are the newest, and change every day for nothing
+        if values.rosdep_index:  # other lists are the newest, and change every day for nothing
             names.append("rosdep")
         given = {"base": inputs.base.digest, "platforms": self._names.platforms, "ros": inputs.distribution}
         if inputs.base.adopted:
@@ -576,10 +582,10 @@ class App:
         )
 
     def _test(self, left: Path, built: Built) -> None:
-        """Reads what the tests left.
+        """Reads the test reports.
 
         Raises:
-            RosmlError: one failed; no image is made.
+            RosmlError: a test failed; no image is made.
         """
         found = report.tests(left, self.report, self._names.platforms)
         built.tests, built.slim_tests, built.downstream_tests = found.target, found.slim, found.downstream
@@ -587,7 +593,7 @@ class App:
         self._require_passed(built)
 
     def _require_complete(self, built: Built) -> None:
-        """Checks that the install space has in the images what it had where it was built and tested.
+        """Checks that the images have everything that the install space needs and had in the build and its tests.
 
         Raises:
             RosmlError: something is lost; no image is made.
@@ -604,10 +610,10 @@ class App:
                 )
 
     def _require_started(self, built: Built) -> None:
-        """Checks that what the command starts is installed, if the app has it.
+        """Checks that the app installs what the command starts, if the app has it.
 
         Raises:
-            RosmlError: it is not; no image is made.
+            RosmlError: it does not; no image is made.
         """
         if not {"run", SLIM} & {*self._names.targets}:
             return
@@ -623,18 +629,18 @@ class App:
         """Checks that no test failed.
 
         Raises:
-            RosmlError: one did; no image is made.
+            RosmlError: a test failed; no image is made.
         """
         reports = f"\n  reports: {self.report}"
         ran = built.tests.count and not built.tests.failures
         if built.outcome.slim_replaced is not None and ran and not built.slim_tests.count:
             text = f"none of {built.tests.count} tests ran in the slim image; no image was made"
-            raise RosmlError(text, "leave the slim image out, --no-enable-slim, or report this")
+            raise RosmlError(text, "leave out the slim image with --no-enable-slim, or report this")
         for tests, where, remedy in (
             (
                 built.tests,
                 "",
-                "correct the packages or their tests; --no-tests makes the images without asking them",
+                "correct the packages or their tests; --no-tests makes the images without tests",
             ),
             (
                 built.downstream_tests,
@@ -657,7 +663,7 @@ STARTS = re.compile(r"\b(roslaunch|rosrun|ros2\s+launch|ros2\s+run)\s+(?:-\S+\s+
 
 
 def unstarted(command: str, forgotten: Mapping[str, str]) -> list[str]:
-    """What a command starts of a package that does not install it.
+    """The files that a command starts, and that their packages do not install.
 
     Args:
         forgotten: as in `Outcome`.
@@ -669,13 +675,13 @@ def unstarted(command: str, forgotten: Mapping[str, str]) -> list[str]:
 
 
 def _lines(found: Sequence[str]) -> str:
-    """Lines for a message: the first of many."""
+    """The first of many lines, for a message."""
     more = [f"and {len(found) - SHOWN} more"] if len(found) > SHOWN else []
     return "".join(f"\n    {line}" for line in [*found[:SHOWN], *more])
 
 
 def _take(built: Built, said: report.Said, slim: bool) -> None:
-    """Takes what rosml's own steps said. `slim`: of the slim image as well."""
+    """Takes the report of rosml's own steps. `slim`: also that of the slim image."""
     dependencies, apps = said.dependencies(), said.apps()
     slim_apps = said.slim_apps() if slim else []
     _require_built([*dependencies.packages], apps)
@@ -700,12 +706,12 @@ def _require_built(packages: Sequence[str], apps: Iterable[report.Facts]) -> Non
     """Checks that all packages with a manifest are in the install space, on every platform.
 
     Raises:
-        RosmlError: colcon passed some over; no image is made.
+        RosmlError: colcon skipped some; no image is made.
     """
     if missing := [name for name in packages if not all(name in app.built for app in apps)]:
         raise RosmlError(
             f"colcon has not built {', '.join(missing)}; no image was made",
-            "look for what it says of them above, such as a <build_type> that it does not know; or put COLCON_IGNORE into them",
+            "see its messages about them above, such as an unknown <build_type>; or put COLCON_IGNORE into them",
         )
 
 
@@ -714,5 +720,5 @@ def _pins(repositories: Iterable[sources.Repository]) -> dict[str, lock.Pin]:
 
 
 def _replaced(apps: Iterable[report.Facts]) -> list[str]:
-    """What the packages of an app replace or remove of its base image, on any platform."""
+    """The packages and files of the base image that an app's packages replace or remove, on any platform."""
     return sorted({name for app in apps for name in (*app.replaced, *app.removed)})

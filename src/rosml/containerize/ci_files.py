@@ -1,4 +1,4 @@
-"""The files of `rosml containerize` for CI: what is in them of the table of inputs, written between markers."""
+"""Writes the table of inputs into the files of `rosml containerize` for CI, between markers."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ GITLAB = "containerize/gitlab.yml"
 FILES = (ACTION, INDEX, WORKFLOW, GITLAB)
 
 _DECIDED = ("enable-checkout", "enable-singlearch-push")
-"""Inputs of the action that nobody chooses who calls the workflow."""
+"""Inputs of the action that callers of the workflow cannot set."""
 
 NOT_OF_GITLAB = (*_DECIDED, "enable-checkout-lfs", "enable-checkout-submodules")
 """Inputs that GitLab, or its jobs for one platform each, decide."""
@@ -55,10 +55,11 @@ _BLOCK = re.compile(
 
 
 def render(path: str, text: str) -> str:
-    """A file as it has to be.
+    """The new content of a file.
 
     Args:
-        path: one of the files above. text: as it is.
+        path: one of the files above.
+        text: its present content.
 
     Raises:
         RosmlError: markers are missing.
@@ -84,7 +85,7 @@ def render(path: str, text: str) -> str:
 
 
 def _blocks() -> dict[str, dict[str, Iterable[str]]]:
-    """Lines by file and block."""
+    """The lines of each block, by file."""
     index = [setting for setting in SETTINGS if setting.input.name in _INDEX]
     called = [setting for setting in SETTINGS if setting.input.name not in _DECIDED]
     gitlab = [setting for setting in SETTINGS if setting.input.name not in NOT_OF_GITLAB]
@@ -107,19 +108,19 @@ def _blocks() -> dict[str, dict[str, Iterable[str]]]:
 
 
 def _of_github(setting: Setting) -> tuple[str, str]:
-    """The default that the action has, and what its description says of it."""
+    """The default in the action, and its words in the description."""
     if setting.server:
         return "", f"the job's token for {setting.server[1]}"
     return setting.github, "" if setting.github else setting.input.default
 
 
 def _of_workflow(setting: Setting) -> tuple[str, str]:
-    """As that of the action; but each platform has a machine here."""
+    """The default in the workflow: that of the action, but each platform has a machine here."""
     return ("amd64,arm64", "") if setting.input.name == "platform" else _of_github(setting)
 
 
 def _of_gitlab(setting: Setting) -> tuple[str, str]:
-    """None, so that variables of the pipeline count."""
+    """No default, so that variables of the pipeline count."""
     return "", setting.gitlab or setting.input.default
 
 
@@ -136,7 +137,7 @@ def _inputs(settings: Iterable[Setting], default: Default, *more: str) -> Iterat
 
 
 def _help(setting: Setting, default: Default) -> str:
-    """What an input means, and its default, unless that is another line."""
+    """The help of an input, with its default, unless that has its own line."""
     item, (value, told) = setting.input, default(setting)
     if item.gone:
         return f"not used: {item.gone}"
@@ -153,14 +154,14 @@ def _environment(settings: Iterable[Setting]) -> Iterator[str]:
 
 
 def _passed(settings: Iterable[Setting]) -> Iterator[str]:
-    """What the workflow passes to an action, but for the platform, which is that of the job."""
+    """The inputs that the workflow passes to an action, except for the platform, which is the job's."""
     for name in (setting.input.name for setting in settings):
         if name != "platform":
             yield f"{name}: ${{{{ {'secrets' if name in SECRET else 'inputs'}.{name} }}}}"
 
 
 def _variables(settings: Iterable[Setting]) -> Iterator[str]:
-    """Variables of a job of GitLab. The run image's shell expands what is in its command, and GitLab does not."""
+    """Variables of a job of GitLab. GitLab does not expand the command's variables: the run image's shell does."""
     for setting in settings:
         name, value = f"INPUT_{setting.input.variable}", f"$[[ inputs.{setting.input.name} ]]"
         if setting.input.name == "command":

@@ -1,4 +1,4 @@
-"""What users say in CI: the table of inputs with other defaults, and inputs that only CI has."""
+"""The inputs in CI: those of the table with other defaults, and those that only CI has."""
 
 from __future__ import annotations
 
@@ -16,8 +16,10 @@ class Setting:
     """An input in CI.
 
     Attributes:
-        input: what it is. github, gitlab: its value where nobody says anything, as the forge writes it; that of the table if
-            empty. server: the input that names a server, and the server, for which it is GitHub's token of the job otherwise.
+        input: the input.
+        github, gitlab: its default, in the forge's words; that of the table if empty.
+        server: for inputs whose default is the job's token on GitHub: the input that names a server, and the only server that
+            gets the token.
     """
 
     input: Input
@@ -27,7 +29,7 @@ class Setting:
 
     @property
     def token(self) -> str:
-        """What GitHub evaluates where nobody says anything: the job's token, which is sent to no other server."""
+        """GitHub's expression for the default: the job's token, which goes to no other server."""
         return f"inputs.{self.server[0]} == '{self.server[1]}' && github.token || ''" if self.server else ""
 
 
@@ -57,18 +59,18 @@ _DEFAULTS: dict[str, tuple[Any, ...]] = {
     "git-https-user": ("${{ github.actor }}", "gitlab-ci-token"),
     "git-https-password": ("", "$CI_JOB_TOKEN", ("git-https-server", "github.com")),
 }
-"""Inputs of the table that CI knows a better default for: what their settings have."""
+"""Inputs of the table with a better default in CI: the fields of their settings."""
 
 SETTINGS = (*(Setting(item, *_DEFAULTS.get(item.name, ())) for item in app_inputs.TABLE), *OWN)
 """All inputs in CI, in their order."""
 
 SECRET = (*app_inputs.SECRET, "registry-password")
-"""Inputs that a workflow is given as secrets."""
+"""Inputs that are secrets of the workflow."""
 
 
 def given(environment: Mapping[str, str]) -> dict[str, str]:
-    """What inputs are given, by name. A forge that has inputs beside variables passes both: `INPUT_TARGET` counts before
-    `TARGET`, and `DEFAULT_TARGET` after it."""
+    """The given inputs, by name. If a forge has inputs beside variables, it passes both: `INPUT_TARGET` counts before `TARGET`, and
+    `DEFAULT_TARGET` after it."""
     found = {}
     for item in (setting.input for setting in SETTINGS):
         names = (f"INPUT_{item.variable}", item.variable, f"DEFAULT_{item.variable}")

@@ -1,7 +1,7 @@
-"""`rosml containerize` in CI: what GitHub and GitLab say of a commit, which tags its images get, and what they are told.
+"""`rosml containerize` in CI: reads the commit from GitHub or GitLab, chooses the tags of its images, and reports the result.
 
-The files in `containerize/` and the workflow pass every input as a variable and call `rosml ci`. `SETTINGS` has what they know
-beyond the table of inputs; `ci_files.py` writes both into them.
+The files in `containerize/` and the workflow pass every input as a variable and call `rosml ci`. `SETTINGS` in `ci_inputs.py` has
+their inputs and defaults; `ci_files.py` writes these into the files.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from rosml.registry.client import Registries
 from rosml.registry.credentials import DOCKER_HUB
 
 FILE = "images.json"
-"""What a job made, for the one that makes the index."""
+"""The file with the images of a job, for the job that makes the index."""
 
 _TAG = re.compile(r"[^A-Za-z0-9_.-]")
 
@@ -42,11 +42,13 @@ Say = Callable[[str], None]
 
 @dataclass(frozen=True)
 class Commit:
-    """What is built.
+    """The commit to build.
 
     Attributes:
-        branch: its name, or that of a pull request's, with small letters, digits and hyphens. tag: of git, if it is one.
-        default: it is the default branch. folder: the checkout.
+        branch: the name of its branch, or of a pull request's branch, in small letters, digits and hyphens.
+        tag: its git tag, if it has one.
+        default: it is of the default branch.
+        folder: the checkout.
     """
 
     branch: str
@@ -56,13 +58,13 @@ class Commit:
 
 
 def commit(environment: Mapping[str, str]) -> Commit:
-    """What the forge says.
+    """The commit, from the forge's variables.
 
     Raises:
         RosmlError: this is no job of GitHub or GitLab (exit code 2).
     """
     if environment.get("GITHUB_ACTIONS") == "true":
-        # The ref of an event pull_request_target is the default branch, and what is built may be anybody's.
+        # In an event pull_request_target, the ref is the default branch, but the commit may be anybody's.
         head, ref = environment.get("GITHUB_HEAD_REF", ""), environment.get("GITHUB_REF", "")
         name = environment.get("GITHUB_REF_NAME", "")
         tag = name if environment.get("GITHUB_REF_TYPE") == "tag" else ""
@@ -82,15 +84,17 @@ def commit(environment: Mapping[str, str]) -> Commit:
 
 
 def _slug(name: str) -> str:
-    """A name as GitLab writes it where few characters are allowed."""
+    """A name with few kinds of characters, as in GitLab's slugs."""
     return re.sub(r"[^a-z0-9]", "-", name.lower())[:63].strip("-")
 
 
 def tags(target: str, values: Values, what: Commit) -> list[str]:
-    """The tags of an image. Nothing but the default branch moves the tag that the inputs name.
+    """The tags of an image. Only the default branch moves the tag that the inputs name.
 
     Args:
-        target: run, dev or slim. values: of all inputs. what: is built.
+        target: run, dev or slim.
+        values: the inputs.
+        what: the commit.
     """
     end = "" if target == "run" else f"-{target}"
     own = values.image_tag if target == "run" else values.named(f"{target}-image-tag") or f"{values.image_tag}{end}"
@@ -109,11 +113,15 @@ def tags(target: str, values: Values, what: Commit) -> list[str]:
 
 @dataclass(frozen=True)
 class Image:
-    """An image that is in its registry.
+    """An image in its registry.
 
     Attributes:
-        target: run, dev or slim. name: without a tag. tags: that the commit's images get. end: of its own tags, such as `-arm64`.
-        platforms: that it is for. digest: its digest.
+        target: run, dev or slim.
+        name: its name without a tag.
+        tags: the tags of the commit's images.
+        end: the end of its own tags, such as `-arm64`.
+        platforms: its platforms.
+        digest: its digest.
     """
 
     target: str
@@ -132,15 +140,17 @@ class Image:
 _IMAGES = TypeAdapter(list[Image])
 
 _MOST = 1 << 20
-"""Bytes of such a file."""
+"""The most bytes of such a file."""
 
 
 class Job:
-    """A job of CI that builds a repository, or makes an index of what others built.
+    """A job of CI. It builds a repository, or makes an index of images of other jobs.
 
     Args:
-        values: of all inputs of the table. environment: of the process. what: is built.
-        say: tells people what begins now.
+        values: the inputs of the table.
+        environment: the variables of the process.
+        what: the commit.
+        say: tells the user what begins now.
     """
 
     def __init__(self, values: Values, environment: Mapping[str, str], what: Commit, say: Say) -> None:
@@ -152,16 +162,18 @@ class Job:
 
     @property
     def name(self) -> str:
-        """What this job makes, in a word: of artifacts, and of folders."""
+        """The name of this job's artifact and folder."""
         parts = (self._names["run"], *tags("run", self._values, self._what)[:1], *self._platforms)
         return "containerize-" + re.sub(r"[^a-z0-9._]+", "-", "-".join(parts).lower())
 
     def build(self, folder: Path, services: Services, out: Path, apart: bool) -> list[Image]:
-        """Builds and tests; keeps reports and `images.json`.
+        """Builds and tests the images. Keeps reports and `images.json`.
 
         Args:
-            folder: the repository. services: the builder. out: for what is kept.
-            apart: each platform gets tags of its own, and no index.
+            folder: the repository.
+            services: the builder.
+            out: the folder for reports and `images.json`.
+            apart: each platform gets its own tags, and there is no index.
 
         Raises:
             RosmlError: a step or a test failed.
@@ -208,24 +220,24 @@ class Job:
         return made
 
     def made(self, folder: Path) -> list[Image]:
-        """What the jobs for one platform each left, and one for all. They are found by their names: a job may have left other
-        things, such as what its tests wrote.
+        """The images of the job for all platforms, and of those for one platform each. We find their files by the jobs' names: a
+        job may have kept other files, such as its tests'.
 
         Args:
-            folder: what the jobs kept.
+            folder: the folder with the jobs' files.
 
         Raises:
-            RosmlError: what one left is damaged.
+            RosmlError: a file is damaged.
         """
         jobs = [Job(replace(self._values, platform=name), {}, self._what, self._say).name for name in self._platforms]
         return [image for name in dict.fromkeys((self.name, *jobs)) for image in _read(folder / name / FILE)]
 
     def index(self, folder: Path, registries: Registries) -> list[Image]:
-        """Makes an index of the images that jobs for one platform each pushed, and moves the tags to it: all of them, when all
-        images are there. Nothing is made of images that were not pushed.
+        """Makes an index of the images that jobs for one platform each pushed. Then moves the tags to it: all of them, once all
+        images are there. If images were not pushed, it makes nothing.
 
         Args:
-            folder: what the jobs kept.
+            folder: the folder with the jobs' files.
 
         Raises:
             RosmlError: an image is missing.
@@ -236,7 +248,7 @@ class Job:
         for target in [*listed(self._values.target), SLIM]:
             wanted = (target, self._names.get(target, ""), tuple(tags(target, self._values, self._what)))
             members = [image for image in found if (image.target, image.name, image.tags) == wanted]
-            if target == SLIM and not members:  # it is made where the base image has one without compilers
+            if target == SLIM and not members:  # there is one if the base image has one without compilers
                 continue
             there = {name: image for image in members for name in image.platforms}
             missing = [name for name in self._platforms if name not in there]
@@ -255,14 +267,13 @@ class Job:
 
 
 def _complete(name: str) -> str:
-    """A name of an image as registries know it; without one of them, it is Docker Hub's, as for docker."""
+    """The full name of an image. If it names no registry, it is on Docker Hub, as with docker."""
     name = name.lower()
     return name if not name or references.has_registry(name) else f"{DOCKER_HUB}/{name}"
 
 
 def _keep(report: Path, out: Path) -> None:
-    """Copies JUnit files; those of each platform into a folder of its own, and those of slim images and downstream packages beside
-    them."""
+    """Copies JUnit files: each platform has its own folder, with those of slim images and downstream packages beside it."""
     alone = any((report / name).is_dir() for name in KINDS)
     for folder in [report] if alone else sorted(report.glob("*")):
         for name in KINDS:
@@ -290,14 +301,14 @@ def _join(members: list[Image], registries: Registries) -> Image:
 
 
 def _move(registries: Registries, image: Image, first: int) -> None:
-    """Moves tags of an image to its digest: all, but for some first ones that are there."""
+    """Moves tags of an image to its digest: all after the first ones, which are there already."""
     place = references.parse(image.reference)
     for tag in image.tags[first:]:
         registries(place.host).tag(place.repository, image.digest, tag + image.end)
 
 
 def _read(file: Path) -> list[Image]:
-    """What a job made; nothing if it left no such file.
+    """The images of a job; none if it kept no such file.
 
     Raises:
         RosmlError: the file is damaged.
@@ -309,7 +320,7 @@ def _read(file: Path) -> list[Image]:
         raise RosmlError(f"{file} is damaged: {first_of(error)}", "run all jobs again") from None
 
 
-# ---- What the forge is told ------------------------------------------------------------------------------------------
+# ---- For the forge ---------------------------------------------------------------------------------------------------
 
 
 def outputs(images: list[Image]) -> dict[str, str]:
@@ -340,7 +351,7 @@ def summary(images: list[Image], out: Path | None = None) -> str:
 
 
 def reported(out: Path) -> junit.Tests:
-    """What the tests of a job said."""
+    """The results of a job's tests."""
     found = junit.Tests()
     for folder in sorted(out.glob("reports*/*")):
         found = junit.add(found, junit.read(folder))
@@ -348,7 +359,7 @@ def reported(out: Path) -> junit.Tests:
 
 
 def errors(out: Path, error: RosmlError) -> Iterator[str]:
-    """Commands of GitHub's that show on the page of the run which tests failed, or else what did."""
+    """Commands to GitHub: they show the failed tests on the page of the run, or else the error."""
     failures = reported(out).failures
     title = "Test failed" if failures else "rosml containerize"
     for line in failures or (error.message,):

@@ -1,6 +1,6 @@
-"""What is in an app's images, attached to them in a registry: an SBOM, and the list of their files.
+"""Attaches the contents of an app's images to them in a registry: an SBOM, and the list of their files.
 
-Whoever has the name of an image knows its packages without pulling it, and `rosml join` knows whether a part has the same files.
+With an image's name, you can read its packages without pulling it, and `rosml join` can see whether a part has the same files.
 """
 
 from __future__ import annotations
@@ -20,15 +20,15 @@ from rosml.registry.client import Registry
 KINDS = (PACKAGES, FILES)
 
 COMMIT = "io.rosml.commit"
-"""The property of a ROS package that says which commit of its repository it was built from."""
+"""The property of a ROS package with the commit of its repository."""
 
 
 def sbom(data: bytes, reference: str, sources: Mapping[str, Repository]) -> bytes:
     """An SBOM in CycloneDX 1.5. The same packages give the same bytes.
 
     Args:
-        data: the packages of the image, as `PACKAGES` has them.
-        reference: of the image, by its digest.
+        data: the packages of the image, from `PACKAGES`.
+        reference: the image, by its digest.
         sources: upstream repositories of ROS packages, by the package's name.
 
     Raises:
@@ -38,7 +38,7 @@ def sbom(data: bytes, reference: str, sources: Mapping[str, Repository]) -> byte
 
 
 def _origin(source: Repository | None) -> dict[str, Any]:
-    """What an SBOM says of where a ROS package is from."""
+    """The origin of a ROS package, for an SBOM."""
     if not source:
         return {}
     properties = [{"name": COMMIT, "value": source.commit}]
@@ -48,7 +48,7 @@ def _origin(source: Repository | None) -> dict[str, Any]:
 
 
 def _public(url: str) -> str:
-    """The URL of a repository as CycloneDX takes it; empty for one of this machine."""
+    """The URL of a repository in CycloneDX's form; empty if it is of this machine."""
     if "://" in url:
         return "" if url.startswith("file:") else quote(url, safe=":/?#[]@!$&'()*+,;=~%")
     host, colon, path = url.partition(":")
@@ -62,12 +62,12 @@ def attach(
     load: Callable[[str, str], bytes],
     sources: Mapping[str, Repository],
 ) -> None:
-    """Attaches an SBOM and a list of files to an image, for each of its platforms. What is there stays.
+    """Attaches an SBOM and a list of files to an image, for each of its platforms. Those that it has already stay.
 
     Args:
-        digest: of the image, or of an index.
-        load: what a build said of it: from a platform, and `PACKAGES` or `FILES`.
-        sources: as `sbom` has them.
+        digest: the digest of the image, or of an index.
+        load: reads the contents that a build reported: from a platform, and `PACKAGES` or `FILES`.
+        sources: as in `sbom`.
 
     Raises:
         RosmlError: the registry does not answer or refuses.
@@ -88,7 +88,7 @@ def attach(
 
 
 def _has_sbom(registry: Registry, repository: str, digest: str) -> bool:
-    """Whether an SBOM of ours is attached; others may attach theirs."""
+    """Whether our SBOM is attached; others may attach theirs."""
     for entry in registry.referrers(repository, digest, MEDIA_TYPE):
         manifest = registry.manifest(repository, entry["digest"])
         if manifest and manifest.annotations.items() >= FORMAT.items():

@@ -1,6 +1,6 @@
-"""git as it is called for sources: with the user's own configuration, without questions, hooks or other programs.
+"""git for sources: with the user's own configuration, without questions, hooks or other programs.
 
-Secrets reach git by its environment and by a private file. They are in no argument, no URL and no message.
+Secrets reach git through its environment and a private file. They are in no argument, no URL and no message.
 """
 
 from __future__ import annotations
@@ -25,13 +25,15 @@ from rosml.machine.git import CLEAN, QUIET
 
 @dataclass(frozen=True)
 class Access:
-    """What opens private repositories.
+    """Access to private repositories.
 
     Attributes:
-        https_server: the one server that gets user and password: `github.com`, `git.example.org:8443`. It is asked by
-            https alone, unless it is written as `http://…`.
-        https_user: any name will do where the password is a token; `git` if it is empty.
-        ssh_key: a private key, as text. ssh_known_hosts: lines of a known_hosts file; a key needs them.
+        https_server: the only server that gets user and password: `github.com`, `git.example.org:8443`. git asks it by https,
+            unless it is written as `http://…`.
+        https_user: the user; any name if the password is a token; `git` if empty.
+        https_password: the password or token.
+        ssh_key: a private key, as text.
+        ssh_known_hosts: lines of a known_hosts file; a key needs them.
     """
 
     https_server: str = ""
@@ -42,7 +44,7 @@ class Access:
 
 
 Setting = tuple[str, str]
-"""A name and a value of git's configuration. Of two with the same name the later one wins; helpers add up."""
+"""A name and a value of git's configuration. If two have the same name, the later one wins; helpers add up."""
 
 
 _BOILERPLATE = (
@@ -51,11 +53,11 @@ _BOILERPLATE = (
     "and the repository exists",
     "fatal: the remote end hung up",
 )
-"""What git says after each failure of ssh."""
+"""git's lines after each failure of ssh."""
 
 
 _BUSY = re.compile(rf"The requested URL returned error: ({'|'.join(map(str, web.BUSY))})\b")
-"""How git says that a server may have another answer a moment later."""
+"""git's message about a server that may answer otherwise a moment later."""
 
 
 class Failed(Exception):
@@ -64,18 +66,18 @@ class Failed(Exception):
     def __init__(self, said: str) -> None:
         super().__init__(said)
         self.said = said
-        """What git printed on standard error, without secrets."""
+        """git's standard error, without secrets."""
 
     @property
     def reason(self) -> str:
-        """The last line that says something of this failure."""
+        """The last line about this failure."""
         lines = [line.strip() for line in self.said.splitlines()]
         telling = [line for line in lines if line and not line.startswith(_BOILERPLATE)]
         return re.sub(r"^(fatal|error|remote): ", "", (telling or lines or [""])[-1])
 
     @property
     def could_not_write(self) -> bool:
-        """Whether the disk is full, or git could not write for another reason, of which it often says nothing."""
+        """Whether git could not write: the disk is full, or another reason, which git often does not say."""
         return any(text in self.said for text in ("No space left on device", "Disk quota exceeded", "unable to write"))
 
 
@@ -93,7 +95,7 @@ SETTINGS = {
     "filter.lfs.process": "",
     "filter.lfs.required": "false",
     **QUIET,
-    # A server that sends nothing for a minute is given up.
+    # Give up if a server sends nothing for a minute.
     "http.lowSpeedLimit": "1",
     "http.lowSpeedTime": "60",
 }
@@ -104,7 +106,7 @@ LFS: tuple[Setting, ...] = (
     ("filter.lfs.process", "git-lfs filter-process"),
     ("filter.lfs.required", "true"),
 )
-"""Settings that replace LFS pointers by their files."""
+"""Settings that replace LFS pointers with their files."""
 
 _DROPPED = re.compile(
     r"GIT_(TRACE.*|CURL_VERBOSE|DIR|WORK_TREE|INDEX_FILE|OBJECT_DIRECTORY|ALTERNATE_OBJECT_DIRECTORIES|COMMON_DIR"
@@ -114,7 +116,7 @@ _DROPPED = re.compile(
 """Variables that name another repository, change what git prints, or hold a secret that git does not need."""
 
 _STOPPING = (signal.SIGHUP, signal.SIGINT, signal.SIGTERM)
-"""Signals that people send: a repository that git leaves then is not damaged."""
+"""Signals from users: git leaves a repository undamaged then."""
 
 _HELPER = (
     '!f() { test "$1" != get || printf "username=%s\\npassword=%s\\n" "$ROSML_GIT_USER" "$ROSML_GIT_PASSWORD"; }; f'
@@ -136,7 +138,7 @@ class Git:
 
     @property
     def path(self) -> str:
-        """Where programs are looked for."""
+        """The PATH for programs."""
         return self._environment.get("PATH", os.defpath)
 
     def __call__(
@@ -146,10 +148,11 @@ class Git:
         settings: Iterable[Setting] = (),
         environment: Mapping[str, str] | None = None,
     ) -> str:
-        """What git prints. A server that is too busy is asked again.
+        """Returns git's output. If a server is too busy, asks again.
 
         Raises:
-            Failed: it did not succeed. RosmlError: it is not installed, or somebody stopped it.
+            Failed: git failed.
+            RosmlError: git is not installed, or somebody stopped it.
         """
         attempt = 0
         while True:
@@ -192,14 +195,14 @@ class Git:
         return out.decode(errors="surrogateescape")
 
     def stop(self) -> None:
-        """Ends what other threads run, and what they will run."""
+        """Ends the calls of other threads, and their later ones."""
         with self._guard:
             self._stopped = True
             for process in self._running:
                 process.terminate()
 
     def _shown(self, text: str) -> str:
-        """A text without secrets: ours, and those of URLs that the user's configuration puts in the place of others."""
+        """A text without secrets: ours, and those in URLs of the user's configuration."""
         if self._hidden:
             text = text.replace(self._hidden, "***")
         return re.sub(r"(?<=://)[^/@\s]+@", "", text).strip()
@@ -207,13 +210,13 @@ class Git:
 
 @contextlib.contextmanager
 def opened(access: Access, folder: Path) -> Iterator[Git]:
-    """git with access to private repositories; what holds the key is gone at the end.
+    """git with access to private repositories. The file with the key is removed at the end.
 
     Args:
-        folder: where git runs. No repository around it counts.
+        folder: the folder in which git runs. A repository around it does not count.
 
     Raises:
-        RosmlError: something is missing that the access needs (exit code 2); git is not installed.
+        RosmlError: the access lacks something (exit code 2), or git is not installed.
     """
     environment = _environment(folder)
     settings = (*SETTINGS.items(), *_https(access, environment))
@@ -263,11 +266,11 @@ def _https(access: Access, environment: dict[str, str]) -> tuple[Setting, ...]:
         raise RosmlError(text, "give each of them in one line", exit_code=2)
     environment |= {"ROSML_GIT_USER": user or "git", "ROSML_GIT_PASSWORD": password}
     name = f"credential.{server}.helper"
-    return (name, ""), (name, _HELPER)  # the empty one drops those before it
+    return (name, ""), (name, _HELPER)  # the empty one drops helpers before it
 
 
 def _ssh(access: Access, private: Path) -> str:
-    """The command for ssh; empty where the user's own is to be used."""
+    """The command for ssh; empty if the user's own counts."""
     key, hosts = access.ssh_key.strip(), access.ssh_known_hosts.strip()
     if key and not hosts:
         text = "a key for ssh without the keys of the hosts that it is for"
@@ -282,7 +285,7 @@ def _ssh(access: Access, private: Path) -> str:
 
 
 def _file(file: Path, text: str) -> str:
-    """Writes a private file, with the line breaks that a variable may have lost. Its name is as ssh reads it."""
+    """Writes a private file, with line breaks that a variable may have lost. Returns its name, quoted for ssh."""
     lines = text.replace("\\n", "\n").replace("\r", "").strip()
     descriptor = os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
     with os.fdopen(descriptor, "w", encoding="utf-8") as stream:

@@ -1,4 +1,4 @@
-"""What the tests of packages left: JUnit files, and those of CTest."""
+"""Test reports of packages: JUnit files, and those of CTest."""
 
 from __future__ import annotations
 
@@ -9,30 +9,30 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 FAILED = "failed"
-"""The file with what left no report, a line each."""
+"""The file that lists tests without a report, a line each."""
 
 PRINTED = "output.log"
-"""The file of a package with what its tests printed, if they left no report."""
+"""The file of a package with the output of its tests, if they left no report."""
 
 _WRONG = ("failures", "errors")
-"""The numbers of a test suite that failed."""
+"""The attributes with the numbers of failed tests of a suite."""
 
 MOST = 1000
-"""Failed tests that are named."""
+"""The most failed tests that are named."""
 
 END = 1 << 16
-"""Characters of a command line, and of what a test printed, that are read."""
+"""The most characters to read of a command line or a test's output."""
 
 NAMES = 16
-"""Files that a command line may name, at most."""
+"""The most files that a command line may name."""
 
 SHOWN = 160
-"""Characters of what a failed test said."""
+"""The most characters to show of a failed test's message."""
 
 
 @dataclass(frozen=True)
 class Tests:
-    """Tests that ran. `failures` names those that failed, with what they said in a line."""
+    """Tests that ran. `failures` has a line for each failed one: its name and message."""
 
     count: int = 0
     skipped: int = 0
@@ -40,12 +40,12 @@ class Tests:
 
 
 def add(one: Tests, other: Tests) -> Tests:
-    """Both together."""
+    """The sum of both."""
     return total((one, other))
 
 
 def total(found: Iterable[Tests]) -> Tests:
-    """All together. Of more than MOST failures the first ones have a line each."""
+    """The sum of all. Only the first MOST failures have a line each."""
     count = skipped = more = 0
     failures: list[str] = []
     for tests in found:
@@ -57,10 +57,10 @@ def total(found: Iterable[Tests]) -> Tests:
 
 
 def read(folder: Path) -> Tests:
-    """What is below a folder that has a folder for each package.
+    """The tests below a folder that has a folder for each package.
 
-    A test of CTest whose program writes a JUnit file is counted there. The file `failed` has what left no report, such as
-    tests that do not build. Its lines `PACKAGE: …` count if no test of that package failed.
+    If the program of a CTest test writes a JUnit file, the tests in it count instead. The file `failed` lists tests without a
+    report, such as tests that do not build. Its lines `PACKAGE: …` count if no test of that package failed.
     """
     found = total(_package(path) for path in sorted(folder.glob("*")) if path.is_dir())
     if not (folder / FAILED).is_file():
@@ -82,7 +82,7 @@ def _package(folder: Path) -> Tests:
         except ElementTree.ParseError:
             text = f"{folder.name}: {path.name} is no XML: its program was ended"
             found.append(Tests(1, 0, (text,)))
-        except (LookupError, ValueError):  # an encoding that Python does not know, or expat cannot take
+        except (LookupError, ValueError):  # Python does not know the encoding, or expat refuses it
             text = f"{folder.name}: {path.name} has an encoding that cannot be read: write it in UTF-8"
             found.append(Tests(1, 0, (text,)))
         else:
@@ -98,7 +98,7 @@ def _package(folder: Path) -> Tests:
 
 
 def _drop_namespaces(root: ElementTree.Element) -> None:
-    """Leaves the names of elements alone: some programs write JUnit files with a namespace."""
+    """Removes namespaces from the names of elements: some programs write JUnit files with one."""
     for element in root.iter():
         if isinstance(element.tag, str):
             element.tag = element.tag.rpartition("}")[2]
@@ -107,7 +107,7 @@ def _drop_namespaces(root: ElementTree.Element) -> None:
 def _junit(root: ElementTree.Element, package: str) -> Tests:
     count = skipped = 0
     failures = []
-    for suite in _without_tests(root):  # one that could not begin has numbers alone
+    for suite in _without_tests(root):  # a suite that could not begin has only numbers
         if any(suite.get(kind, "0") not in ("", "0") for kind in _WRONG):
             count += 1
             failures.append(_failure(package, suite.get("name", ""), "failed, and its report names no test"))
@@ -122,7 +122,7 @@ def _junit(root: ElementTree.Element, package: str) -> Tests:
 
 
 def _without_tests(root: ElementTree.Element) -> Iterator[ElementTree.Element]:
-    """The innermost suites that have no test."""
+    """The innermost suites without a test."""
     around = {child: parent for parent in root.iter() for child in parent}
     full: set[ElementTree.Element] = set()
     for kind in ("testcase", "testsuite"):
@@ -135,7 +135,7 @@ def _without_tests(root: ElementTree.Element) -> Iterator[ElementTree.Element]:
 
 
 def _ctest(test: ElementTree.Element, package: str, reports: set[str], failed: set[str]) -> Tests:
-    """A test of CTest; nothing where the JUnit file that it wrote says the same.
+    """A test of CTest; nothing if its own JUnit file has the same result.
 
     Args:
         reports, failed: JUnit files without and with a failure.
@@ -155,7 +155,7 @@ def _ctest(test: ElementTree.Element, package: str, reports: set[str], failed: s
 
 
 def _written(command: str, package: str) -> Iterator[str]:
-    """The files below a package's folder that a command line may name; of a long one, the first."""
+    """The files below a package's folder that a command line may name, up to NAMES."""
     start = f"/{package}/"
     for begin in list(re.finditer(re.escape(start), command[:END]))[:NAMES]:
         for end in list(re.finditer(r"\.xml", command[begin.start() : END]))[:NAMES]:
@@ -172,7 +172,7 @@ def _failure(package: str, name: str, said: str) -> str:
 
 
 def _clean(text: str) -> str:
-    """A line that a terminal shows as it is, and that is not too long."""
+    """A line without control characters, and not too long."""
     text = re.sub(
         r"\x1b\[[0-?]*[ -/]*[@-~]|\[NON-XML-CHAR-0x1B\]\[[0-?]*[ -/]*[@-~]|\[NON-XML-CHAR-\w+\]", "", text[:END]
     )

@@ -1,4 +1,5 @@
-"""What of a folder is not sent to the builder: what `.dockerignore` names, virtual environments, and what colcon and catkin made."""
+"""Files and folders that are not sent to the builder: those in `.dockerignore`, virtual environments, and the output of colcon and
+catkin."""
 
 from __future__ import annotations
 
@@ -20,17 +21,17 @@ MADE = {
     "logs": ("../.catkin_tools",),
     ".catkin_tools": ("CATKIN_IGNORE",),
 }
-"""Folders that colcon, catkin_make and catkin_tools make where they are called, each with what they put there."""
+"""Folders that colcon, catkin_make and catkin_tools make in the current folder, each with the files by which we know it."""
 
 SPACE = ".catkin"
-"""A file in each folder into which catkin installs, and in each that it makes to develop in."""
+"""A file in each install space and each devel space of catkin."""
 
 MOST = 1 << 20
-"""Bytes of a `.dockerignore`."""
+"""The most bytes of a `.dockerignore`."""
 
 
 class LeftOut:
-    """Says of files and folders below a root whether they stay where they are.
+    """Decides which files and folders below a root stay on this machine.
 
     Raises:
         RosmlError: `.dockerignore` cannot be read, or is no file of the folder (exit code 2).
@@ -51,7 +52,7 @@ class LeftOut:
         return found
 
     def whole(self, folder: Path) -> bool:
-        """Whether a folder stays, with all that is in it."""
+        """Whether a folder stays, with everything in it."""
         if folder.is_symlink():
             return self(folder)
         if (folder / "pyvenv.cfg").is_file() or (folder / SPACE).is_file():
@@ -71,8 +72,8 @@ def _text(file: Path, root: Path) -> str:
 
 
 def _rules(text: str) -> list[tuple[bool, list[str]]]:
-    """The patterns of a `.dockerignore` in their order, each as the names of its path: the last one that a path, or a folder above
-    it, matches counts. True: it is left out; False: after `!`, it is not."""
+    """The patterns of a `.dockerignore` in their order, each as the names of its path. The last pattern that matches a path, or a
+    folder above it, counts. True: the path is left out; False: it is kept, by `!`."""
     found = []
     for line in text.splitlines():
         pattern = line.strip()
@@ -83,12 +84,12 @@ def _rules(text: str) -> list[tuple[bool, list[str]]]:
 
 
 def _as_fnmatch(name: str) -> str:
-    """A name with wildcards as Python has them: `[!a]` for `[^a]`, and `[*]` for `\\*`."""
+    """A name with Python's wildcards: `[!a]` for `[^a]`, and `[*]` for `\\*`."""
     return re.sub(r"\\(.)", r"[\1]", name).replace("[^", "[!")
 
 
 def _matches(pattern: list[str], path: Sequence[str]) -> bool:
-    """Whether a pattern is that of a path: `**` is any number of names. It takes no more steps than there are pairs of both."""
+    """Whether a pattern matches a path: `**` is any number of names. The steps are at most the number of pairs of both."""
     here = there = 0
     star: tuple[int, int] | None = None
     while there < len(path):

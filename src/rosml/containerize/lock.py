@@ -1,7 +1,7 @@
-"""The lock file of an app: what its images were built from, so that they can be built from the same again.
+"""The lock file of an app: the inputs of its images, to build them from the same again.
 
-It names the base images by their digests, upstream repositories by their commits, and the packages of apt and pip that were added,
-by their versions. A build that follows it takes nothing else.
+It has the digests of base images, the commits of upstream repositories, and the versions of added packages of apt and pip. A build
+that follows it takes nothing else.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ SUFFIX = ".lock"
 RENEW = "write the lock file anew with --lock"
 
 FOLDER = "lock"
-"""Of requests: for each architecture a folder with the lists `apt` and `pip`."""
+"""The folder in the requests: for each architecture it has a folder with the lists `apt` and `pip`."""
 
 
 Digest = Annotated[str, StringConstraints(pattern=r"^sha256:[0-9a-f]{64}$")]
@@ -34,10 +34,10 @@ Version = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9][A-Za-z0-9.+:~-
 
 
 def _without_secrets(line: str) -> str:
-    """A requirement whose address has no user and no query, which may be a password. The user of ssh is none.
+    """Checks that a requirement's address has no user and no query, which may be a password. The user of ssh is allowed.
 
     Raises:
-        ValueError: it has one.
+        ValueError: the address has one.
     """
     address = line.partition(" @ ")[2].partition("#")[0]
     scheme, _, rest = address.partition("://")
@@ -54,7 +54,7 @@ Requirement = Annotated[
 
 
 class Image(BaseModel):
-    """A base image, or rosdep's lists: the name as the user wrote it, and the digest. The name is empty where the user said
+    """A base image, or rosdep's lists: the name as the user wrote it, and the digest. The name is empty if the user gave
     none."""
 
     model_config = ConfigDict(extra="forbid")
@@ -63,10 +63,10 @@ class Image(BaseModel):
     digest: Digest
 
     def of(self, name: str) -> str:
-        """The digest, for the image that the user names.
+        """The digest, if the user names this image.
 
         Raises:
-            RosmlError: the lock file is of another one (exit code 2).
+            RosmlError: the user names another image (exit code 2).
         """
         if self.name != name:
             known, named = self.name or "none of that name", name or "none of that name"
@@ -75,7 +75,7 @@ class Image(BaseModel):
 
 
 class Pin(BaseModel):
-    """The commit of a repository: of this url and this version."""
+    """The commit of a repository, for this url and this version."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
@@ -99,7 +99,7 @@ class Packages(BaseModel):
 
 
 class Lock(Packages):
-    """A lock file. `format` is another number where older releases cannot read it."""
+    """A lock file. `format` grows if older releases cannot read it."""
 
     format: Annotated[int, Field(strict=True, ge=1, le=1)] = 1
     base_image: Image
@@ -113,26 +113,26 @@ class Lock(Packages):
         return json.dumps(self._content(), indent=1, sort_keys=True) + "\n"
 
     def line(self) -> str:
-        """The same in one line, for a label: without what is in no image."""
+        """The lock in one line, for a label: without inputs that are in no image."""
         return json.dumps(self._content({"downstream"}), separators=(",", ":"), sort_keys=True)
 
     def _content(self, without: set[str] | None = None) -> dict[str, Any]:
         return self.model_dump(exclude_none=True, exclude=without)
 
     def with_other_architectures(self, other: Lock) -> Lock:
-        """This lock, and what another one has for other architectures, if both have the same images and repositories."""
+        """This lock with the packages of another one for other architectures, if both have the same images and repositories."""
         names = ("base_image", "slim_base_image", "rosdep_index", "repositories", "downstream")
         if any(getattr(self, name) != getattr(other, name) for name in names):
             return self
         return self.model_copy(update={"apt": {**other.apt, **self.apt}, "pip": {**other.pip, **self.pip}})
 
     def lacks(self, platforms: Iterable[str]) -> list[str]:
-        """Those of some platforms for which it has no packages."""
+        """The platforms for which it has no packages."""
         names = {"linux/arm/v7": "armhf", "linux/386": "i386", "linux/ppc64le": "ppc64el"}
         return [name for name in platforms if names.get(name, name.split("/")[1]) not in self.apt]
 
     def write_requests(self, requests: Path) -> None:
-        """Writes the versions down for the steps that install packages."""
+        """Writes the versions for the steps that install packages."""
         for architecture in self.apt.keys() | self.pip.keys():
             folder = requests / FOLDER / architecture
             folder.mkdir(parents=True)
@@ -142,10 +142,10 @@ class Lock(Packages):
 
 
 def added(apps: Iterable[Mapping[str, Any]]) -> Packages:
-    """What reports of builds say of packages. Of two versions, which an archive has at two moments, the first counts.
+    """The added packages in reports of builds. If there are two versions, as an archive may change meanwhile, the first counts.
 
     Args:
-        apps: of each image and platform, with `architecture`, `apt` and `pip`.
+        apps: the reports of each image and platform, with `architecture`, `apt` and `pip`.
     """
     found = Packages()
     for app in apps:
@@ -157,17 +157,18 @@ def added(apps: Iterable[Mapping[str, Any]]) -> Packages:
 
 
 def place(folder: Path, name: str, renew: bool) -> Path:
-    """Where the lock file of a repository is.
+    """The path of a repository's lock file.
 
     Args:
-        name: as the user wrote it. renew: it is to be written.
+        name: its name as the user wrote it.
+        renew: it will be written.
 
     Raises:
-        RosmlError: it leads out of the repository; or a user named one that is not there, or cannot be there (exit code 2).
+        RosmlError: it leads out of the repository; or the user named one that is missing, or cannot be there (exit code 2).
     """
     file = Path(os.path.normpath(folder / name))
     there = within.there(file, folder)
-    if not name.endswith(SUFFIX):  # it is overwritten
+    if not name.endswith(SUFFIX):  # --lock overwrites it
         raise RosmlError(f"lock-file: {name} does not end in {SUFFIX}", "name it so", exit_code=2)
     within.require_own(file, folder)
     if renew and not file.parent.is_dir():

@@ -1,4 +1,4 @@
-"""How an app's images are called, and where they go."""
+"""The names of an app's images, and the places to which they go."""
 
 from __future__ import annotations
 
@@ -14,24 +14,26 @@ from rosml.machine.services import NAMESPACE, Services
 from rosml.registry import references
 
 TARGETS = ("run", "dev")
-"""Images that an app can have: to run it, and to work on it."""
+"""The images of an app: one to run it, and one to work on it."""
 
 TAKEN = (NAMESPACE, "library")
-"""The first parts of names that other images have in the local registry: our base images, and those of Docker Hub."""
+"""First parts of names that other images have in the local registry: our base images, and those of Docker Hub."""
 
 SLIM = "slim"
-"""The image to run it on a base image without compilers; it comes with the one to run it."""
+"""The image to run the app on a base image without compilers. It comes with the run image."""
 
 
 class Names:
     """The images that the values of inputs ask for.
 
     Attributes:
-        app: name of the run image, without its tag. targets: what to build. platforms: for which.
+        app: the name of the run image, without its tag.
+        targets: the images to build.
+        platforms: their platforms.
         loads: whether images go to Docker, and to no registry.
 
     Raises:
-        RosmlError: a value is wrong, or the images have no place to go to (exit code 2).
+        RosmlError: a value is wrong, or there is no place for the images (exit code 2).
     """
 
     def __init__(self, values: Values, folder: str, services: Services) -> None:
@@ -67,7 +69,7 @@ class Names:
 
     @functools.cached_property
     def loading(self) -> str:
-        """How the builder hands an image to Docker. Docker before 23 cannot read layers in zstd, which base images have."""
+        """The builder's output to Docker. Docker before 23 cannot read zstd layers, which base images have."""
         command = ["docker", "version", "--format", "{{.Server.Version}}"]
         try:
             said = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False).stdout
@@ -96,7 +98,7 @@ class Names:
 
 
 def listed(text: str) -> list[str]:
-    """The words of a list with commas."""
+    """The words of a list, separated by commas."""
     return [word.strip() for word in text.split(",") if word.strip()]
 
 
@@ -111,13 +113,13 @@ def _targets(text: str) -> tuple[str, ...]:
 
 
 def listed_platforms(text: str) -> tuple[str, ...]:
-    """Platforms as BuildKit names them; docker-ros' users write only the architecture."""
+    """Platforms by BuildKit's names; users of docker-ros write only the architecture."""
     names = listed(text) or [native_architecture()]
     return tuple(dict.fromkeys(name if "/" in name else f"linux/{name}" for name in names))
 
 
 def _name(text: str) -> str:
-    """A name of an image without its tag, as registries take it."""
+    """Checks an image's name without its tag, by the rules of registries."""
     host, path = text.split("/", 1) if references.has_registry(text) else ("localhost", text)
     if not references.is_place(host, path):
         text = f"{text!r} is no name of an image"

@@ -12,7 +12,7 @@ _BY = "written by rosml generate"
 
 
 def render(page: str) -> str:
-    """The page with its tables as they are now.
+    """The page with up-to-date tables.
 
     Raises:
         RosmlError: markers are missing.
@@ -49,7 +49,7 @@ def _ci() -> Iterator[str]:
 
 
 def _code(text: str) -> str:
-    """A default as it is written."""
+    """A default in Markdown."""
     return f"`{text}`" if text else ""
 
 

@@ -1,7 +1,7 @@
-"""What the build of an app says: the one place that takes it in, and gives it a shape.
+"""Reports from the build of an app: this module alone reads them.
 
-Two archives come out of a build. Steps of rosml's own write one of them, from files that they read and never run: it says what is in
-the images. The tests of the packages write the other one. It says what failed, and nothing else that it has counts.
+A build leaves two archives. rosml's own steps write one of them, from files that they read and never run: it describes the images.
+The tests of the packages write the other one. Only the failures in it count.
 """
 
 from __future__ import annotations
@@ -20,20 +20,20 @@ from rosml.containerize.names import SLIM
 from rosml.machine import exported
 
 DEPENDENCIES = "dependencies.json"
-"""What the packages need, as components/containerize/identify.py writes it."""
+"""The file with the packages' dependencies, written by components/containerize/identify.py."""
 
 APP = "app.json"
-"""What an app adds to its base image, as components/containerize/app_files.py writes it."""
+"""The file with the changes of an app to its base image, written by components/containerize/app_files.py."""
 
 SLIM_APP = "slim.json"
-"""The same of the slim image."""
+"""The same file for the slim image."""
 
 DESCRIBED = ("run", SLIM)
-"""Images that get an SBOM and a list of files."""
+"""Images with an SBOM and a list of files."""
 
 TARGET, DOWNSTREAM = "results", "downstream"
 KINDS = (TARGET, SLIM, DOWNSTREAM)
-"""Folders of what tests left: of the packages, of the same in the slim image, and of packages that use them."""
+"""Folders of test reports: of the packages, of the same tests in the slim image, and of packages that use them."""
 
 
 class _Model(BaseModel):
@@ -48,10 +48,12 @@ class Answer(_Model):
 
 
 class Dependencies(_Model):
-    """What the packages of an app need.
+    """The dependencies of an app's packages.
 
     Attributes:
-        packages: for each ROS package its keys of rosdep, by kind. keys: what each key became. skipped: keys that were left out.
+        packages: for each ROS package its keys of rosdep, by kind.
+        keys: the rule for each key.
+        skipped: keys that were left out.
     """
 
     packages: dict[str, dict[str, list[str]]]
@@ -60,17 +62,19 @@ class Dependencies(_Model):
 
 
 class Facts(_Model):
-    """What an app adds to its base image, for one platform.
+    """The changes of an app to its base image, for one platform.
 
     Attributes:
-        packages: of the operating system that it adds, with their architecture.
-        replaced: packages of the base image that it replaces or removes. removed: files that it takes away.
+        packages: new packages of the operating system, with their architecture.
+        replaced: packages of the base image that it replaces or removes.
+        removed: files of the base image that it removes.
         changed: files of the base image that its packages change.
-        built: ROS packages that are in the install space.
-        lost: what files of the install space need, the build had and the image lacks. absent: what the build lacked, too.
+        built: ROS packages in the install space.
+        lost: dependencies of files in the install space that the build had and the image lacks.
+        absent: dependencies that the build lacked, too.
         forgotten: launch files and programs, as `PACKAGE NAME`, that no image has; with their places in the sources or the build.
-        outside: what its ROS packages installed outside of the install space.
-        architecture, apt, pip: what is to be locked, as `lock.Packages` has it.
+        outside: files that its ROS packages installed outside of the install space.
+        architecture, apt, pip: versions for the lock file, as in `lock.Packages`.
     """
 
     packages: list[str]
@@ -89,7 +93,7 @@ class Facts(_Model):
 
 @dataclass(frozen=True)
 class Tests:
-    """What the tests of an app said: of its packages, in the slim image, and of packages that use them."""
+    """The results of an app's tests: of its packages, of these in the slim image, and of packages that use them."""
 
     target: junit.Tests
     slim: junit.Tests
@@ -97,18 +101,20 @@ class Tests:
 
 
 def place(platform: str, platforms: Sequence[str]) -> str:
-    """The folder of an archive that has what is said of a platform; empty if there is one platform alone."""
+    """The folder of a platform in an archive; empty if there is only one platform."""
     return "" if len(platforms) == 1 else platform.replace("/", "_")
 
 
 class Said:
-    """What rosml's own steps said of an app.
+    """The reports of rosml's own steps about an app.
 
     Args:
-        archive: that they left. folder: for its files; it belongs to this class. platforms: of the build.
+        archive: the steps' archive.
+        folder: a folder for its files; it belongs to this class.
+        platforms: the platforms of the build.
 
     Raises:
-        RosmlError: there is none, or it is damaged.
+        RosmlError: the archive is missing or damaged.
     """
 
     def __init__(self, archive: Path, folder: Path, platforms: Sequence[str]) -> None:
@@ -120,27 +126,27 @@ class Said:
             raise RosmlError(f"what the build says of the app is damaged: {name}: {reason}", "run it again")
 
     def dependencies(self) -> Dependencies:
-        """What the packages need."""
+        """The packages' dependencies."""
         return self._model(Dependencies, self._places[0] / DEPENDENCIES)
 
     def apps(self) -> list[Facts]:
-        """What the app adds, for each platform."""
+        """The app's changes, for each platform."""
         return [self._model(Facts, folder / APP) for folder in self._places]
 
     def slim_apps(self) -> list[Facts]:
-        """The same of the slim image."""
+        """The app's changes to the slim image, for each platform."""
         return [self._model(Facts, folder / SLIM_APP) for folder in self._places]
 
     def detail(self, name: str) -> bytes:
-        """What is in an image, by a name of `details`.
+        """The contents of an image, by a name of `details`.
 
         Raises:
-            RosmlError: the build did not say it.
+            RosmlError: the build did not report them.
         """
         return exported.read(self._folder, self._details()[name])
 
     def details(self) -> dict[str, bytes]:
-        """What is in the images, by target, platform and kind: `run/linux/amd64/files.gz`."""
+        """The contents of the images, by target, platform and kind: `run/linux/amd64/files.gz`."""
         there = {name: path for name, path in self._details().items() if (self._folder / path).exists()}
         return {name: exported.read(self._folder, path) for name, path in there.items()}
 
@@ -166,15 +172,16 @@ _Found = TypeVar("_Found", bound=_Model)
 
 
 def tests(archive: Path, folder: Path, platforms: Sequence[str]) -> Tests:
-    """What tests left. Their reports are in the folder afterwards, for people.
+    """Reads the test reports, and leaves them in a folder for people.
 
-    What is no file, or too large, counts as a test that failed.
+    If a report is no file, or too large, it counts as a failed test.
 
     Args:
-        archive: that they left. folder: for the reports: those of each platform in a folder of its own if there are several.
+        archive: the tests' archive.
+        folder: the folder for the reports; if there are several platforms, each has its own folder in it.
 
     Raises:
-        RosmlError: there is none, it is damaged, or it has too much.
+        RosmlError: the archive is missing, damaged or too large.
     """
     places = [place(platform, platforms) for platform in platforms]
     refused = exported.unpack(archive, folder, _is_report)
@@ -190,5 +197,5 @@ def tests(archive: Path, folder: Path, platforms: Sequence[str]) -> Tests:
 
 
 def _is_report(path: PurePosixPath) -> bool:
-    """Whether a file is one that tests leave: JUnit files and those of CTest, and the list of what left none, with what that printed."""
+    """Whether a file is a test report: a JUnit file or one of CTest, the list of tests without reports, or their output."""
     return path.suffix == ".xml" or path.name in (junit.FAILED, junit.PRINTED)

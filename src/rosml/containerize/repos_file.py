@@ -1,7 +1,7 @@
-"""`.repos` files, as vcstool and vcs2l read them: where they are, and which repositories they name.
+"""`.repos` files, as vcstool and vcs2l read them: finds them, and reads their repositories.
 
-Newer releases of vcs2l have `extends`: a file, or a list of files, beside this one. Of two that name one path the later one counts, and what the
-file itself names counts before all of them.
+Newer releases of vcs2l have `extends`: a file, or a list of files, beside this one. If two of them name one path, the later one
+counts; the file's own repositories count before all of them.
 
 A file that is a list has the format of rosinstall: `- git: {local-name: PATH, uri: URL, version: VERSION}`.
 """
@@ -22,22 +22,22 @@ from rosml.base.problems import near
 from rosml.containerize import urls, within
 
 KEYS = ("type", "url", "version")
-"""What a repository may have."""
+"""The keys of a repository."""
 
 VERSIONS = ("branch", "tag", "commit", "ref", "rev", "revision", "hash", "sha", "checkout")
-"""What people write in the place of `version`."""
+"""Words that people write instead of `version`."""
 
 ROSINSTALL = {"local-name": "path", "uri": "url", "version": "version"}
-"""What a repository may have in a file of rosinstall, and what it is called here."""
+"""The keys of a repository in a file of rosinstall, and our names for them."""
 
 EXTENDS = 10
-"""How many files may extend each other, one above the other."""
+"""The most files that may extend each other in a chain."""
 
 MERGE = "tag:yaml.org,2002:merge"
-"""What YAML makes of a key `<<`: the mapping has what its value has, and it does not have itself."""
+"""YAML's tag of a key `<<`: the mapping also has the keys of its value, unless it has them itself."""
 
 IGNORE = "COLCON_IGNORE"
-"""A folder with a file of this name has no packages, and no `.repos` files that count."""
+"""If a folder has a file of this name, its packages and `.repos` files do not count."""
 
 
 @dataclass(frozen=True)
@@ -45,8 +45,11 @@ class Entry:
     """One repository of a `.repos` file.
 
     Attributes:
-        path: below the folder for upstream sources. url: without a user and a password, except the user of ssh.
-        version: as written; empty for the default branch. file: the name of the `.repos` file. line: of the path.
+        path: its folder, below that for upstream sources.
+        url: its URL, without a user and a password, except the user of ssh.
+        version: as written; empty for the default branch.
+        file: the name of the `.repos` file.
+        line: the line of the path.
     """
 
     path: str
@@ -57,7 +60,7 @@ class Entry:
 
     @property
     def place(self) -> str:
-        """Where it is named: `file:line`."""
+        """Its place: `file:line`."""
         return f"{self.file}:{self.line}"
 
     def same(self, other: Entry) -> bool:
@@ -69,10 +72,11 @@ def found(folder: Path, without: tuple[Path, ...] = ()) -> list[Path]:
     """The `.repos` files below a folder, sorted. Those in `.git` and below COLCON_IGNORE do not count.
 
     Args:
-        without: folders that are left out, resolved.
+        without: folders to leave out, resolved.
 
     Raises:
-        RosmlError: one of them is a link that leads out of the folder (exit code 2). OSError: a folder cannot be read.
+        RosmlError: a file is a link that leads out of the folder (exit code 2).
+        OSError: a folder cannot be read.
     """
     files: list[Path] = []
     for name, folders, names in os.walk(folder, onerror=_raise):
@@ -93,13 +97,14 @@ def _raise(error: OSError) -> None:
 
 
 def read(files: Iterable[Path], folder: Path, prefix: str, local: bool) -> list[Entry]:
-    """The repositories that `.repos` files of a folder name. One that another of them extends counts as a part of that one.
+    """The repositories that `.repos` files of a folder name. If one file extends another, the other counts as a part of it.
 
     Args:
-        prefix: what their paths begin with in messages. local: whether they may name repositories of this machine.
+        prefix: the beginning of their paths in messages.
+        local: whether they may name repositories of this machine.
 
     Raises:
-        RosmlError: one cannot be read, or names something that is not allowed (exit code 2).
+        RosmlError: a file cannot be read, or names something that is not allowed (exit code 2).
     """
     reader = _Reader(folder, prefix, local)
     found = {file: reader.entries(file, ()) for file in files}
@@ -119,7 +124,7 @@ class _Reader:
         self.extended: set[Path] = set()
 
     def entries(self, file: Path, above: tuple[Path, ...]) -> dict[str, Entry]:
-        """What a file names, by path. `above`: the files that led here by `extends`."""
+        """The repositories of a file, by path. `above`: the files that led here by `extends`."""
         place = file.resolve()
         if place not in self._known:
             self._known[place] = self._read(file, (*above, place))
@@ -199,7 +204,7 @@ def _refuse(name: str, node: Any, text: str, remedy: str = _FORMAT) -> NoReturn:
 
 
 def _mapping(node: Any, name: str, what: str) -> dict[str, _Pair]:
-    """The nodes of a mapping's keys and values, with those that it merges."""
+    """The nodes of a mapping's keys and values, with merged ones."""
     if not isinstance(node, yaml.MappingNode):
         _refuse(name, node, f"{what} is no mapping")
     pairs: dict[str, _Pair] = {}
@@ -218,8 +223,7 @@ def _mapping(node: Any, name: str, what: str) -> dict[str, _Pair]:
 
 
 def _require_known(name: str, others: dict[str, _Pair], known: tuple[str, ...], used: _Pair | None = None) -> None:
-    """Checks that a mapping has no key beside those that are known. Only `used` may lead to what another one has: anchors are
-    written somewhere."""
+    """Checks that a mapping has no unknown key, unless that only holds anchors for the value of `used`."""
     reached = _nodes(used[1]) if used and others else set()
     for key, value in others.values():
         if reached.isdisjoint(_nodes(value)):
@@ -230,7 +234,7 @@ def _require_known(name: str, others: dict[str, _Pair], known: tuple[str, ...], 
 
 
 def _nodes(node: Any) -> set[int]:
-    """A node and all below it; an alias is the node that it names."""
+    """A node and all nodes below it; an alias is the node that it names."""
     found: set[int] = set()
     todo = [node]
     while todo:
@@ -288,7 +292,7 @@ def _entry(name: str, key: Any, fields: dict[str, str], local: bool) -> Entry:
 
 
 def _texts(name: str, path: str, node: Any, known: tuple[str, ...]) -> Iterator[tuple[str, str]]:
-    """The plain values of a repository, as they are written: YAML would read the version 1.10 as the number 1.1."""
+    """The plain values of a repository, as written: YAML would read the version 1.10 as the number 1.1."""
     fields = _mapping(node, name, path)
     _require_known(name, {key: pair for key, pair in fields.items() if key not in known}, known)
     for key, (_, value) in fields.items():

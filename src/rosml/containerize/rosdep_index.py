@@ -1,5 +1,5 @@
-"""rosdep's lists of one day as an artifact in a registry, for builds that ask no other server: what a checkout of ros/rosdistro has
-of keys and of distributions."""
+"""rosdep's lists of one day as an artifact in a registry, for builds that ask no other server: the keys and the distributions of a
+checkout of ros/rosdistro."""
 
 from __future__ import annotations
 
@@ -35,13 +35,13 @@ ADDRESS = "https://github.com/ros/rosdistro"
 INDEX = "index-v4.yaml"
 
 KEPT = 5
-"""How many states of the lists a machine keeps."""
+"""How many versions of the lists a machine keeps."""
 
 _PATH = re.compile(r"[A-Za-z0-9_-][A-Za-z0-9_.-]*(/[A-Za-z0-9_-][A-Za-z0-9_.-]*)*")
 
 
 LARGEST = 64 << 20
-"""Bytes of all lists together, unpacked; ros/rosdistro has less than 10 MB."""
+"""The most bytes of all lists together, unpacked. ros/rosdistro has less than 10 MB."""
 
 
 class _Distribution(BaseModel):
@@ -51,7 +51,7 @@ class _Distribution(BaseModel):
 
 
 class _Index(BaseModel):
-    """What the index of distributions says of their files."""
+    """The files of distributions in their index."""
 
     model_config = ConfigDict(strict=True)
 
@@ -60,10 +60,10 @@ class _Index(BaseModel):
 
 @contextlib.contextmanager
 def checkout(folder: Path | None) -> Iterator[Path]:
-    """A checkout of ros/rosdistro: the one that is named, or a new one.
+    """A checkout of ros/rosdistro: the named one, or a new one.
 
     Raises:
-        RosmlError: GitHub cannot be reached, or there is no git.
+        RosmlError: GitHub does not answer, or git is not installed.
     """
     if folder:
         yield folder
@@ -81,10 +81,10 @@ def checkout(folder: Path | None) -> Iterator[Path]:
 
 
 def _files(checkout: Path) -> Iterator[str]:
-    """What rosdep reads of a checkout.
+    """The files of a checkout that rosdep reads.
 
     Raises:
-        RosmlError: it is no checkout of ros/rosdistro, or not a whole one (exit code 2).
+        RosmlError: it is no checkout of ros/rosdistro, or an incomplete one (exit code 2).
     """
     lists = sorted(path.name for path in checkout.glob("rosdep/*.yaml"))
     try:
@@ -101,10 +101,10 @@ def _files(checkout: Path) -> Iterator[str]:
 
 
 def copied(folder: Path, out: Path) -> Path:
-    """Copies what rosdep may read of a checkout, without git's folder, which is another one in each clone.
+    """Copies the files of a checkout that rosdep may read, without git's folder, which differs between clones.
 
     Raises:
-        RosmlError: there is nothing, or a link leads out of the checkout (exit code 2).
+        RosmlError: it has no lists, or a link leads out of the checkout (exit code 2).
     """
     shutil.rmtree(out, ignore_errors=True)
     found = [path for pattern in ("*.yaml", "*/*.yaml") for path in folder.glob(pattern) if within.there(path, folder)]
@@ -119,7 +119,7 @@ def copied(folder: Path, out: Path) -> Path:
 
 
 def packed(checkout: Path) -> bytes:
-    """The lists of a checkout in one file, the same for the same lists.
+    """The lists of a checkout in one file. The same lists give the same bytes.
 
     Raises:
         RosmlError: it is no checkout of ros/rosdistro (exit code 2).
@@ -128,7 +128,7 @@ def packed(checkout: Path) -> bytes:
     with gzip.GzipFile(fileobj=buffer, mode="wb", mtime=0) as stream, tarfile.open(fileobj=stream, mode="w") as tar:
         for name in _files(checkout):
             content = (checkout / name).read_bytes()
-            # All builds would stumble over what is no YAML.
+            # Invalid YAML would break all builds.
             untrusted.yaml_of(content, name, LARGEST, "correct it, or take another commit", exit_code=2)
             member = tarfile.TarInfo(name)
             member.size = len(content)
@@ -137,7 +137,7 @@ def packed(checkout: Path) -> bytes:
 
 
 def publish(checkout: Path, registry: Registry, repository: str, tags: tuple[str, ...]) -> str:
-    """Puts the lists of a checkout under some tags; gives their digest.
+    """Pushes the lists of a checkout with some tags. Returns their digest.
 
     Raises:
         RosmlError: it is no checkout of ros/rosdistro (exit code 2), or the registry refuses.
@@ -148,24 +148,27 @@ def publish(checkout: Path, registry: Registry, repository: str, tags: tuple[str
 
 
 class Finder:
-    """Finds the lists that a build reads.
+    """Finds the lists for a build.
 
     Args:
-        services: with the local registry. folder: the repository. say: tells people what is found.
+        services: the services, with the local registry.
+        folder: the repository.
+        say: tells the user which lists it found.
     """
 
     def __init__(self, services: Services, folder: Path, say: Callable[[str], object]) -> None:
         self._services, self._folder, self._say = services, folder, say
 
     def find(self, named: str, base: app_base.Base, pin: str, locked: bool) -> tuple[Path, str] | None:
-        """A folder with the lists, and their digest if they are of a registry: what the user names, or else the newest that
-        are published beside a base image of ours. None if there are none.
+        """A folder with the lists, and their digest if they are from a registry: those that the user names, or else the newest
+        published beside one of our base images. None if there are none.
 
         Args:
-            pin: the digest that a lock file has; empty if it has none. locked: there is a lock file.
+            pin: the digest in the lock file; empty if it has none.
+            locked: there is a lock file.
 
         Raises:
-            RosmlError: what the user or the lock file names is not there, or is something else (exit code 2).
+            RosmlError: the lists that the user or the lock file names are missing, or are something else (exit code 2).
         """
         folder = self._folder / named
         if named.startswith("~/"):
@@ -210,7 +213,7 @@ class Finder:
         return self._services.state / "cache" / NAME / digest.replace(":", "-")
 
     def _fetched(self, registry: Registry, place: references.Reference) -> tuple[Path, str] | None:
-        """What is at a place, unpacked; None if there is nothing. What an earlier call fetched is not fetched again."""
+        """The lists at a place in a registry, unpacked; None if there are none. Lists of an earlier call are not fetched again."""
         manifest = registry.manifest(place.repository, place.reference)
         if manifest is None:
             return None
@@ -236,7 +239,7 @@ class Finder:
 
 
 def _move(new: Path, out: Path) -> None:
-    """Gives a folder its name, unless another call was faster."""
+    """Renames a folder, unless another call was faster."""
     try:
         new.rename(out)
     except OSError:
@@ -248,10 +251,10 @@ def unpack(content: bytes, folder: Path, what: str) -> None:
     """Unpacks the lists into a folder.
 
     Args:
-        what: the archive is, for messages.
+        what: the archive's name in messages.
 
     Raises:
-        RosmlError: it is damaged or too large, or there is no room.
+        RosmlError: the archive is damaged or too large, or the disk is full.
     """
     room = LARGEST
     try:

@@ -1,6 +1,6 @@
 """Upstream sources: the repositories that `.repos` files name, at exact commits, as a folder without `.git`.
 
-They are fetched on the caller's machine. The folder is a context of the build, which needs no credentials.
+The caller's machine fetches them. The folder is a context of the build, which needs no credentials.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from rosml.machine.git import trusting
 __all__ = ["Access", "Repository", "fetch"]
 
 WORKERS = 8
-"""How many repositories are fetched at the same time; what takes time is the answer of a server."""
+"""How many repositories are fetched at the same time. Most of the time is spent waiting for servers."""
 
 DEFAULT = ".repos"
 
@@ -34,12 +34,15 @@ Say = Callable[[str], object]
 
 @dataclass(frozen=True)
 class Repository:
-    """One repository that was fetched.
+    """A fetched repository.
 
     Attributes:
-        path: below the folder for upstream sources. url: without user and password.
-        version: as written: a tag, a branch, a commit; empty for the default branch. commit: its whole hash.
-        named_in: the `.repos` file. moving: whether the version is a branch, and may mean another commit tomorrow.
+        path: its folder, below that for upstream sources.
+        url: its URL without user and password.
+        version: as written: a tag, a branch, a commit; empty for the default branch.
+        commit: the whole hash of its commit.
+        named_in: the `.repos` file.
+        moving: whether the version is a branch, and may mean another commit tomorrow.
     """
 
     path: str
@@ -63,28 +66,28 @@ def fetch(
     local: bool = False,
     say: Say = lambda text: None,
 ) -> list[Repository]:
-    """Writes the repositories that a target needs, and nothing else, into a folder.
+    """Writes the repositories that a target needs into a folder, and removes others.
 
-    After an error the folder is not complete. The next call completes it.
+    After an error the folder is incomplete. The next call completes it.
 
     Args:
         target: the folder of the user's packages.
-        out: a folder for each path, with the same files and modes for the same commits. Repositories that did not change
-            are not written again. Two files beside it say what is in it.
-        cache: repositories for the next call; it may be shared, and removed at any time.
-        recursive: whether each `.repos` file counts, also in what was fetched; otherwise `file` alone, below the target.
+        out: the folder to write, with a folder for each path. The same commits give the same files and modes. Unchanged
+            repositories are not written again. Two files beside it record its content.
+        cache: the folder of repositories for the next call. Processes may share it; you may remove it at any time.
+        recursive: whether every `.repos` file counts, also those in fetched repositories; otherwise only `file`, below the target.
         without: a `.repos` file of the target that does not count.
-        pins: commits by path, if there is a lock file; each repository has to be in it.
-        local: whether `.repos` files of the target, and of what they name, may name repositories of this machine. Those of a
-            repository from a server never may.
+        pins: commits by path, if there is a lock file; it must have every repository.
+        local: whether `.repos` files of the target, and of local repositories that they name, may name repositories of this
+            machine. Those of a repository from a server never may.
         say: gets a sentence for people, from any thread.
 
     Returns:
         The repositories, sorted by path.
 
     Raises:
-        RosmlError: a repository cannot be had, with the file that names it; or a file is wrong, or `out` has something
-            else in it (exit code 2).
+        RosmlError: a repository cannot be fetched (the message has the file that names it); or a file is wrong, or `out` has
+            something else in it (exit code 2).
         OSError: a folder cannot be written.
     """
     cache.mkdir(mode=0o700, parents=True, exist_ok=True)
@@ -111,7 +114,7 @@ def fetch(
 
 
 def _alone(target: Path, file: str) -> list[Path]:
-    """The one file that counts; none where the default is not there."""
+    """The only file that counts; none if it is the default and missing."""
     place = target / file
     if place.is_file() and place.resolve().is_relative_to(target.resolve()):
         return [place]
@@ -121,17 +124,17 @@ def _alone(target: Path, file: str) -> list[Path]:
 
 
 def _named_by(repository: Repository, out: Path) -> list[Entry]:
-    """What the `.repos` files of a repository name."""
+    """The entries of the `.repos` files of a repository."""
     folder = out / repository.path
     prefix = f"upstream/{repository.path}/"
     return repos_file.read(repos_file.found(folder), folder, prefix, local=urls.is_local(repository.url))
 
 
 def _new(entries: Iterable[Entry], known: dict[str, Entry]) -> list[Entry]:
-    """Those that are not known yet, by path; they are known from now on.
+    """The entries with new paths; adds them to the known ones.
 
     Raises:
-        RosmlError: one contradicts another, or lies within another (exit code 2).
+        RosmlError: an entry contradicts another, or lies within another (exit code 2).
     """
     new: list[str] = []
     for entry in entries:
@@ -159,13 +162,13 @@ def _new(entries: Iterable[Entry], known: dict[str, Entry]) -> list[Entry]:
 
 
 def _at_once(git: Git, entries: Iterable[Entry], work: Callable[[Entry], Repository]) -> list[Repository]:
-    """Works on several entries at the same time. The first error, by their order, ends all."""
+    """Works on several entries at the same time. The first error, in their order, ends all."""
     pool = ThreadPoolExecutor(WORKERS)
     try:
         done = list(pool.map(work, entries))
     except BaseException as error:
         git.stop()
-        pool.shutdown(wait=isinstance(error, Exception), cancel_futures=True)  # after Ctrl-C nobody waits
+        pool.shutdown(wait=isinstance(error, Exception), cancel_futures=True)  # after Ctrl-C, do not wait
         raise
     pool.shutdown()
     return done
@@ -192,11 +195,11 @@ def _fetch(
 
 
 def _pinned(entry: Entry, pins: Mapping[str, lock.Pin], store: Store) -> Version:
-    """The commit that a lock file has.
+    """The commit in the lock file.
 
     Raises:
         Failed: git could not fetch it.
-        RosmlError: it has none, or another url or version, or a commit that this version does not lead to (exit code 2).
+        RosmlError: the lock file has none, or another url or version, or a commit to which this version does not lead (exit code 2).
     """
     pin = pins.get(entry.path)
     if pin is None or (urls.key(pin.url), pin.version) != (urls.key(entry.url), entry.version):
@@ -216,7 +219,7 @@ def _pinned(entry: Entry, pins: Mapping[str, lock.Pin], store: Store) -> Version
 
 
 def told(head: str, url: str, error: Failed) -> RosmlError:
-    """What git's failure means, and what to do about it."""
+    """The error for a failure of git: its meaning and a remedy."""
     if error.could_not_write:
         return RosmlError(f"{head}: cannot be written: {error.reason}", "free some disk space, then run it again")
     host = urls.host(url)

@@ -1,8 +1,7 @@
-"""Finished stages of an app's build, in a registry, for a machine that has none of them.
+"""A cache of finished stages of an app's build, in a registry, for machines that have none of them.
 
-Each stage that takes time is an image under a tag that says what it was made from: everything that decides its content, and
-nothing else. Whoever builds computes these tags, asks the registry for them, and takes what is there in the place of the
-stage. What a build came to is kept beside them, as soon as its tests have passed.
+Each slow stage is an image. Its tag is a digest of everything that decides its content. A build computes these tags and takes
+the images that exist instead of their stages. Once its tests have passed, a build's report is kept beside them.
 """
 
 from __future__ import annotations
@@ -29,16 +28,16 @@ from rosml.registry.client import Registry
 from rosml.registry.documents import Descriptor
 
 IDENTIFIED = "identified"
-"""The stage that says which packages the sources need."""
+"""The stage that finds the packages that the sources need."""
 
 BASE = "base"
-"""The stage that is ROS on an image that has none."""
+"""The stage that installs ROS on an image without it."""
 
 ADOPTED = "adopted"
-"""The value that decides it."""
+"""The value that decides this stage."""
 
 REPORT = "report"
-"""The tag of what a build came to begins with this."""
+"""The beginning of a report's tag."""
 
 _TYPE = "application/vnd.rosml.app.report.v1+json"
 _DETAIL = "application/octet-stream"
@@ -47,12 +46,14 @@ _TITLE = "org.opencontainers.image.title"
 
 @dataclass(frozen=True)
 class Keys:
-    """What stages are made from, each as a digest.
+    """Digests of the inputs of stages.
 
     Attributes:
-        environment: of the installed dependencies. upstream: of the upstream packages, built. app: of all.
-        slim: there are the stages of a slim image.
-        base: of a base on which ROS was installed; empty if it had ROS.
+        environment: for the installed dependencies.
+        upstream: for the built upstream packages.
+        app: for the whole app.
+        slim: there are stages of a slim image.
+        base: for a base on which ROS was installed; empty if it had ROS.
     """
 
     environment: str
@@ -86,11 +87,12 @@ def keys(
     """The keys of an app.
 
     Args:
-        given: values that decide which packages are installed, and from what.
-        dependencies: folders that do so.
+        given: values that decide which packages are installed, and from where.
+        dependencies: folders that decide the same.
         upstream, target, downstream: folders with sources.
-        arguments: of CMake and of colcon. tests: whether they run.
-        hooked: a script changes the sources before their dependencies are read, so that all of them count for these.
+        arguments: the arguments of CMake and of colcon.
+        tests: whether tests run.
+        hooked: a script changes the sources before their dependencies are read, so all sources decide the dependencies.
     """
     sources = [tree(folder, SECRET) for folder in (upstream, target)]
     environment = _digest(given, [tree(folder) for folder in dependencies], sources if hooked else [])
@@ -101,10 +103,10 @@ def keys(
 
 
 def tree(folder: Path, without: Container[str] = ()) -> str:
-    """The digest of a folder and all below it: names, modes, contents and links. Times do not count.
+    """The digest of a folder and everything below it: names, modes, contents and links. Times do not count.
 
     Args:
-        without: names of files and folders that are left out, at any depth.
+        without: names of files and folders to leave out, at any depth.
     """
     total = hashlib.sha256()
     for path in _found(folder, without):
@@ -121,7 +123,7 @@ def tree(folder: Path, without: Container[str] = ()) -> str:
 
 
 def _found(folder: Path, without: Container[str]) -> Iterator[Path]:
-    """A folder and all below it, in an order that does not depend on the disk."""
+    """A folder and everything below it, in an order that does not depend on the disk."""
     for path, folders, names in os.walk(folder):
         folders[:] = sorted(name for name in folders if name not in without)
         links = [name for name in folders if Path(path, name).is_symlink()]
@@ -157,18 +159,19 @@ class Report(BaseModel):
 
 @functools.cache
 def form() -> str:
-    """The form of reports, now."""
+    """The present form of reports. The docstrings of their models count: if you change one, kept reports are dropped."""
     return _digest(Report.model_json_schema())
 
 
 class Cache:
-    """The repository that keeps stages. Use it in a `with`.
+    """The repository with the stages. Use it in a `with`.
 
     Args:
-        name: of the repository, with its registry. ca_bundle: certificates beside the system's.
+        name: the repository's name, with its registry.
+        ca_bundle: certificates beside the system's.
 
     Raises:
-        RosmlError: it names no repository (exit code 2).
+        RosmlError: the name is no repository (exit code 2).
     """
 
     def __init__(self, name: str, ca_bundle: str) -> None:
@@ -186,11 +189,11 @@ class Cache:
         self._registry.close()
 
     def reference(self, tag: str) -> str:
-        """Where a stage goes."""
+        """The reference of a stage."""
         return f"{self._place.host}/{self._place.repository}:{tag}"
 
     def found(self, keys: Keys) -> dict[str, str]:
-        """The stages that are there, by name, each with its reference by digest."""
+        """The stages that the repository has: names, and references by digest."""
         there = {}
         for stage, tag in keys.stages.items():
             if digest := self._registry.head(self._place.repository, tag):
@@ -198,7 +201,7 @@ class Cache:
         return there
 
     def report(self, keys: Keys) -> Report | None:
-        """What a build from the same came to. None if none passed, or if what is there cannot be read or has another form."""
+        """The report of a build from the same inputs. None if none passed, or if it is unreadable or has another form."""
         try:
             layers = self._layers(keys)
             if not layers:
@@ -210,13 +213,13 @@ class Cache:
             return None
 
     def detail(self, keys: Keys, name: str) -> bytes:
-        """What a build from the same said besides.
+        """A detail of a build from the same inputs.
 
         Args:
-            name: as in `keep`.
+            name: its name, as in `keep`.
 
         Raises:
-            RosmlError: it said nothing of that name; or the registry does not answer or refuses.
+            RosmlError: there is no such detail; or the registry does not answer or refuses.
         """
         for layer in self._layers(keys):
             if layer.annotations.get(_TITLE) == name:
@@ -224,15 +227,16 @@ class Cache:
         raise RosmlError(f"{self.reference(_tag(keys))} has no {name}", "delete that tag, and build again")
 
     def _layers(self, keys: Keys) -> list[Descriptor]:
-        """The layers of a report: what it came to, and details; none if there is no report."""
+        """The layers of a report: the report itself, then details; none if there is no report."""
         manifest = self._registry.manifest(self._place.repository, _tag(keys))
         return manifest.layers if manifest and manifest.artifact_type == _TYPE else []
 
     def keep(self, keys: Keys, outcome: Outcome, tests: Tests, details: Mapping[str, bytes]) -> None:
-        """Keeps what a build came to.
+        """Keeps the report of a build.
 
         Args:
-            tests: which passed. details: what it said besides, by name.
+            tests: the tests, which passed.
+            details: other files of the build, by name.
 
         Raises:
             RosmlError: the registry refuses.

@@ -1,6 +1,6 @@
-"""Repositories kept for the next time: bare, one for each URL, with the commits that were asked for.
+"""A cache of bare git repositories: one for each URL, with the wanted commits.
 
-A repository that is damaged is thrown away and fetched again. All of them may be removed at any time.
+If a repository is damaged, it is removed and fetched again. You may remove all of them at any time.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ from rosml.containerize.versions import Version, resolve
 
 _POINTER = b"version https://git-lfs.github.com/spec/v1\n"
 _POINTER_BYTES = 1024
-"""LFS pointers are shorter."""
+"""The most bytes of an LFS pointer."""
 
 
 T = TypeVar("T")
 
 
 class _Unreachable(Failed):
-    """The server does not answer, or has no such repository: a new start will not help."""
+    """The server does not answer, or has no such repository. Starting again does not help."""
 
 
 @dataclass(frozen=True)
@@ -42,34 +42,37 @@ class _Submodule:
 
 
 class Store:
-    """A folder of bare repositories, which several processes may share."""
+    """A folder of bare repositories. Several processes may share it."""
 
     def __init__(self, git: Git, folder: Path, say: Callable[[str], object]) -> None:
         self._git = git
         self._folder = folder
         self._say = say
-        self._turns: dict[str, Lock] = {}  # of this process' threads, by URL
+        self._turns: dict[str, Lock] = {}  # for this process' threads, by URL
 
     def commit(self, url: str, version: Version) -> str:
         """The whole hash of a version.
 
         Raises:
-            Failed: git could not fetch it. RosmlError: there is no such commit (exit code 2).
+            Failed: git could not fetch it.
+            RosmlError: there is no such commit (exit code 2).
         """
         return version.commit if version.is_exact else self._with(url, lambda kept: self._have(kept, url, version))
 
     def has_pinned(self, url: str, version: str, commit: str) -> bool:
-        """Whether a commit is, or was, what a version names: the commit of that tag or branch, or one in its history.
+        """Whether a version names a commit, or has named it: it is the commit of that tag or branch, or in its history.
 
-        A forge gives every commit of a network of forks by its hash, also those of pull requests that nobody has looked at.
-        A commit that was found once is not asked for again. Otherwise this asks for the names of the server. If the
-        version names another commit now, the history comes too, without files if the server can leave them out.
+        By its hash, a forge gives every commit of a network of forks, also those of pull requests that nobody has reviewed.
+        Commits that were found once are remembered. Otherwise this asks the server for its names. If the version names another
+        commit now, it fetches the history too, without files if the server can leave them out.
 
         Args:
-            version: as the user wrote it. commit: a whole hash.
+            version: as the user wrote it.
+            commit: a whole hash.
 
         Raises:
-            Failed: git could not fetch it. RosmlError: the server has no such version (exit code 2).
+            Failed: git could not fetch it.
+            RosmlError: the server has no such version (exit code 2).
         """
 
         def check(kept: Path) -> bool:
@@ -94,32 +97,33 @@ class Store:
 
     def _leads_to(self, url: str, refs: Iterable[str], commit: str) -> bool:
         """Whether a commit is in the history of a server's refs."""
-        # A remote with a name, because git does not leave out files that a path could give later.
+        # The remote has a name: git leaves out files only if it can get them later from a named one.
         remote = {"url": url, "promisor": "true", "partialclonefilter": "tree:0"}
         settings = [(f"remote.rosml.{name}", value) for name, value in remote.items()]
         with tempfile.TemporaryDirectory(dir=self._folder, prefix="history-") as folder:
             git_dir, wanted = f"--git-dir={folder}", [f"+{ref}:refs/named/{ref}" for ref in refs]
             self._git("init", "--quiet", "--bare", "--template=", folder)
             self._git(git_dir, "fetch", "--quiet", "--no-tags", "rosml", *wanted, settings=settings)
-            # Not by `merge-base`, which would fetch a commit that is not there.
+            # Without `merge-base`, which would fetch a missing commit.
             return commit in self._git(git_dir, "rev-list", "--all").split()
 
     def write(self, url: str, version: Version, into: Path) -> None:
-        """Writes the files of a version, with those of its submodules, into a folder, which it empties before.
+        """Empties a folder, then writes the files of a version and of its submodules into it.
 
         Raises:
-            Failed: git could not fetch it. RosmlError: there is no such commit (exit code 2), or it needs git-lfs.
+            Failed: git could not fetch it.
+            RosmlError: there is no such commit (exit code 2), or it needs git-lfs.
         """
 
         def checkout(kept: Path) -> list[_Submodule]:
             commit = self._have(kept, url, version)
             return self._checkout(kept, url, commit, into)
 
-        for submodule in self._with(url, checkout):  # not in the repository's turn: two may contain each other
+        for submodule in self._with(url, checkout):  # without the repository's lock: two may contain each other
             self._write_submodule(url, submodule, into)
 
     def _with(self, url: str, work: Callable[[Path], T]) -> T:
-        """Works with the repository of a URL; where git fails, once more with a new one."""
+        """Works with the repository of a URL. If git fails, tries once more with a new one."""
         kept = self._folder / f"{hashlib.sha256(url.encode()).hexdigest()[:32]}.git"
         waiting = f"waiting for another process, which fetches {url}"
         with self._turns.setdefault(url, Lock()), turn(kept.with_suffix(".lock"), lambda: self._say(waiting)):
@@ -134,7 +138,7 @@ class Store:
             return work(kept)
 
     def _have(self, kept: Path, url: str, version: Version) -> str:
-        """Fetches a version that is not there yet; gives its commit."""
+        """Fetches a version if it is missing. Returns its commit."""
         git_dir = f"--git-dir={kept}"
         ref = f"refs/rosml/{version.commit}"
         if not (kept / "HEAD").is_file():
@@ -149,7 +153,7 @@ class Store:
         if version.is_exact:
             try:
                 self._git(git_dir, "fetch", "--quiet", "--depth=1", "--no-tags", "--", url, f"+{version.commit}:{ref}")
-            except Failed as error:  # the server gives no single commits
+            except Failed as error:  # the server refuses single commits
                 if error.could_not_write:
                     raise
             if commit := self._known(kept, ref):
@@ -171,14 +175,14 @@ class Store:
         self._git(git_dir, "fetch", *options, "--", url, *wanted)
 
     def _known(self, kept: Path, name: str) -> str:
-        """The commit that a name or a hash means; empty if it is not there."""
+        """The commit of a name or a hash; empty if it is missing."""
         try:
             return self._git(f"--git-dir={kept}", "rev-parse", "--verify", "--quiet", f"{name}^{{commit}}").strip()
         except Failed:
             return ""
 
     def _checkout(self, kept: Path, url: str, commit: str, into: Path) -> list[_Submodule]:
-        """Writes a commit's own files; gives its submodules."""
+        """Writes a commit's own files. Returns its submodules."""
         with tempfile.TemporaryDirectory(prefix="index-", dir=into.parent) as folder:
             environment = {"GIT_DIR": str(kept), "GIT_WORK_TREE": str(into), "GIT_INDEX_FILE": f"{folder}/index"}
 
@@ -202,7 +206,7 @@ class Store:
             return self._submodules(git, commit, links) if links else []
 
     def _has_pointers(self, git: Callable[..., str], folder: Path) -> bool:
-        """Whether files are pointers to Git LFS, and have its attribute: others only look like that."""
+        """Whether files are pointers to Git LFS and have its attribute. Without the attribute they only look like pointers."""
         names = [str(file.relative_to(folder)) for file in folder.rglob("*") if is_pointer(file)]
         if not names:
             return False
@@ -211,7 +215,7 @@ class Store:
         return "lfs" in answers[2::3]
 
     def _submodules(self, git: Callable[..., str], commit: str, links: Mapping[str, str]) -> list[_Submodule]:
-        """Those that `.gitmodules` knows. Others have no URL: their folders stay empty."""
+        """The submodules that `.gitmodules` knows. Others have no URL: their folders stay empty."""
         try:
             listed = git("config", f"--blob={commit}:.gitmodules", "-z", "--list")
         except Failed:
@@ -244,13 +248,13 @@ class Store:
 
 
 def _link(line: str) -> tuple[str, str]:
-    """Path and commit of a submodule, from a line of the index: `160000 HASH 0<tab>PATH`."""
+    """The path and the commit of a submodule, from a line of the index: `160000 HASH 0<tab>PATH`."""
     head, _, path = line.partition("\t")
     return path, head.split()[1]
 
 
 def is_pointer(file: Path) -> bool:
-    """Whether a file of Git LFS is a line about the real one, which nobody fetched."""
+    """Whether a file of Git LFS is only a pointer."""
     if file.is_symlink() or not file.is_file() or file.stat().st_size >= _POINTER_BYTES:
         return False
     with file.open("rb") as stream:
@@ -266,7 +270,7 @@ def _empty(folder: Path) -> None:
 
 
 def _discard(kept: Path) -> None:
-    """Removes a damaged repository. A process that was left over and still writes to it does not disturb."""
+    """Removes a damaged repository, also if a leftover process still writes to it."""
     with tempfile.TemporaryDirectory(dir=kept.parent, prefix="damaged-", ignore_cleanup_errors=True) as folder:
         if kept.exists():
             kept.rename(Path(folder) / kept.name)

@@ -1,4 +1,4 @@
-"""The folder with upstream sources: repositories in it are whole, and those that did not change stay as they are."""
+"""The folder with upstream sources. Its repositories are complete, and unchanged ones stay as they are."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ from rosml.base.files import write
 
 
 def beside(folder: Path, kind: str) -> Path:
-    """A file or folder that goes with a folder, and is not in it."""
+    """A file or folder beside a folder, which belongs to it."""
     return folder.with_name(f".{folder.name}.{kind}")
 
 
 class Tree:
     """A folder with a folder for each repository. One process at a time may change it; its threads may do so together.
 
-    A repository is written elsewhere and moved here when it is whole. A file beside the folder says which commits are here.
+    A repository is written elsewhere, and moved here when it is complete. A file beside the folder has the commits in it.
 
     Raises:
-        RosmlError: the folder has something in it, and no such file (exit code 2): it would be removed.
+        RosmlError: the folder has files, but there is no such file (exit code 2): the files would be removed.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -41,7 +41,7 @@ class Tree:
             if any(folder.iterdir()):
                 raise RosmlError(f"{folder} has something else in it", "name an empty folder", exit_code=2)
             self._save()
-        if self._staging.exists():  # of a process that was killed
+        if self._staging.exists():  # left by a killed process
             shutil.rmtree(self._staging)
         self._staging.mkdir()
 
@@ -51,7 +51,7 @@ class Tree:
 
     @contextlib.contextmanager
     def new(self, path: str, url: str, commit: str) -> Iterator[Path]:
-        """A place to write a commit to, which is its folder in the end, if nothing fails."""
+        """A place to write a commit to. If nothing fails, it becomes the commit's folder."""
         with tempfile.TemporaryDirectory(dir=self._staging) as staging:
             yield Path(staging) / "new"
             with self._guard:
@@ -62,7 +62,7 @@ class Tree:
                 self._save()
 
     def keep(self, paths: Collection[str]) -> None:
-        """Removes all else."""
+        """Removes all other repositories."""
         wanted = {self._folder / path for path in paths}
         around = {folder for path in wanted for folder in path.parents}
         for path in self._here.keys() - set(paths):
@@ -78,7 +78,7 @@ class Tree:
         shutil.rmtree(self._staging)
 
     def _forget(self, path: str) -> None:
-        """Removes what is at a path, around it or below it."""
+        """Removes the repositories at a path, around it and below it."""
         for other in list(self._here):
             if f"{path}/".startswith(f"{other}/") or other.startswith(f"{path}/"):
                 del self._here[other]
@@ -89,7 +89,7 @@ class Tree:
                 _remove(place)
 
     def _make_above(self, path: str) -> None:
-        """Makes the folders around a repository, with the same modes whatever the umask."""
+        """Makes the folders around a repository, with modes that do not depend on the umask."""
         for above in reversed(PurePosixPath(path).parents[:-1]):
             if not (self._folder / above).exists():
                 (self._folder / above).mkdir()
@@ -100,7 +100,7 @@ class Tree:
 
 
 def _read(file: Path) -> dict[str, list[str]]:
-    """Which commits are in a folder. A damaged file says none."""
+    """The commits in a folder, from its file; none if that is damaged."""
     try:
         return _WRITTEN.validate_python(untrusted.json_of(file.read_bytes(), str(file)))
     except (FileNotFoundError, ValidationError, RosmlError):

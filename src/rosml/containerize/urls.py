@@ -1,17 +1,17 @@
-"""URLs of git repositories: which ones are allowed, and what they look like without secrets."""
+"""URLs of git repositories: checks whether they are allowed, and removes secrets."""
 
 from __future__ import annotations
 
 import re
 
 PROTOCOLS = ("https", "http", "ssh", "git", "file")
-"""What git may speak. Others, such as `ext::`, start programs."""
+"""The protocols that git may use. Others, such as `ext::`, start programs."""
 
 _SCP = re.compile(r"(?:(?P<user>[^@:/]+)@)?(?P<host>\[[^]/]+\]|[^@:/\[]+):(?P<path>.+)")
 
 
 class Refused(ValueError):
-    """A URL that is not allowed: why, and what to do about it. The text has nothing of the URL that may be secret."""
+    """The error about a URL that is not allowed: a reason and a remedy. The text has no part of the URL that may be secret."""
 
     def __init__(self, text: str, remedy: str) -> None:
         super().__init__(text)
@@ -29,7 +29,7 @@ def checked(url: str, local: bool) -> str:
         local: whether a repository of this machine may be named.
 
     Raises:
-        Refused: it holds a password, names another protocol, or git could take it for something else.
+        Refused: it holds a password, has another protocol, or git could read it in another way.
     """
     if not url or url.startswith("-") or not url.isprintable() or "\\" in url:
         raise Refused("the url is not valid", _WHOLE)
@@ -73,19 +73,19 @@ def is_local(url: str) -> bool:
 
 
 def host(url: str) -> str:
-    """The host of a checked URL, with its port; empty where it is local."""
+    """The host of a checked URL, with its port; empty if it is local."""
     if "://" in url:
         return url.partition("://")[2].partition("/")[0].rpartition("@")[2]
     return "" if is_local(url) else url.partition(":")[0].rpartition("@")[2]
 
 
 def key(url: str) -> str:
-    """What is equal for two spellings of the same repository."""
+    """A key that is equal for two spellings of the same repository."""
     return url.rstrip("/").removesuffix(".git")
 
 
 def below(url: str, relative: str) -> str:
-    """The URL of a submodule, which may be relative to that of the repository around it, as git resolves it."""
+    """The URL of a submodule, resolved as git does: it may be relative to that of the repository around it."""
     if not relative.startswith(("./", "../")):
         return relative
     base, separator = url.rstrip("/"), "/"

@@ -1,4 +1,4 @@
-"""Which commit a version of a repository is, as its server has it now."""
+"""The commit of a version, as the repository's server has it now."""
 
 from __future__ import annotations
 
@@ -12,11 +12,13 @@ from rosml.containerize.git import Git
 
 @dataclass(frozen=True)
 class Version:
-    """What a version means.
+    """A version of a repository.
 
     Attributes:
-        commit: its hash, which may be abbreviated where the version is. ref: the server's name for it; empty for a hash.
-        moving: whether it may mean another commit tomorrow. also_branch: whether a tag hides a branch of this name.
+        commit: its hash, abbreviated if the version is an abbreviated hash.
+        ref: the server's name for it; empty for a hash.
+        moving: whether it may mean another commit tomorrow.
+        also_branch: whether a tag hides a branch of this name.
     """
 
     commit: str
@@ -34,10 +36,11 @@ _HASH = re.compile(r"[0-9a-fA-F]{7,40}")
 
 
 def resolve(git: Git, url: str, version: str) -> Version:
-    """Asks the server. As with vcstool, a tag goes before a branch.
+    """Asks the server for a version. As with vcstool, a tag counts before a branch.
 
     Raises:
-        Failed: it does not answer, or has no such repository. RosmlError: it has no such version (exit code 2).
+        Failed: the server does not answer, or has no such repository.
+        RosmlError: the repository has no such version (exit code 2).
     """
     if re.fullmatch(r"[0-9a-fA-F]{40}", version):
         return Version(version.lower())

@@ -1,4 +1,4 @@
-"""What a repository has at a path: nothing that a link takes from elsewhere on the machine, and nothing that stays there."""
+"""Checks of paths in a repository: no link may lead elsewhere on the machine, or to files that stay there."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from pathlib import Path
 from rosml.base.errors import RosmlError
 
 SECRET = (".git", ".env")
-"""Files and folders that stay on the caller's machine, at any depth of a repository."""
+"""Files and folders that stay on the user's machine, at any depth of a repository."""
 
 
 def require_own(path: Path, root: Path) -> None:
-    """Checks that a path is of the repository, wherever links lead, whether something is there or not.
+    """Checks that a path, with its links followed, stays in the repository. It need not exist.
 
     Raises:
-        RosmlError: it leads out of the repository, or to what is secret (exit code 2).
+        RosmlError: it leads out of the repository, or to a secret (exit code 2).
     """
     real, top = Path(os.path.realpath(path)), os.path.realpath(root)
     if not real.is_relative_to(top):
@@ -26,7 +26,7 @@ def require_own(path: Path, root: Path) -> None:
 
 
 def is_own(path: Path, root: Path) -> bool:
-    """Whether a path leads to something of the repository that is not secret."""
+    """Whether a path leads to a file or folder of the repository that is not secret."""
     try:
         require_own(path, root)
     except RosmlError:
@@ -38,8 +38,8 @@ def there(path: Path, root: Path, folder: bool = False) -> bool:
     """Whether a repository has a file, or a folder, at a path.
 
     Raises:
-        RosmlError: the path leads out of the repository, to what is secret or to nothing, or has a folder in the place of a
-            file, or the other way round (exit code 2).
+        RosmlError: the path leads out of the repository, to a secret or to nothing, or is a folder instead of a file, or the
+            other way round (exit code 2).
     """
     if not os.path.lexists(path):
         return False

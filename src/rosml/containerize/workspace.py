@@ -1,4 +1,4 @@
-"""The sources of an app as the build gets them: manifests apart from everything else, and what files of the repository say."""
+"""Writes an app's sources for the build: the manifests apart from other files, and the requests of the repository's files."""
 
 from __future__ import annotations
 
@@ -27,20 +27,21 @@ IGNORED = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
 """Files that keep colcon from looking for packages in a folder."""
 
 MANIFEST, PLAIN = "package.xml", "CMakeLists.txt"
-"""What a ROS package has, and what a package has that only CMake knows."""
+"""The file of a ROS package, and that of a package for CMake alone."""
 
 _PROJECT = re.compile(r"""^[ \t]*project[ \t]*\([ \t]*"?([\w.+-]+)""", re.IGNORECASE | re.MULTILINE)
-"""How a CMakeLists.txt names its package, as colcon reads it."""
+"""The name of the package in a CMakeLists.txt, as colcon reads it."""
 
 
 def manifests(root: Path, beyond: list[Path] | None = None, left: LeftOut | None = None) -> Iterator[Path]:
-    """The package.xml of the packages below a folder, as colcon finds them, and the files that hide others. Of folders that are in
-    no package, the CMakeLists.txt.
+    """The package.xml of the packages below a folder, as colcon finds them, and the files that hide packages. For folders outside of
+    packages, the CMakeLists.txt.
 
-    A folder behind a link is one of them, once, unless the link leads out of the root, or to what is secret.
+    A folder behind a link counts once, unless the link leads out of the root, or to a secret.
 
     Args:
-        beyond: gets such links. left: says what is not sent to the builder; there is no package in it.
+        beyond: a list that gets such links.
+        left: files and folders that are not sent to the builder; they have no packages.
     """
     seen: set[str] = set()
     for folder, folders, names in os.walk(root, followlinks=True):
@@ -68,7 +69,7 @@ def manifests(root: Path, beyond: list[Path] | None = None, left: LeftOut | None
 
 
 def names(root: Path) -> Iterator[str]:
-    """The names of the packages below a folder; without those whose manifests cannot be read."""
+    """The names of the packages below a folder, without those whose manifests cannot be read."""
     for path in manifests(root):
         with contextlib.suppress(ElementTree.ParseError, LookupError, ValueError, OSError):
             if path.name == MANIFEST and (name := ElementTree.parse(path).findtext("name", "").strip()):
@@ -78,11 +79,11 @@ def names(root: Path) -> Iterator[str]:
 def write_manifests(
     roots: Mapping[str, Path], out: Path, say: Callable[[str], object] = lambda text: None
 ) -> dict[str, int]:
-    """Copies the manifests of some folders, each below its name; gives the number of packages in each. Of a CMakeLists.txt
-    there is the name of the package alone.
+    """Copies the manifests of some folders, each below its name. Returns the number of packages in each. A CMakeLists.txt is
+    reduced to the name of its package.
 
     Args:
-        say: tells people of links behind which nobody looks for packages.
+        say: tells the user of links that are not searched for packages.
 
     Raises:
         RosmlError: the target and upstream have no package, or a manifest cannot be read or leads out of its folder (exit code 2).
@@ -96,7 +97,7 @@ def write_manifests(
         left = LeftOut(root) if name == "target" else None
         for path in manifests(root, beyond, left):
             if path.name == PLAIN and not (within.is_own(path, root) and path.is_file()):
-                continue  # catkin's own for a workspace is a link to /opt/ros
+                continue  # in a workspace, catkin's own file is a link to /opt/ros
             target = out / name / path.relative_to(root)
             target.parent.mkdir(parents=True, exist_ok=True)
             if path.name in IGNORED:
@@ -127,13 +128,14 @@ def write_manifests(
 
 
 def stage(folder: Path, out: Path, without: Path | None = None, left: LeftOut | None = None) -> None:
-    """Makes a folder of links to the files of a repository, without git's folder and files of secrets, without what is left out,
-    and without one file more: what the builder gets. A link with a whole path that leads to another place of the folder becomes one that does so anywhere.
+    """Makes the folder that the builder gets: links to the files of a repository, without git's folder, files of secrets and files
+    that stay. If a link has an absolute path to another place of the folder, it becomes relative.
 
-    It is one level deeper than the context of the build, so that the builder does not read `.dockerignore` once more.
+    The folder is one level deeper than the context of the build, so that the builder does not read `.dockerignore` again.
 
     Args:
-        without: one file that stays. left: says what else does.
+        without: one file that stays.
+        left: other files and folders that stay.
     """
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
@@ -153,7 +155,7 @@ def stage(folder: Path, out: Path, without: Path | None = None, left: LeftOut | 
 
 
 def _link(source: Path, target: Path, root: Path) -> None:
-    """Gives a file another name; copies it where that is on another file system. Sockets and pipes are left out."""
+    """Links a file to another name, or copies it if that is on another file system. Skips sockets and pipes."""
     facts = source.lstat()
     if stat.S_ISLNK(facts.st_mode):
         leads = os.readlink(source)
@@ -168,7 +170,7 @@ def _link(source: Path, target: Path, root: Path) -> None:
 
 
 def empty_submodules(folder: Path) -> list[str]:
-    """The submodules of a repository that nobody fetched: as after a `git clone` without more, their folders are empty."""
+    """The submodules of a repository that were not fetched: after a plain `git clone`, their folders are empty."""
     with contextlib.suppress(OSError, RosmlError):
         text = files.limited(folder / ".gitmodules", app_inputs.LARGEST_TEXT).decode(errors="replace")
         paths = re.findall(r"""^[ \t]*path[ \t]*=[ \t]*"?([^"\n]*[^"\s])"?[ \t]*$""", text, re.MULTILINE)
@@ -177,10 +179,10 @@ def empty_submodules(folder: Path) -> list[str]:
 
 
 def pointers(staged: Path) -> list[str]:
-    """Files of Git LFS that nobody fetched: as after a `git clone` without git-lfs, they have a line about the real ones.
+    """Files of Git LFS that were not fetched: after a `git clone` without git-lfs, they only point to the real ones.
 
     Args:
-        staged: as `stage` wrote it.
+        staged: the folder that `stage` wrote.
     """
     there = [Path(path, name) for path, _, names in os.walk(staged) for name in names]
     attributes = (path for path in there if path.name == ".gitattributes" and path.is_file())
@@ -198,10 +200,10 @@ def _listed(folder: Path) -> Iterator[os.DirEntry[str]]:
 
 
 def stale(requests: Path, manifests: Path) -> Iterator[str]:
-    """A sentence for each name among the packages to leave out that no package has: a list may be older than the sources.
+    """A sentence for each unknown name among the packages to leave out: a list may be older than the sources.
 
     Args:
-        requests, manifests: as `write_requests` and `write_manifests` wrote them.
+        requests, manifests: the folders that `write_requests` and `write_manifests` wrote.
     """
     known = sorted(names(manifests))
     for name in (requests / BLACKLIST).read_text().split():
@@ -212,10 +214,10 @@ def stale(requests: Path, manifests: Path) -> Iterator[str]:
 
 
 def additional_files(name: str, folder: Path) -> Path | None:
-    """The folder of the repository that an image gets; None if it has none.
+    """The repository's folder of additional files; None if it has none.
 
     Raises:
-        RosmlError: a folder that was named is not there, is none, or leads out of the repository (exit code 2).
+        RosmlError: the named folder is missing, is no folder, or leads out of the repository (exit code 2).
     """
     if not name:
         return None
@@ -224,17 +226,17 @@ def additional_files(name: str, folder: Path) -> Path | None:
 
 
 def _require_named(name: str, value: str, folder: Path, kind: str) -> None:
-    """Checks that what a user named is there; a default need not be."""
+    """Checks that a file or folder exists if the user named it; a default may be missing."""
     if value != app_inputs.default(name) and not os.path.lexists(folder / value):
         raise RosmlError(f"{name}: there is no {kind} {value} in {folder}", "check its name", exit_code=2)
 
 
 def write_requests(values: Values, folder: Path, upstream: Path, environment: Mapping[str, str], out: Path) -> None:
-    """Writes down what the build does besides: packages, scripts, and packages to leave out. A file for each; empty where
-    the repository has none.
+    """Writes the requests: additional packages, scripts, and packages to leave out. Each has a file, which is empty if the repository
+    has none.
 
     Raises:
-        RosmlError: a file that was named is not there, or cannot be read (exit code 2).
+        RosmlError: a named file is missing, or cannot be read (exit code 2).
     """
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
@@ -273,4 +275,4 @@ def write_requests(values: Values, folder: Path, upstream: Path, environment: Ma
     }
     for name, text in texts.items():
         (out / name).write_text(text)
-    (out / "identification.sh").chmod(0o755)  # it is called, by whatever its first line says
+    (out / "identification.sh").chmod(0o755)  # it runs by its first line

@@ -1,2 +1,2 @@
-"""The image set: every image and part that the rules of the matrix allow, with its facts and its locks; tells why a
-combination is missing, as the rules say. Uses matrix and base; touches neither network nor processes."""
+"""The image set: every image and part that the rules of the matrix allow, with its facts and locks; also explains why a
+combination is missing. Uses matrix and base; touches neither network nor processes."""

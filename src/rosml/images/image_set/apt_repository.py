@@ -1,4 +1,4 @@
-"""The apt repository that a distribution's ROS packages come from."""
+"""The apt repository of a distribution's ROS packages."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rosml.images.matrix.model import Matrix
 
 CHANNELS = ("live", "testing", "snapshot", "final")
 ARCHIVE = "archive"
-"""The channel of what comes from another archive than ROS's own."""
+"""The channel of packages from another archive than ROS's own."""
 
 
 @dataclass(frozen=True)
@@ -21,10 +21,11 @@ class AptRepository:
     """An apt repository of ROS.
 
     Attributes:
-        channel: live, testing, snapshot or final; archive where it is not ROS's own.
-        day: of the snapshot; empty otherwise.
-        address: as the image's apt source names it.
-        codename: its suite. components: of the suite, in which its packages are.
+        channel: live, testing, snapshot or final; archive if it is not ROS's own.
+        day: the day of a snapshot; empty otherwise.
+        address: its address in the image's apt source.
+        codename: its suite.
+        components: the components of the suite.
     """
 
     channel: str
@@ -35,15 +36,15 @@ class AptRepository:
 
 
 def of(matrix: Matrix, name: str, environ: Mapping[str, str] = os.environ) -> AptRepository | None:
-    """The repository that a distribution is built from; none where the operating system has ROS's packages itself.
+    """The apt repository of a distribution; None if the operating system has ROS's packages itself.
 
     Args:
-        matrix: says which.
-        name: of the distribution.
-        environ: `ROS_CHANNEL` and `ROS_SNAPSHOT` say otherwise for this time.
+        matrix: the matrix.
+        name: the distribution.
+        environ: variables; `ROS_CHANNEL` and `ROS_SNAPSHOT` choose another repository for this call.
 
     Raises:
-        RosmlError: they ask for what there is not (exit code 2).
+        RosmlError: there is no such repository (exit code 2).
     """
     distribution = matrix.distributions[name]
     channel, day = environ.get("ROS_CHANNEL", ""), environ.get("ROS_SNAPSHOT", "")

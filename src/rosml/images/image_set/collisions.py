@@ -1,4 +1,4 @@
-"""Names that two things of an image set would share, and defaults that name what there is not."""
+"""Names that two things of an image set would share, and defaults that do not exist."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rosml.images.matrix import names
 
 
 def collisions(image_set: ImageSet) -> Iterator[tuple[KeyPath, str]]:
-    """Names that two things would share, and names in `default` that nothing has."""
+    """Names that two things would share, and unknown names in `default`."""
     owners: dict[str, str] = {}
     for name, owner, place in _names(image_set):
         if owners.setdefault(name, owner) != owner:
@@ -20,7 +20,7 @@ def collisions(image_set: ImageSet) -> Iterator[tuple[KeyPath, str]]:
 
 
 def _names(image_set: ImageSet) -> Iterator[tuple[str, str, KeyPath]]:
-    """Every target, tag, group and key of DIGESTS: whose it is, and where that stands."""
+    """Every target, tag, group and key of DIGESTS, with its owner and the owner's place in the file."""
     for image in image_set.images:
         owner = f"the image of {image.distribution}, {image.component}, {image.framework} and {image.stack}"
         for name in (image.target, image.test_target, *image.tags):
@@ -37,7 +37,7 @@ def _names(image_set: ImageSet) -> Iterator[tuple[str, str, KeyPath]]:
 
 
 def _unusable_defaults(image_set: ImageSet) -> Iterator[tuple[KeyPath, str]]:
-    """Default stacks and targets that there are not."""
+    """Default stacks and targets that do not exist."""
     carried = {(image.distribution, image.stack) for image in image_set.images if len(image.parts) > 1}
     for name, distribution in image_set.matrix.distributions.items():
         there = {stack for row, stack in carried if row == name and stack}

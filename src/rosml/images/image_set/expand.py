@@ -1,4 +1,4 @@
-"""The facts of a matrix -> every image and part that they allow."""
+"""Makes every image and part that the facts of a matrix allow."""
 
 from __future__ import annotations
 
@@ -13,17 +13,18 @@ from rosml.images.matrix.rules import Brought
 
 
 def expand(matrix: Matrix) -> ImageSet:
-    """Every image and part of a matrix whose references hold."""
+    """Every image and part of a checked matrix."""
     images = tuple(_images(matrix))
     return ImageSet(matrix, images, tuple(_parts(matrix, images)), tuple(_wheels(matrix)))
 
 
 @dataclass(frozen=True)
 class _Kind:
-    """What images of one distribution with one framework and stack have in common.
+    """The common facts of a distribution's images with one framework and stack.
 
-    `covering`: the frameworks whose images have all their parts and more, those with the most first. `short`: whether they have
-    the short tags.
+    Attributes:
+        covering: the frameworks whose images have all these parts and more, those with the most first.
+        short: whether the images have the short tags.
     """
 
     framework: str
@@ -122,14 +123,16 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
 
 @dataclass(frozen=True)
 class _Tests:
-    """What an image is tested with.
+    """The tests of an image.
 
-    What ROS, and parts, promise is the same in every image that has them, and is tried once: of ROS in the ROS image, of parts
-    once in each row, with its lowest component and all frameworks of a stack. An image that is asked for alone runs all of it.
+    ROS and parts are the same in every image that has them, so their tests run once: those of ROS in the ROS image, those of parts
+    once in each distribution, with its lowest component and all frameworks of a stack. If you ask for one image alone, it runs all.
 
     Attributes:
-        own: what depends on its own sum. below: what the ROS image below it was tested with.
-        carried: what one image of a row runs for the others. carriers: the images that may be this one, the best first.
+        own: tests that depend on the image as a whole.
+        below: the tests of the ROS image below it.
+        carried: tests that one image of a distribution runs for the others.
+        carriers: the images that may run them, the best first.
     """
 
     own: tuple[str, ...]
@@ -149,7 +152,7 @@ def _tests(matrix: Matrix, name: str, component: str, kind: _Kind) -> _Tests:
     lowest = next((link for link in first if len(_chain(matrix, distribution, link)) == 1), component)
     frameworks = (*kind.covering, kind.framework) if kind.stack or not runtime else ()
     carriers = tuple(names.image_target(name, lowest, framework, kind.stack) for framework in frameworks)
-    if runtime:  # the others need a compiler
+    if runtime:  # other tests need a compiler
         return _Tests(tuple(own), (), (), carriers)
     carried = [f"{entry.name}-build" for entry in entries if entry.compiled]
     if distribution.wheels:
@@ -161,7 +164,7 @@ def _tests(matrix: Matrix, name: str, component: str, kind: _Kind) -> _Tests:
 
 
 def _chain(matrix: Matrix, distribution: Distribution, component: str) -> tuple[str, ...]:
-    """The components that one is built on, lowest first, itself last; those that the distribution lacks are skipped."""
+    """A component and those below it, the lowest first, without those that the distribution lacks."""
     return tuple(link for link in rules.chain(matrix, component) if link in distribution.present)
 
 
@@ -187,8 +190,8 @@ FLOATING = "base"
 
 
 def _latest(matrix: Matrix) -> str | None:
-    """The newest long-term distribution, the one that lives longest, of those that have the component of the short tags and
-    every framework. None that is experimental."""
+    """The newest long-term distribution, which is supported longest, of those with the component of the short tags and every
+    framework. An experimental one does not count."""
     rows = matrix.distributions.items()
     lasting = [(row.eol, name, row) for name, row in rows if row.lts and row.eol and not row.experimental]
     whole = [
@@ -206,13 +209,13 @@ def _has_every_framework(matrix: Matrix, name: str) -> bool:
 
 
 def _wheels(matrix: Matrix) -> Iterator[Wheels]:
-    """Of each distribution without Debian packages."""
+    """The wheels of each distribution without Debian packages."""
     for name in matrix.distributions:
         yield from _wheels_of(matrix, name, rules.built_for(matrix, name))
 
 
 def _wheels_of(matrix: Matrix, name: str, architectures: tuple[str, ...]) -> tuple[Wheels, ...]:
-    """The wheels that ROS comes from on some architectures; none where it comes from Debian packages."""
+    """The wheels of a distribution on some architectures; none if its ROS comes from Debian packages."""
     distribution = matrix.distributions[name]
     python = matrix.operating_systems[distribution.os].python
     locks = tuple(names.lock_path(name, architecture, python, names.ROS) for architecture in architectures)
@@ -242,13 +245,13 @@ def _part(matrix: Matrix, kind: str, stack: str, python: str, architectures: tup
 
 
 def _pythons(matrix: Matrix, part: str, stack: str) -> tuple[str, ...]:
-    """The Pythons of the wheels that a part for any Python is taken from; none where the wheels say the same themselves."""
+    """The Pythons of the wheels from which a part for any Python is taken; none if the wheels are for any Python themselves."""
     family = matrix.part[part].release
     return matrix.releases[family][matrix.stacks[stack].releases[family]].python if family else ()
 
 
 def _parts(matrix: Matrix, images: tuple[Image, ...]) -> Iterator[Part]:
-    """Each part that an image needs, once, for all architectures that any image needs it for."""
+    """Each part that images need, once, for all architectures for which they need it."""
     needed: dict[tuple[str, str], dict[str, set[str]]] = {}
     for image in images:
         if image.stack:

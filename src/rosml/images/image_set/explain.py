@@ -1,4 +1,4 @@
-"""Why an image exists, or why it does not."""
+"""Explains why an image exists, or why it does not."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from rosml.images.matrix.model import Matrix
 
 @dataclass(frozen=True)
 class Wanted:
-    """What a name asks for. `stack` is None where the name has none."""
+    """The facts in a name. `stack` is None if the name has none."""
 
     distribution: str
     component: str
@@ -29,13 +29,13 @@ class Wanted:
 
 @dataclass(frozen=True)
 class Explained:
-    """What there is to say of a name.
+    """The explanation of a name.
 
     Attributes:
-        target: the image, part or group that the name means; the name itself where there is none.
+        target: the image, part or group that the name means; the name itself if there is none.
         exists: whether there is one, with its lock or without.
-        reasons: the facts behind it; or one sentence, about why the facts rule it out or what it is.
-        head: what stands before several reasons.
+        reasons: the facts behind it; or one sentence that says why it does not exist, or what it is.
+        head: the line before several reasons.
     """
 
     target: str
@@ -54,15 +54,15 @@ class Explained:
 
 
 def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.environ) -> Explained:
-    """Why there is an image, part or group of a name, or why not.
+    """Explains why an image, part or group exists, or why not.
 
     Args:
-        image_set: what there is.
-        name: of the image, part or group.
-        environ: `ROS_CHANNEL` and `ROS_SNAPSHOT` name another apt repository of ROS for this time.
+        image_set: all images and parts.
+        name: the name of the image, part or group.
+        environ: variables; `ROS_CHANNEL` and `ROS_SNAPSHOT` choose another apt repository of ROS for this call.
 
     Raises:
-        RosmlError: the name is not understood at all (exit code 2); names near ones. Or there is no such repository.
+        RosmlError: the name cannot be read (exit code 2); the message names similar ones. Or there is no such repository.
     """
     if not name:
         raise RosmlError("no image is named", remedy="name one: rosml explain jazzy-robot", exit_code=2)
@@ -87,14 +87,14 @@ def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.en
 
 
 def _alike(image_set: ImageSet, name: str) -> list[str]:
-    """Among what near names are sought: for a tag, those of its repository."""
+    """The names among which we look for similar ones: for a tag, those of its repository."""
     repository = name.rpartition("/")[2].partition(":")[0] if ":" in name else ""
     tags = [tag for image in image_set.images for tag in image.tags if image.repository == repository]
     return tags or [*image_set.by_target, *image_set.groups]
 
 
 def why_not(image_set: ImageSet, name: str) -> str | None:
-    """One sentence about why a combination does not exist; None where it exists or the name is not understood."""
+    """One sentence about why a combination does not exist; None if it exists, or if the name cannot be read."""
     if name in image_set.by_target:
         return None
     for row, facts in image_set.matrix.distributions.items():
@@ -110,7 +110,7 @@ def image(image_set: ImageSet, name: str) -> Image:
     """The image of a target, or of one of its tags, with or without the registry: `ros-torch:jazzy-base-cu128`.
 
     Raises:
-        RosmlError: there is none (exit code 2); says why the facts rule it out, or names near ones.
+        RosmlError: there is none (exit code 2); the message says why, or names similar ones.
     """
     if name not in image_set.by_target and not image_set.by_tag(name) and (reason := why_not(image_set, name)):
         raise RosmlError(reason, remedy="see all with: rosml list", exit_code=2)
@@ -143,8 +143,8 @@ def _reason(image_set: ImageSet, name: str, wanted: Wanted) -> str | None:
 
 def _readings(matrix: Matrix, name: str) -> Iterator[Wanted]:
     """Every way to read a name as `<distribution>-<component>[-<framework>[-<stack>]]`, or as a tag,
-    `<repository>:<distribution>-<component>[-<stack>]`. Without a component it is that of the short tags: `jazzy-torch`
-    is read as `jazzy-base-torch`."""
+    `<repository>:<distribution>-<component>[-<stack>]`. Without a component, it has that of the short tags: `jazzy-torch` means
+    `jazzy-base-torch`."""
     name = name.rpartition("/")[2]
     components = {component: f"-{component}" for component in matrix.components}
     short = {FLOATING: ""} if FLOATING in components else {}
@@ -161,7 +161,7 @@ def _readings(matrix: Matrix, name: str) -> Iterator[Wanted]:
 
 
 def _where_from(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator[str]:
-    """ROS's apt repository, as matrix.yaml names it, or another one for this time."""
+    """ROS's apt repository: that of matrix.yaml, or another one for this call."""
     this_time = bool(environ.get("ROS_CHANNEL") or environ.get("ROS_SNAPSHOT"))
     found = apt_repository.of(matrix, image.distribution, environ)
     if found and (this_time or not image.stack):

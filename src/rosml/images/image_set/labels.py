@@ -1,6 +1,6 @@
-"""What the labels of images and parts say: for the bake file, and for whoever joins images in a registry.
+"""The labels of images and parts, for the bake file and for joins in a registry.
 
-A part says what it is and what it takes, so that it can be joined by somebody who has the registry and nothing else.
+A part's labels have its facts and its needs, so that you can join it with nothing but the registry.
 """
 
 from __future__ import annotations
@@ -21,37 +21,37 @@ SOURCE = "org.opencontainers.image.source"
 REVISION = "org.opencontainers.image.revision"
 
 OCI = "org.opencontainers.image."
-"""Prefix of the labels that an index has as annotations too."""
+"""The prefix of labels that an index also has as annotations."""
 
 BRINGS = f"{PREFIX}brings"
-"""The label of a part that says what it brings, with how tags and descriptions call it: `tensorflow:tf:TensorFlow`."""
+"""The label of a part with its software, each with its name in tags and its title: `tensorflow:tf:TensorFlow`."""
 
 APP = f"{PREFIX}app"
-"""The label of an image with an app: which of its images it is, such as `run`. Its title is the app's name."""
+"""The label of an app's image with its target, such as `run`. Its title is the app's name."""
 
 GPU = f"{PREFIX}gpu."
-"""Prefix of the labels that say which driver and which GPUs: `driver`, `torch.amd64`."""
+"""The prefix of the labels about drivers and GPUs: `driver`, `torch.amd64`."""
 
 RUNTIME = f"{PREFIX}runtime"
-"""The label of an image that says on which component programs run that are built on it."""
+"""The label of an image with the component that runs programs built on it."""
 
 RMW = f"{PREFIX}rmw"
-"""The label of an image whose ROS 2 takes another RMW implementation than Fast DDS's if nobody names one."""
+"""The label of an image whose ROS 2 has another default RMW implementation than Fast DDS's."""
 
 OWN = f"{PREFIX}own"
-"""The label of an image of somebody else, with ROS on it, that has CUDA or a framework of its own: what, and the variables that say so."""
+"""The label of an image that is not ours and got ROS, if it has its own CUDA or framework: which, and the variables that say so."""
 
 RELEASE = f"{PREFIX}release"
-"""The label of a part that says what it is a release of."""
+"""The label of a part with the name of its release."""
 
 
 def named(
     distribution: str, component: str, ros: str, framework: str, stack: str | None, brought: Sequence[Brought]
 ) -> dict[str, str]:
-    """The labels by which people know an image.
+    """The labels that describe an image to people.
 
     Args:
-        brought: what it carries, in the order in which the environment names it.
+        brought: its software, in the order of the environment.
     """
     carried = [f"{item.title} {item.version}" for item in brought if item.title]
     return {
@@ -63,13 +63,13 @@ def named(
 
 
 def spelled(brought: Sequence[Brought]) -> dict[str, str]:
-    """The versions of what an image is for, by what tags call it: of its releases, or else of what its stack has."""
+    """The versions in tags of an image, by their names in tags: those of its releases, or else of its stack."""
     called = [item for item in brought if item.short]
     return {item.short: item.version for item in [item for item in called if item.released] or called}
 
 
 def environment(brought: Sequence[Brought]) -> dict[str, str]:
-    """The variables that an image has of what was joined to it."""
+    """The variables of an image about the software that was joined to it."""
     versions = {f"{variable(item.name)}_VERSION": item.version for item in brought}
     cuda = next((item.version for item in brought if item.name == "cuda"), None)
     return versions | ({REQUIRE: required_driver(cuda)} if cuda else {})
@@ -80,7 +80,7 @@ REQUIRE = "NVIDIA_REQUIRE_CUDA"
 
 
 def required_driver(cuda: str) -> str:
-    """What a version of CUDA asks of the driver: the first release of its generation, by NVIDIA's minor-version
+    """The condition of a version of CUDA on the driver: the first release of its generation, by NVIDIA's minor-version
     compatibility: `cuda>=12.0` for 12.8.90."""
     return f"cuda>={cuda.partition('.')[0]}.0"
 
@@ -91,7 +91,7 @@ def about_gpus(facts: Mapping[str, str]) -> dict[str, str]:
 
 
 def variable(name: str) -> str:
-    """How variables begin that are about a part or a version."""
+    """The beginning of variables about a part or a version."""
     return name.upper().replace("-", "_")
 
 
@@ -106,8 +106,10 @@ def of_part(
     """The labels of a part.
 
     Args:
-        python: `any` where the part is the same for all. brought: what it brings.
-        frameworks: the parts of every framework that takes this one. gpu: what it says of GPUs.
+        python: its version of Python; `any` if the part fits every Python.
+        brought: its software.
+        frameworks: the parts of every framework that takes this one.
+        gpu: its facts about GPUs.
     """
     pythons = "any Python" if python == ANY_PYTHON else f"Python {python}"
     return {
@@ -125,17 +127,17 @@ def of_part(
 
 
 def _marked(parts: Iterable[PartEntry]) -> str:
-    """Names of parts, with * at those for any Python."""
+    """Names of parts; those for any Python have a *."""
     return ",".join(f"{part.name}*" if part.any_python else part.name for part in parts)
 
 
 def called(brought: Sequence[Brought]) -> str:
-    """What a part brings, as its label says it: `cuda:cuda:CUDA cudnn::`."""
+    """The software of a part, as text of a label: `cuda:cuda:CUDA cudnn::`."""
     return " ".join(f"{item.name}:{item.short}:{item.title}" for item in brought)
 
 
 def brought_by(labels: Mapping[str, str]) -> Iterator[Brought]:
-    """What a part with these labels brings.
+    """The software of a part with these labels.
 
     Raises:
         ValueError: the label is damaged.
@@ -147,12 +149,12 @@ def brought_by(labels: Mapping[str, str]) -> Iterator[Brought]:
 
 
 def smallest_first(frameworks: Mapping[str, Sequence[object]]) -> list[str]:
-    """Frameworks by the number of their parts, then by name: the order of the matrix does not count."""
+    """Frameworks by the number of their parts, then by name; the order of the matrix does not count."""
     return sorted(frameworks, key=lambda name: (len(frameworks[name]), name))
 
 
 def frameworks(text: str) -> dict[str, tuple[str, ...]]:
-    """The parts of every framework that takes a part, as its label has them: smallest first.
+    """The parts of every framework that takes a part, from its label: the smallest first.
 
     Raises:
         ValueError: the label is damaged.
@@ -162,10 +164,10 @@ def frameworks(text: str) -> dict[str, tuple[str, ...]]:
 
 
 def any_python(text: str, part: str) -> bool:
-    """Whether a part is for any Python, as the label that names it says."""
+    """Whether a part is for any Python, by the label that names it."""
     return f"{part}*" in re.split("[ =,]", text)
 
 
 def title(thing: Image | Part) -> str:
-    """What the label and the annotation of that name say of an image or part."""
+    """The title of an image or part, for the label and the annotation."""
     return thing.name if isinstance(thing, Part) else thing.target

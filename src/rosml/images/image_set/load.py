@@ -1,4 +1,4 @@
-"""Reads a matrix and gives its image set, checked, with the locks that are there."""
+"""Reads and checks a matrix, and makes its image set with the existing locks."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ BEGIN = "-----BEGIN PGP PUBLIC KEY BLOCK-----"
 
 
 def load(file: Path, root: Path = ROOT) -> ImageSet:
-    """Reads, validates and expands a matrix, and looks which locks are there.
+    """Reads, validates and expands a matrix, and finds its locks.
 
     Args:
         file: the matrix.
-        root: the project's root, where the locks are, and the keys of archives.
+        root: the project's root, which has the locks and the keys of archives.
 
     Raises:
         RosmlError: the file cannot be read (exit code 2).
-        InputError: it has problems: all that can be seen at once, each with its place (exit code 2).
+        InputError: with all problems that can be seen at once, each with its place (exit code 2).
     """
     document = read(file)
     result = image_set(document)
@@ -39,7 +39,7 @@ def load(file: Path, root: Path = ROOT) -> ImageSet:
 
 
 def lacking_keys(matrix: Matrix, root: Path) -> Iterator[tuple[KeyPath, str]]:
-    """Rows whose ROS comes from an archive without the key that signs it."""
+    """Distributions whose ROS comes from an archive, and that lack the archive's key."""
     for name, distribution in matrix.distributions.items():
         if archive := distribution.archive:
             file = root / KEYS / archive.key

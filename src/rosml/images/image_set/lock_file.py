@@ -1,4 +1,4 @@
-"""The text of a lock: what it pins, and whether it is the one that a part needs now."""
+"""The text of a lock: reads its pins, and checks whether it is the one that a part needs now."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ _WHOLE = re.compile(
     r"(?:#[^\n]*\n)+"
     r"(?:[A-Za-z0-9][A-Za-z0-9._-]*==[A-Za-z0-9.+!_-]+(?: \\\n    --hash=sha256:[0-9a-f]{64})+\n)+"
 )
-"""A whole lock as `locks/resolve.py` writes it: comments, and versions each with hashes. Anything else was cut or edited."""
+"""A complete lock as `locks/resolve.py` writes it: comments, and versions with hashes. Any other text was cut or edited."""
 
 
 NVIDIA_PACKAGES = {"cuda": "cuda-runtime", "cudnn": "cudnn", "nccl": "nccl"}
-"""A stack's facts of CUDA, and the packages, without `nvidia-` and a generation, whose versions they are."""
+"""A stack's facts of CUDA, and the packages with these versions, without `nvidia-` and a generation."""
 
 
 def versions(text: str) -> dict[str, str]:
-    """What a lock pins: packages and their versions."""
+    """The pins of a lock: packages and their versions."""
     return dict(_PIN.findall(text))
 
 
@@ -33,15 +33,15 @@ def package_name(requirement: str) -> str:
 
 
 def cuda_packages(cuda: str) -> Iterator[tuple[str, str]]:
-    """Facts of a stack, and the packages whose versions they are, for a version of CUDA: up to CUDA 12 names of NVIDIA's
-    packages end in its generation, later only some do."""
+    """Facts of a stack, and the packages with these versions, for a version of CUDA. Up to CUDA 12, the names of NVIDIA's packages
+    end in its generation; later only some do."""
     for fact, package in NVIDIA_PACKAGES.items():
         yield fact, f"nvidia-{package}"
         yield fact, f"nvidia-{package}-cu{cuda.split('.')[0]}"
 
 
 def current(text: str, part: Part, matrix: Matrix, architecture: str) -> bool:
-    """Whether a text is the part's lock: its head says so, it is whole, and it pins what the stack's facts say."""
+    """Whether a text is the part's lock: its head says so, it is complete, and its pins match the stack's facts."""
     head = names.lock_head(part.stack, architecture, part.python, part.kind)
     if not text.startswith(f"{head}\n") or not _WHOLE.fullmatch(text):
         return False
@@ -65,7 +65,7 @@ def current(text: str, part: Part, matrix: Matrix, architecture: str) -> bool:
 
 
 def _whole(text: str, release: Release, package: str, stack: str) -> bool:
-    """Whether the lock of a release's own part pins what goes with it, and says what is adapted."""
+    """Whether the lock of a release's own part pins the packages that go with it, and has the adapted requirements."""
     pinned = versions(text)
     adapted = [line for line in text.splitlines() if line.startswith(names.adapted_line(package, ""))]
     return adapted == adapted_lines(release, package) and all(
@@ -74,13 +74,12 @@ def _whole(text: str, release: Release, package: str, stack: str) -> bool:
 
 
 def adapted_lines(release: Release, package: str) -> list[str]:
-    """The lines of a lock that say what the metadata of a release's package asks for."""
+    """The lines of a lock with the adapted requirements of a release's package."""
     return [names.adapted_line(package, f"{name}{bound}") for name, bound in sorted(release.adapted.items())]
 
 
 def current_wheels(text: str, wheels: Wheels, architecture: str) -> bool:
-    """Whether a text is the lock of the wheels that ROS comes from: its head says so, it is whole, and it pins what the
-    matrix names."""
+    """Whether a text is the lock of ROS's wheels: its head says so, it is complete, and it pins the requirements of the matrix."""
     head = names.wheels_head(wheels.distribution, architecture, wheels.python)
     if not text.startswith(f"{head}\n") or not _WHOLE.fullmatch(text):
         return False

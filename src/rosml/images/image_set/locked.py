@@ -1,4 +1,4 @@
-"""Which locks are there and hold what the facts say now, and the image set without what lacks one."""
+"""The usable locks, and an image set that knows which images and parts lack one."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from rosml.images.image_set.model import Image, ImageSet
 
 
 def current_locks(image_set: ImageSet, root: Path) -> frozenset[str]:
-    """The locks that can be used: they are there, whole, and hold what the facts say now."""
+    """The usable locks: they exist, are complete, and match the matrix."""
     present = locks(root)
     wheels = frozenset(
         lock
@@ -34,7 +34,7 @@ def _text(file: Path) -> str:
     """A lock's text.
 
     Raises:
-        RosmlError: it is there and cannot be read: that is another matter than a lock that nobody made yet.
+        RosmlError: it exists and cannot be read, unlike a lock that nobody has made yet.
     """
     try:
         return file.read_text(encoding="utf-8", errors="replace")
@@ -43,7 +43,7 @@ def _text(file: Path) -> str:
 
 
 def unusable_locks(image_set: ImageSet, root: Path, present: Collection[str]) -> frozenset[str]:
-    """The locks whose files exist and cannot be used."""
+    """The locks whose files exist, but are not usable."""
     return frozenset(lock for lock in image_set.locks.difference(present) if os.path.lexists(root / lock))
 
 
@@ -51,7 +51,8 @@ def with_locks(image_set: ImageSet, present: Collection[str], unusable: Collecti
     """An image set that knows which of its images and parts lack a lock.
 
     Args:
-        present: the locks that can be used. unusable: those that are there, and cannot.
+        present: the usable locks.
+        unusable: locks that exist, but are not usable.
     """
     absent = image_set.locks.difference(present)
     lost = absent - missing.waiting(image_set.matrix, image_set.parts)
@@ -65,7 +66,7 @@ def with_locks(image_set: ImageSet, present: Collection[str], unusable: Collecti
     locked = {image.target for image in images if image.locked}
 
     def carried(image: Image) -> Image:
-        """With the tests that it shares in an image that can be built; in itself, if it is the first of these."""
+        """The image with its shared tests in the first carrier that can be built, which may be itself."""
         carriers = tuple(name for name in image.carriers if name in locked) or image.carriers
         if carriers[:1] != (image.target,):
             return replace(image, carriers=carriers)
@@ -82,10 +83,10 @@ def with_locks(image_set: ImageSet, present: Collection[str], unusable: Collecti
 
 
 def locks(root: Path) -> frozenset[str]:
-    """The locks that are there, relative to the project's root.
+    """The existing locks, relative to the project's root.
 
     Raises:
-        RosmlError: the folder cannot be read: that is another matter than locks that nobody made yet.
+        RosmlError: the folder cannot be read, unlike locks that nobody has made yet.
     """
     folder = root / "locks"
     if folder.exists() and not os.access(folder, os.R_OK | os.X_OK):

@@ -1,4 +1,4 @@
-"""Locks that are not there: those that wait for PyTorch's own index, and those that somebody lost or has yet to make."""
+"""Missing locks: those that wait for PyTorch's own index, and those that were lost or are yet to be made."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from rosml.images.image_set.model import Image, ImageSet, Part
 from rosml.images.matrix.model import Matrix
 
 MAKE_LOCKS = "run 'rosml locks'"
-"""How a lock comes into being that needs the Python package index alone."""
+"""The remedy for a lock that needs only the Python package index."""
 
 ASK_PYTORCH = f"{MAKE_LOCKS} where the package indexes answer, PyTorch's own among them"
-"""How a lock comes into being whose wheel only PyTorch's own index has, under a digest that the matrix does not know."""
+"""The remedy for a lock whose wheel only PyTorch's own index has, with a digest that the matrix lacks."""
 
 RESTORE = f"{MAKE_LOCKS}; if they were there and got lost: git checkout locks"
-"""What to do about locks that should be there."""
+"""The remedy for locks that should exist."""
 
 
 def waiting(matrix: Matrix, parts: Iterable[Part]) -> frozenset[str]:
-    """Locks that cannot be made before PyTorch's own index was asked: of releases that have wheels `elsewhere` and no
-    digest for a Python, and what is common to such releases alone."""
+    """Locks that need PyTorch's own index: those of releases with wheels `elsewhere` and without a digest for a Python, and those of
+    packages that only such releases share."""
     by_lock = {
         lock: (part.stack, architecture, part.python, part.kind)
         for part in parts
@@ -48,7 +48,7 @@ def _asks(matrix: Matrix, stack: str, architecture: str, python: str, family: st
 
 
 UNLOCKED = "lock missing"
-"""How reasons begin why an image or part cannot be made that lacks a lock."""
+"""The beginning of the reason why an image or part without a lock cannot be built."""
 
 
 def on(thing: Image | Part, architecture: str) -> list[str]:
@@ -57,15 +57,15 @@ def on(thing: Image | Part, architecture: str) -> list[str]:
 
 
 def reason(image: Image) -> str:
-    """What an image lacks: `locks/cpu/amd64/3.11/torch.txt is missing`."""
+    """The missing locks of an image, in words: `locks/cpu/amd64/3.11/torch.txt is missing`."""
     return _told(image.unlocked, image.damaged, listed)
 
 
 def _told(locks: Sequence[str], damaged: Collection[str], names: Callable[[list[str]], str]) -> str:
-    """What is wrong with some locks: those that are not there, then those that are there and cannot be used.
+    """The problems of locks in words: first missing ones, then unusable ones.
 
     Args:
-        names: spells several of them out.
+        names: makes text of several locks.
     """
     kinds = (
         ("missing", [lock for lock in locks if lock not in damaged]),
@@ -75,12 +75,12 @@ def _told(locks: Sequence[str], damaged: Collection[str], names: Callable[[list[
 
 
 def remedy(image: Image) -> str:
-    """How an image comes by its locks."""
+    """The remedy for an image without its locks."""
     return MAKE_LOCKS if image.lost else ASK_PYTORCH
 
 
 def lost(image_set: ImageSet) -> RosmlError | None:
-    """What to say of images whose locks should be there; None where none is missing but those that wait."""
+    """The error about images whose locks should exist; None if only locks are missing that wait for another index."""
     images = [image.target for image in image_set.images if image.lost]
     if not images:
         return None

@@ -1,4 +1,4 @@
-"""Images and parts that a matrix allows, with all their facts: the image set."""
+"""The model of the image set: the images and parts that a matrix allows, with all their facts."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ PARTS = "part"
 
 @dataclass(frozen=True)
 class Part:
-    """A part of a stack, assembled once and added to many images.
+    """A part of a stack, built once and joined to many images.
 
     Attributes:
         name: `torch-cu128-py311`; also the tag in the repository `part`, and the key in DIGESTS.
-        kind: the entry of the matrix that it is built from, such as `torch`.
-        stack: name of the stack.
-        python: version of Python, `any` where the part is the same for all.
-        os: operating system that it is assembled on, one with that Python: the assembler of the matrix, or else the first
-            by name.
-        architectures: those that images need it for.
-        platforms: the same as BuildKit calls them.
+        kind: its entry in the matrix, such as `torch`.
+        stack: the name of its stack.
+        python: its version of Python; `any` if the part fits every Python.
+        os: the operating system on which it is built, one with that Python: the assembler of the matrix, or else the first by
+            name.
+        architectures: the architectures for which images need it.
+        platforms: the same by BuildKit's names.
         locks: its lock for each architecture, relative to the project's root.
-        disk: forecast of its size.
-        unlocked: the locks that are missing, or not of what the matrix says now; it cannot be assembled from these.
+        disk: the forecast of its size.
+        unlocked: locks that are missing, or do not match the matrix; the part cannot be built from these.
     """
 
     name: str
@@ -52,12 +52,15 @@ class Part:
 
 @dataclass(frozen=True)
 class Wheels:
-    """The wheels that ROS itself comes from, of a distribution without Debian packages.
+    """The wheels of ROS itself, for a distribution without Debian packages.
 
     Attributes:
-        distribution: whose they are. os: its operating system. python: version of that one's Python.
-        requirements: what the matrix names.
-        architectures: those that images exist for. locks: the lock for each, relative to the project's root.
+        distribution: the distribution.
+        os: its operating system.
+        python: the version of that system's Python.
+        requirements: the requirements in the matrix.
+        architectures: the architectures of its images.
+        locks: the lock for each architecture, relative to the project's root.
     """
 
     distribution: str
@@ -73,31 +76,36 @@ class Image:
     """An image with its resolved facts.
 
     Attributes:
-        target: name of the bake target.
+        target: the name of its bake target.
         distribution, component, framework: its place on the axes.
-        stack: None for images without a framework.
-        os: operating system. python: version of its Python. ros: 1 or 2. ros_distro: value of ROS_DISTRO.
-        architectures: architectures with the same content; platforms: the same as BuildKit calls them.
-        versions: what it carries, e.g. `{"torch": "2.10.0", "cuda": "12.8.90"}`.
-        brought: what of it labels and the environment name. gpu: what labels say of GPUs (rules.gpu).
-        repository: without the registry. tags: `repository:tag` without the registry; the first one is the main tag.
+        stack: its stack; None for images without a framework.
+        os: its operating system.
+        python: the version of its Python.
+        ros: 1 or 2.
+        ros_distro: the value of ROS_DISTRO.
+        architectures: architectures with the same content.
+        platforms: the same by BuildKit's names.
+        versions: the versions in it, e.g. `{"torch": "2.10.0", "cuda": "12.8.90"}`.
+        brought: its software that labels and the environment name.
+        gpu: the facts about GPUs in its labels (rules.gpu).
+        repository: its repository without the registry.
+        tags: `repository:tag` without the registry; the first one is the main tag.
         groups: bake groups that build it.
-        parent: target that it stands on: of a ROS image the component below or the operating system, otherwise the
-            ROS image that parts are joined to.
+        parent: the target below it: for a ROS image the component below or the operating system, otherwise the ROS image to
+            which parts are joined.
         packages: Debian packages that a ROS image adds to its parent, separated by spaces.
-        wheels: Python packages that a ROS image gets in their place.
+        wheels: Python packages that a ROS image gets instead of Debian packages.
         parts: parts that are joined to the parent, in this order.
-        tests: names of the files in tests/structure that a publishing run tests it with.
-        shared: further ones that must hold in it, and that other images run for it (`proven_by`). It runs them itself where those
-            are not there.
-        carried: the tests that one image of a row runs for all with the same parts. carriers: the images that may be that one,
-            the best first.
-        locks: locks of the wheels that its ROS comes from, and of its parts.
-        unlocked: those that are missing; without all of them it cannot be built, and is in no group.
-        damaged: those of `unlocked` that are there, and damaged or not of what the matrix says now.
-        lost: those of them that should be there, since they wait for no other index.
-        disk: forecast of its size with everything below it.
-        budget: MB that its parts may have together in the registry; None if that is left open.
+        tests: the names of the files in tests/structure with which a publishing run tests it.
+        shared: further tests that must pass in it. Other images run them for it (`proven_by`); if none exists, it runs them.
+        carried: the tests that one image of a distribution runs for all with the same parts.
+        carriers: the images that may run them, the best first.
+        locks: the locks of its wheels of ROS, and of its parts.
+        unlocked: missing or unusable locks. If it has some, it cannot be built, and is in no group.
+        damaged: locks of `unlocked` that exist, but are damaged or do not match the matrix.
+        lost: locks of `unlocked` that should exist, since they wait for no other index.
+        disk: the forecast of its size with everything below it.
+        budget: MB that its parts may have together in the registry; None for any.
     """
 
     target: str
@@ -134,13 +142,13 @@ class Image:
 
     @property
     def locked(self) -> bool:
-        """Whether it can be built: every lock is there."""
+        """Whether it can be built: it has every lock."""
         return not self.unlocked
 
     @property
     def proven_by(self) -> tuple[str, ...]:
-        """The images whose tests count for it as well: the ROS image below it, and the one that runs what it shares with others."""
-        below = () if self.parent.startswith("_") else (self.parent,)  # a stage of the Dockerfile is none
+        """The images whose tests also count for it: the ROS image below it, and the one that runs its shared tests."""
+        below = () if self.parent.startswith("_") else (self.parent,)  # a stage of the Dockerfile is no image
         return tuple(name for name in (*below, *self.carriers[:1]) if name != self.target)
 
     @property
@@ -151,7 +159,7 @@ class Image:
 
 @dataclass(frozen=True)
 class ImageSet:
-    """All that a matrix describes, in the order of the file."""
+    """All images and parts of a matrix, in the order of the file."""
 
     matrix: Matrix
     images: tuple[Image, ...]
@@ -160,7 +168,7 @@ class ImageSet:
 
     @property
     def locks(self) -> set[str]:
-        """Every lock that is needed, relative to the project's root."""
+        """Every needed lock, relative to the project's root."""
         wheels = {lock for item in self.wheels for lock in item.locks}
         return wheels.union(lock for part in self.parts for lock in part.locks)
 
@@ -176,7 +184,7 @@ class ImageSet:
 
     @cached_property
     def groups(self) -> dict[str, tuple[str, ...]]:
-        """Targets of every bake group; images without a lock, and groups without a target, are left out."""
+        """The targets of every bake group, without images that lack a lock, and without empty groups."""
         locked = {image.target: image for image in self.images if image.locked}
         members: dict[str, list[str]] = {"default": [name for name in self.matrix.default.group if name in locked]}
         for axis in ("distributions", "components", "frameworks", "stacks"):
@@ -194,14 +202,14 @@ class ImageSet:
         """The image of a target, or of one of its tags, with or without the registry: `ros-torch:jazzy-base-cu128`.
 
         Raises:
-            RosmlError: there is none (exit code 2); names near ones. `explain.image` says why there is none.
+            RosmlError: there is none (exit code 2); the message names similar ones. `explain.image` says why there is none.
         """
         if image := self.by_target.get(target) or self.by_tag(target):
             return image
         raise RosmlError(unknown("image", target, self.by_target), remedy="see all with: rosml list", exit_code=2)
 
     def by_tag(self, reference: str) -> Image | None:
-        """The image that has a tag, with or without the registry before it."""
+        """The image with a tag, with or without the registry before it."""
         tag = reference.rpartition("/")[2]
         return next((image for image in self.images if tag in image.tags), None) if ":" in tag else None
 
@@ -212,5 +220,5 @@ def repository_of(thing: Image | Part) -> str:
 
 
 def tags_of(thing: Image | Part) -> list[str]:
-    """The tags of an image or part, without the repository: the main one, those that spell versions out, floating ones."""
+    """The tags of an image or part, without the repository: the main one, those with versions, floating ones."""
     return [thing.name] if isinstance(thing, Part) else [tag.split(":", 1)[1] for tag in thing.tags]

@@ -1,4 +1,4 @@
-"""Images by name, pattern, group and architecture, as people select them."""
+"""Selections of images: by name, pattern, group and architecture."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def select(image_set: ImageSet, only: Sequence[str]) -> tuple[Image, ...]:
     """The images that patterns of targets or tags, or groups, name; all if there is none.
 
     Raises:
-        RosmlError: a pattern names none (exit code 2).
+        RosmlError: a pattern names no image (exit code 2).
     """
     if not only:
         return image_set.images
@@ -35,7 +35,7 @@ def require_architectures(image_set: ImageSet, names: Iterable[str]) -> None:
     """Checks names of architectures.
 
     Raises:
-        RosmlError: the matrix has none of that name (exit code 2).
+        RosmlError: the matrix has no architecture of that name (exit code 2).
     """
     known = image_set.matrix.architectures
     for name in names:
@@ -44,13 +44,13 @@ def require_architectures(image_set: ImageSet, names: Iterable[str]) -> None:
 
 
 def groups_of(image_set: ImageSet) -> list[str]:
-    """All groups that `members` knows, those of images without a lock and architectures among them."""
+    """All groups that `members` knows, including architectures and groups of images without a lock."""
     return sorted({group for image in image_set.images for group in (*image.groups, *image.architectures)})
 
 
 def members(image_set: ImageSet, groups: Sequence[str] = ()) -> tuple[Image, ...]:
-    """The images that are in all of some groups, those without a lock among them, in the order of the matrix. An
-    architecture counts as the group of the images that exist for it.
+    """The images that are in all given groups, in the order of the matrix, including those without a lock. An architecture is the
+    group of its images.
 
     Raises:
         RosmlError: there is no such group (exit code 2).
@@ -64,7 +64,7 @@ def members(image_set: ImageSet, groups: Sequence[str] = ()) -> tuple[Image, ...
 
 
 def none_in(groups: Sequence[str]) -> str:
-    """What to say where no image is in all of some groups: so, and how to learn why."""
+    """The message if no image is in all given groups."""
     return f"no image is in all of {listed(groups)}; see why: rosml explain <distribution>-<component>-<framework>"
 
 

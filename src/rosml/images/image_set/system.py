@@ -1,4 +1,4 @@
-"""The operating system of an image that somebody else made, and the row of the matrix that stands on it."""
+"""The operating system of an image that is not ours, and the distributions for it."""
 
 from __future__ import annotations
 
@@ -14,25 +14,27 @@ from rosml.images.matrix import rules
 from rosml.images.matrix.model import Distribution, Matrix
 
 DEBIAN, CALLED = "Debian", "noetic"
-"""What Debian's own ROS 1 calls itself, and the release that manifests mean: it has the packages of that one."""
+"""The name of Debian's own ROS 1, and the release for conditions in manifests, whose packages it has."""
 
 OTHER = "*"
 """A ROS that the matrix does not have, such as melodic."""
 
 _LINE = re.compile(r"""(ID|VERSION_ID|VERSION_CODENAME|PRETTY_NAME)=(["']?)([^"'\\$`]*)\2""")
-"""What is read of os-release: https://www.freedesktop.org/software/systemd/man/latest/os-release.html"""
+"""The lines of os-release that we read: https://www.freedesktop.org/software/systemd/man/latest/os-release.html"""
 
 
 @dataclass(frozen=True)
 class System:
-    """What an image says of its operating system.
+    """The facts of an image about its operating system.
 
     Attributes:
-        id: such as `ubuntu`. version, codename: such as `24.04` and `noble`; empty if it has none.
-        title: for people, such as `Ubuntu 24.04.3 LTS`.
-        ros: ROS distributions below /opt/ros; OTHER if there are others alone.
-        tools: programs that ROS cannot be installed without, and that it has: `apt-get`, `bash`.
-        carries: CUDA and frameworks that it has, such as `torch`.
+        id: such as `ubuntu`.
+        version: such as `24.04`; empty if it has none.
+        codename: such as `noble`; empty if it has none.
+        title: its name for people, such as `Ubuntu 24.04.3 LTS`.
+        ros: ROS distributions below /opt/ros; OTHER if there are only unknown ones.
+        tools: the programs of TOOLS that it has.
+        carries: its CUDA and frameworks, such as `torch`.
     """
 
     id: str = ""
@@ -45,11 +47,11 @@ class System:
 
 
 TOOLS = ("apt-get", "bash")
-"""Programs that ROS cannot be installed without."""
+"""Programs that an installation of ROS needs."""
 
 
 def system(release: str, ros: Collection[str] = (), tools: Collection[str] = TOOLS) -> System:
-    """What the text of an image's os-release says. It is a stranger's word: control characters are left out."""
+    """The facts in an image's os-release. The text may be a stranger's, so we drop control characters."""
     text = "".join(letter if letter.isprintable() else "\n" for letter in release[:65536])
     facts = {found[1]: found[3].strip()[:80] for line in text.splitlines() if (found := _LINE.fullmatch(line.strip()))}
     return System(
@@ -63,8 +65,8 @@ def system(release: str, ros: Collection[str] = (), tools: Collection[str] = TOO
 
 
 def rows(matrix: Matrix, found: System) -> dict[str, Distribution]:
-    """The distributions that stand on a system, the one to take if nobody names one first: long-term releases before others,
-    what is supported longest before others, experimental ones last."""
+    """The distributions for a system, the default first: long-term releases before others, those with the longest support before
+    others, experimental ones last."""
     names = {f"{found.id}:{found.version}", f"{found.id}:{found.codename}"}
     systems = {name for name, facts in matrix.operating_systems.items() if _named(facts.image) in names}
 
@@ -78,22 +80,24 @@ def rows(matrix: Matrix, found: System) -> dict[str, Distribution]:
 
 
 def _named(image: str) -> str:
-    """How the image of an operating system is called, without where it is: `ubuntu:24.04`."""
+    """The name of an operating system's image without its registry: `ubuntu:24.04`."""
     return image.rpartition("/")[2]
 
 
 def choose(
     image_set: ImageSet, found: System, name: str, ros_distro: str, component: str, architectures: Collection[str]
 ) -> Image:
-    """The ROS image whose ROS an image of somebody else gets.
+    """The ROS image whose ROS we install on an image that is not ours.
 
     Args:
-        found: the system of that image. name: what people call it.
+        found: the system of that image.
+        name: the image's name.
         ros_distro: the distribution that the user names; empty if they name none.
-        component: of ROS, such as `core`. architectures: that it is wanted for.
+        component: the component of ROS, such as `core`.
+        architectures: the wanted architectures.
 
     Raises:
-        RosmlError: nothing fits, with what does (exit code 2).
+        RosmlError: nothing fits (exit code 2); the message says what would.
     """
     matrix = image_set.matrix
     what = f"{name} is {found.title or found.id}" if found.id else f"{name} does not say which system it has"
@@ -124,13 +128,13 @@ def choose(
 
 
 def _called(row: str, facts: Distribution) -> set[str]:
-    """The names that a distribution answers to."""
+    """All names of a distribution."""
     own = facts.ros_distro or row
     return {row, own, *facts.aliases, *([CALLED] if own == DEBIAN else [])}
 
 
 def _unfit(matrix: Matrix, what: str, there: dict[str, Distribution], wanted: str) -> RosmlError:
-    """The error for a distribution that does not stand on the system."""
+    """The error for a distribution that is not for the system."""
     every = {name: facts for name, facts in matrix.distributions.items() if wanted in _called(name, facts)}
     has = listed([name for name, facts in there.items() if not facts.experimental] or [*there])
     if not every:

@@ -1,2 +1,2 @@
-"""`matrix.yaml`: read with the place of each value, validated, and as one typed model; names, and the rules that
-say which combinations its facts allow and why others are missing. Uses base; touches neither network nor processes."""
+"""`matrix.yaml`: reads it with the place of each value, validates it, and makes one typed model. Also names, and the rules about
+which combinations exist and why others do not. Uses base; touches neither network nor processes."""

@@ -1,7 +1,7 @@
-"""The structure of matrix.yaml: what may be written where.
+"""The structure of matrix.yaml: its keys and the types of their values.
 
-Only structure: whether a name that is used exists somewhere is checked in `references`, which combinations exist
-follows from the facts in `rules`. The descriptions here become matrix.schema.json, which editors show.
+`references` checks whether the names in it exist; `rules` decides which combinations exist. The descriptions here become
+matrix.schema.json, which editors show.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Fiel
 from pydantic_core import PydanticKnownError
 
 Generation = Literal["ros", "ros2"]
-"""ROS 1 and ROS 2, as ROS's apt repositories and their packages call them."""
+"""ROS 1 and ROS 2, in the words of ROS's apt repositories and their packages."""
 
 ANY_PYTHON = "any"
-"""Stands for the Python version of a part that is the same for all of them; also a folder name in locks/."""
+"""The Python version of a part that fits every Python; also a folder name in locks/."""
 
-# What a pattern asks for, in words: the message for a value that does not match it.
+# The patterns in words, for messages about values that do not match.
 NAME = r"^[a-z][a-z0-9]*(-[a-z0-9]+)*$"
 FILE_NAME = r"^[a-z][a-z0-9]*([.-][a-z0-9]+)*$"
 VERSION = r"^[0-9]+(\.[0-9A-Za-z]+)*$"
@@ -74,9 +74,9 @@ MEANING = {
 }
 
 SLOTS = 16
-"""How many parts a matrix can have whose packages pip leaves alone: ROS images have as many empty files for that."""
+"""The most parts of a matrix whose packages pip leaves alone. For each, ROS images have an empty file."""
 
-# The limits on length keep a tag, which joins several of them, within a registry's 128 characters.
+# The limits on length keep a tag, which has several names in it, within a registry's 128 characters.
 Name = Annotated[str, Field(pattern=NAME, max_length=24)]
 OsName = Annotated[str, Field(pattern=FILE_NAME, max_length=24)]
 Version = Annotated[str, Field(pattern=VERSION, max_length=20)]
@@ -124,7 +124,7 @@ def _amount(value: Any) -> str:
     return "one" if isinstance(value, str) else "several"
 
 
-# One stack, or several of which the first that fits is taken.
+# One stack, or several, of which the first that fits counts.
 Stacks = Annotated[Annotated[Name, Tag("one")] | Annotated[Names, Tag("several")], Discriminator(_amount)]
 
 
@@ -191,7 +191,7 @@ class Component(Facts):
     """A part of ROS that is installed at once."""
 
     builds_on: Name | None = Field(
-        default=None, description="the component below; where a distribution lacks it, the next one below that"
+        default=None, description="the component below; if a distribution lacks it, the next one below that"
     )
     metapackage: Word | None = Field(default=None, description="name in package names; the component's own if left out")
     runtime_of: Name | None = Field(
@@ -206,7 +206,7 @@ class PartEntry(Facts):
     name: Name = Field(description="its own; also that of its folder in components/ and of its tests")
     title: Word | None = Field(default=None, description="how descriptions call what it brings, such as PyTorch")
     short: Name | None = Field(
-        default=None, description="how tags that spell versions out call it; its name if left out, where it has a title"
+        default=None, description="its name in tags with versions; the part's name if left out, if it has a title"
     )
     release: Name | None = Field(default=None, description="what it is a release of: a name from releases")
     versions: tuple[Literal["cuda", "cudnn"], ...] = Field(
@@ -238,7 +238,7 @@ class PartEntry(Facts):
 
     @property
     def brings(self) -> tuple[str, ...]:
-        """Names of the versions that labels and the environment of its images have."""
+        """Names of the versions in labels and environment of its images."""
         return (self.release,) if self.release else self.versions
 
     def added(self, cuda: str | None) -> tuple[str, ...]:
@@ -298,7 +298,7 @@ class Release(Facts):
         return tuple(dict.fromkeys([*self.wheels.get(stack, ()), *self.elsewhere.get(stack, ())]))
 
     def company(self, stack: str) -> dict[str, str]:
-        """What goes with it on a stack: packages and their versions. None where only PyTorch's own index has wheels."""
+        """The packages that go with it on a stack, and their versions. None if only PyTorch's own index has wheels."""
         return {} if stack in self.elsewhere else dict(sorted(self.beside.items()))
 
 
@@ -320,7 +320,7 @@ class Stack(Facts):
     )
 
     def requirement(self, family: str, architecture: str) -> str | None:
-        """What to ask the index for, e.g. `tensorflow[and-cuda]==2.20.0`; None where the stack has none."""
+        """The requirement for the index, e.g. `tensorflow[and-cuda]==2.20.0`; None if the stack has no such release."""
         version = self.releases.get(family)
         package = self.packages.get(family, family)
         name = package.get(architecture) if isinstance(package, dict) else package
@@ -394,12 +394,12 @@ class Distribution(Facts):
 
     @property
     def generation(self) -> Generation:
-        """How ROS's apt repositories call its generation of ROS."""
+        """Its generation of ROS, in the words of ROS's apt repositories."""
         return "ros" if self.ros == 1 else "ros2"
 
     @property
     def default_stacks(self) -> tuple[str, ...]:
-        """The stacks of the short tags: of each framework, the first that it exists on."""
+        """The stacks of the short tags: for each framework, the first on which it exists."""
         return (self.default_stack,) if isinstance(self.default_stack, str) else self.default_stack
 
     @cached_property
@@ -501,5 +501,5 @@ class Matrix(Facts):
 
     @cached_property
     def families(self) -> tuple[str, ...]:
-        """What parts are releases of, in the order in which they are joined."""
+        """The names of releases that parts have, in the order in which parts are joined."""
         return tuple(dict.fromkeys(part.release for part in self.parts if part.release))

@@ -1,4 +1,4 @@
-"""Names: one place for how targets, parts, variables and tags are called."""
+"""The names of targets, parts, variables and tags."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ from collections.abc import Mapping
 from rosml.images.matrix.model import ANY_PYTHON
 
 DATED = re.compile(r"-(\d{8})(?:\.\d+)?$")
-"""The end of a tag that never moves."""
+"""The date at the end of a tag that never moves."""
 
 
 ROS = "ros"
-"""Stands for a part in the locks of distributions that come from wheels: those are named like stacks, which they share
-no name with."""
+"""Stands for a part in the paths of locks of distributions from wheels. The distribution takes the place of a stack; no stack has
+the same name."""
 
 RESERVED_GROUPS = ("all", "default", "every", "files", "image", "latest", "parts", "test", "tests")
-"""Groups, tags and targets that others inherit, which do not come from an axis of the matrix."""
+"""Names of groups, tags and abstract targets that do not come from an axis of the matrix."""
 
 
 def image_target(distribution: str, component: str, framework: str = "none", stack: str | None = None) -> str:
@@ -25,15 +25,15 @@ def image_target(distribution: str, component: str, framework: str = "none", sta
 
 
 def main_tag(distribution: str, component: str, stack: str | None = None) -> str:
-    """The tag that says what an image is: `jazzy-base-cu128`."""
+    """The main tag of an image: `jazzy-base-cu128`."""
     return "-".join([distribution, component, *([stack] if stack else [])])
 
 
 def spelled_tag(main: str, versions: Mapping[str, str]) -> str:
-    """A main tag with the versions of what the image is for: `jazzy-base-cu128-torch2.10.0`; the same without any.
+    """A main tag with versions: `jazzy-base-cu128-torch2.10.0`; unchanged without any.
 
     Args:
-        versions: by what tags call it: `{"torch": "2.10.0", "tf": "2.20.0"}`.
+        versions: versions by their names in tags: `{"torch": "2.10.0", "tf": "2.20.0"}`.
     """
     return "-".join([main, *(f"{name}{version}" for name, version in versions.items())])
 
@@ -44,12 +44,12 @@ def test_target(image: str) -> str:
 
 
 def os_slug(os: str) -> str:
-    """An operating system within a target's name, where bake allows no points."""
+    """An operating system in the name of a target: bake allows no points there."""
     return os.replace(".", "-")
 
 
 def os_target(os: str, runtime: bool = False) -> str:
-    """The target of an operating system with the essentials: to build, or only to run what is built."""
+    """The target of an operating system with the essentials: to build programs, or only to run them."""
     return f"_os-{os_slug(os)}{'-run' if runtime else ''}"
 
 
@@ -59,7 +59,7 @@ def os_variable(os: str) -> str:
 
 
 def part_name(part: str, stack: str, python: str) -> str:
-    """A part: `torch-cu128-py311`; `cuda-cu128` where it is the same for every Python. Also its tag."""
+    """The name of a part, which is also its tag: `torch-cu128-py311`; `cuda-cu128` if it is for any Python."""
     return f"{part}-{stack}" + ("" if python == ANY_PYTHON else f"-py{python.replace('.', '')}")
 
 
@@ -74,22 +74,22 @@ def part_target(part: str) -> str:
 
 
 def lock_path(stack: str, architecture: str, python: str, part: str) -> str:
-    """A part's lock, relative to the project's root; the Dockerfile spells the same path."""
+    """The path of a part's lock, relative to the project's root. The Dockerfile has the same path."""
     return f"locks/{stack}/{architecture}/{python}/{part}.txt"
 
 
 def lock_head(stack: str, architecture: str, python: str, part: str) -> str:
-    """The first line of a lock: whose it is."""
+    """The first line of a lock, which names its part."""
     return f"# Part '{part}' of stack {stack}, Python {python}, {architecture}."
 
 
 def adapted_line(package: str, requirement: str) -> str:
-    """The line of a lock that says what a package's metadata asks for in the place of what its wheel's does."""
+    """The line of a lock with a requirement of a package that replaces its wheel's."""
     return f"# adapted: {package} {requirement}"
 
 
 def wheels_head(distribution: str, architecture: str, python: str) -> str:
-    """The first line of the lock of a distribution that comes from wheels."""
+    """The first line of the lock of a distribution from wheels."""
     return f"# ROS of {distribution}, Python {python}, {architecture}."
 
 

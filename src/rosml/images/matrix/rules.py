@@ -1,4 +1,4 @@
-"""Why a combination does not exist. Each rule looks at positive facts and returns one sentence, or None if they hold."""
+"""The rules about combinations. Each rule checks positive facts, and returns None or the sentence why there is no such image."""
 
 from __future__ import annotations
 
@@ -14,11 +14,14 @@ NVIDIA = ("cuda", "cudnn", "nccl")
 
 @dataclass(frozen=True)
 class Brought:
-    """What a part brings whose version counts.
+    """Software in a part whose version counts.
 
     Attributes:
-        name: `tensorflow`. version: `2.20.0`. title: `TensorFlow`. short: what tags call it: `tf`; both may be empty.
-        released: whether it is a release of its own, and no fact of the stack.
+        name: `tensorflow`.
+        version: `2.20.0`.
+        title: `TensorFlow`; may be empty.
+        short: its name in tags, `tf`; may be empty.
+        released: whether it is a release, and no fact of the stack.
     """
 
     name: str
@@ -45,13 +48,13 @@ def stack_reason(matrix: Matrix, distribution: str, framework: str, stack: str |
 
 
 def default_stack(matrix: Matrix, distribution: str, framework: str) -> str | None:
-    """The stack of a framework's short tags: the first of the distribution's that it exists on, if any."""
+    """The stack of a framework's short tags: the first of the distribution's on which it exists, if any."""
     stacks = matrix.distributions[distribution].default_stacks
     return next((stack for stack in stacks if stack_reason(matrix, distribution, framework, stack) is None), None)
 
 
 def _content_reason(matrix: Matrix, framework: str, stack: str | None) -> str | None:
-    """Does the stack have what the framework takes?"""
+    """Does the stack have the parts that the framework takes?"""
     facts = matrix.frameworks[framework]
     if stack is None or not facts.parts:
         return _pairing(framework, facts, stack)
@@ -81,14 +84,14 @@ def ros_testing(matrix: Matrix, distribution: str) -> str:
 
 
 def ros_snapshot(matrix: Matrix, distribution: str, day: str) -> str:
-    """The address of a snapshot of it: of a day, such as 2026-08-07, or `final`."""
+    """The address of a snapshot of ROS's repository: of a day, such as 2026-08-07, or `final`."""
     return _ros_archive(matrix).snapshot.format(
         ros_distro=matrix.distributions[distribution].ros_distro or distribution, day=day
     )
 
 
 def ros_apt_source(matrix: Matrix, distribution: str) -> str | None:
-    """The address and digest of the package that sets up the live repository; none where matrix.yaml pins none."""
+    """The address and digest of the package that sets up the live repository; None if matrix.yaml pins none."""
     facts = matrix.distributions[distribution]
     system = matrix.operating_systems[facts.os]
     if (pinned := system.apt_sources.get(facts.generation)) is None:
@@ -138,7 +141,7 @@ def architecture_reason(
 
 
 def plain(matrix: Matrix) -> str:
-    """The framework of images that carry none: the only one without parts."""
+    """The framework of plain ROS images: the only one without parts."""
     return next(name for name, framework in matrix.frameworks.items() if not framework.parts)
 
 
@@ -152,9 +155,9 @@ def parts(matrix: Matrix, framework: Framework, stack: Stack) -> tuple[str, ...]
 
 
 def shown(matrix: Matrix, part: str) -> str:
-    """The part whose packages another one shows to its Python: one for any Python, which no Python finds by itself.
+    """The part for any Python whose packages another part shows to its Python, which would not find them by itself.
 
-    One that only repeats what another part has is not shown. Empty if there is none.
+    A part that only repeats another one is not shown. Empty if there is none.
     """
     found = (matrix.part[need] for need in matrix.part[part].needs)
     return next((need.name for need in found if need.any_python and need.takes), "")
@@ -167,7 +170,7 @@ def versions(matrix: Matrix, stack: Stack) -> dict[str, str]:
 
 
 def brought(matrix: Matrix, parts: Iterable[str], stack: Stack) -> tuple[Brought, ...]:
-    """What parts of a stack bring, each once: releases first, then facts of the stack."""
+    """The software that parts of a stack bring, each once: releases first, then facts of the stack."""
     known, found = versions(matrix, stack), dict[str, Brought]()
     for item in (item for name in parts for item in brought_by(matrix.part[name])):
         if item.name in known and (item.title or item.name not in found):
@@ -176,22 +179,22 @@ def brought(matrix: Matrix, parts: Iterable[str], stack: Stack) -> tuple[Brought
 
 
 def brought_by(part: PartEntry) -> Iterator[Brought]:
-    """What a part brings, whatever its version; the first of it has the part's title."""
+    """The software that a part brings, without versions. The first has the part's title."""
     for index, name in enumerate(part.brings):
         title = (part.title or "") if index == 0 else ""
         yield Brought(name, "", title, (part.short or part.name) if title else "", bool(part.release))
 
 
 def company(matrix: Matrix, stack: str | None, families: Iterable[str]) -> dict[str, str]:
-    """What goes with releases of a stack in their parts: packages and their versions."""
+    """The packages that go with releases of a stack in their parts, and their versions."""
     chosen = matrix.stacks[stack].releases if stack else {}
     releases = [matrix.releases[family][chosen[family]] for family in families if family in chosen]
     return {name: version for release in releases for name, version in release.company(stack or "").items()}
 
 
 def gpu(matrix: Matrix, stack: str | None, parts: Iterable[str]) -> dict[str, str]:
-    """What parts of a stack say of GPUs: the oldest driver, and what each release was built for on an architecture:
-    `{"driver": "580", "torch.amd64": "sm_80 sm_90"}`. Nothing on a stack without CUDA."""
+    """The facts about GPUs of parts of a stack: the oldest driver, and the GPUs for which each release was built on an
+    architecture: `{"driver": "580", "torch.amd64": "sm_80 sm_90"}`. Empty on a stack without CUDA."""
     facts, found = matrix.stacks[stack] if stack else None, dict[str, str]()
     if facts is None or facts.accelerator != "cuda":
         return found
@@ -215,19 +218,19 @@ def frameworks(matrix: Matrix, stack: str) -> dict[str, tuple[str, ...]]:
 
 
 def families(matrix: Matrix, framework: Framework) -> tuple[str, ...]:
-    """What a framework's parts are releases of, in the order in which they are joined."""
+    """The names of releases that a framework's parts have, in the order in which parts are joined."""
     released = {matrix.part[part].release for part in framework.parts}
     return tuple(family for family in matrix.families if family in released)
 
 
 def counted(matrix: Matrix, framework: Framework) -> tuple[str, ...]:
-    """What an image of a framework carries whose versions count, in a fixed order."""
+    """The software of a framework's images whose versions count, in a fixed order."""
     cuda = any(matrix.part[part].versions for part in framework.parts)
     return (*families(matrix, framework), *(NVIDIA if cuda else ()))
 
 
 def chain(matrix: Matrix, component: str) -> tuple[str, ...]:
-    """A component with all that it is built on, the lowest first."""
+    """A component with all components below it, the lowest first."""
     links: list[str] = []
     link: str | None = component
     while link:
@@ -237,7 +240,7 @@ def chain(matrix: Matrix, component: str) -> tuple[str, ...]:
 
 
 def only_runs(matrix: Matrix, component: str) -> bool:
-    """Whether a component is only for programs that are built."""
+    """Whether a component only runs built programs."""
     return matrix.components[component].runtime_of is not None
 
 
@@ -247,7 +250,7 @@ def system_size(matrix: Matrix, component: str) -> Size:
 
 
 def runtime(matrix: Matrix, distribution: str, component: str) -> str:
-    """The component on which programs run that are built on another one, or on the nearest below it; empty if there is none."""
+    """The component that runs programs built on another one, or on the nearest below it; empty if there is none."""
     present = matrix.distributions[distribution].present
     smaller = {
         facts.runtime_of: name for name, facts in matrix.components.items() if facts.runtime_of and name in present
@@ -314,7 +317,7 @@ def _architectures(matrix: Matrix, distribution: str, framework: Framework, stac
 
 
 def _available(matrix: Matrix, framework: Framework, stack: str) -> Iterator[tuple[str, Sequence[str]]]:
-    """What a framework takes of a stack, and the architectures that it has wheels for."""
+    """The releases that a framework takes of a stack, and the architectures with wheels for each."""
     facts = matrix.stacks[stack]
     wheels = {
         family: matrix.releases[family][version].architectures(stack) for family, version in facts.releases.items()
@@ -322,6 +325,6 @@ def _available(matrix: Matrix, framework: Framework, stack: str) -> Iterator[tup
     carried = families(matrix, framework)
     for family in carried:
         yield f"{family} {facts.releases[family]}", wheels.get(family, ())
-    if not carried:  # CUDA's libraries come with the releases: they are where any of those is
+    if not carried:  # CUDA's libraries come with any of the releases
         anywhere = [architecture for found in wheels.values() for architecture in found]
         yield f"CUDA {facts.cuda}", tuple(name for name in matrix.architectures if name in anywhere)

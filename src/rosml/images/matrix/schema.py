@@ -1,5 +1,5 @@
-"""Models -> the texts of their JSON Schemas: matrix.schema.json, with which editors complete and check matrix.yaml, and
-catalogue.schema.json, for whoever reads catalogue.json."""
+"""Models -> JSON Schemas: matrix.schema.json, with which editors complete and check matrix.yaml, and catalogue.schema.json, for
+programs that read catalogue.json."""
 
 from __future__ import annotations
 
@@ -19,11 +19,12 @@ def render(
     """The JSON Schema (draft 2020-12) of a model.
 
     Args:
-        model: the model. module: where it stands.
-        read: for whoever reads what this program writes: keys that a later version adds are no errors.
+        model: the model.
+        module: its module.
+        read: the schema is for readers of a file that this program writes, so keys that a later version adds are no errors.
 
     Raises:
-        RosmlError: Python dropped the docstrings, some of which are descriptions there.
+        RosmlError: Python dropped the docstrings, of which some become descriptions.
     """
     if sys.flags.optimize > 1:
         raise RosmlError("Python runs without docstrings, which the schema shows", "unset PYTHONOPTIMIZE", exit_code=2)
@@ -36,8 +37,8 @@ def render(
 
 
 def _plain(schema: Any, names: bool = False) -> Any:
-    """Without the titles that pydantic derives from names, which only repeat them, and with the model's strictness
-    about keys: one that does not match its pattern is an error. `names`: keys are names of fields.
+    """A schema without the titles that pydantic derives from names. Like the model, it refuses keys that do not match its pattern.
+    `names`: keys are names of fields.
     """
     if isinstance(schema, dict):
         strict = {"additionalProperties": False} if "patternProperties" in schema and not names else {}
@@ -51,7 +52,7 @@ def _plain(schema: Any, names: bool = False) -> Any:
 
 
 def _open(schema: Any) -> Any:
-    """Without the demand that there be no other keys."""
+    """A schema that allows other keys."""
     if isinstance(schema, dict):
         return {key: _open(value) for key, value in schema.items() if (key, value) != ("additionalProperties", False)}
     return [_open(item) for item in schema] if isinstance(schema, list) else schema

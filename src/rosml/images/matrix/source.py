@@ -1,7 +1,7 @@
 """YAML text -> plain data, and the place of every value in the text.
 
-A strict subset of YAML is read: one document of mappings, lists and scalars. Anchors, aliases, merge keys and tags are
-refused: a few lines of them can expand to gigabytes ("YAML bombs"), and nothing here needs them.
+It reads a strict subset of YAML: one document of mappings, lists and scalars. It refuses anchors, aliases, merge keys and tags:
+a few lines of them can expand to gigabytes ("YAML bombs").
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _INTEGER = re.compile(r"[-+]?(0|[1-9][0-9]{0,17})")
 
 @dataclass(frozen=True)
 class Place:
-    """Where a value stands (line and column from 1: its key, or the item of a list), and a scalar as it was written."""
+    """The place of a value: line and column, from 1, of its key or of the list's item; and a scalar as it was written."""
 
     line: int
     column: int
@@ -55,7 +55,7 @@ class Document:
 
 
 def read(file: Path, option: str = "--matrix") -> Document:
-    """Reads a YAML file. `option`: the one of the command line that names another file.
+    """Reads a YAML file. `option`: the option of the command line that names another file.
 
     Raises:
         RosmlError: the file is missing or unreadable (exit code 2).
@@ -75,7 +75,7 @@ def read(file: Path, option: str = "--matrix") -> Document:
 
 
 LARGEST = 1 << 20
-"""Bytes of a file that people write. matrix.yaml has 25 kB."""
+"""The most bytes of a file that people write. matrix.yaml has 25 kB."""
 
 
 def parse(content: bytes, name: str = "matrix.yaml") -> Document:
@@ -110,12 +110,12 @@ def _decode(content: bytes, name: str) -> str:
 
 
 def _end(text: str) -> tuple[int, int]:
-    """Line and column of what follows a text."""
+    """Line and column after a text."""
     return text.count("\n") + 1, len(text) - text.rfind("\n")
 
 
 def _refused(text: str) -> Iterator[Problem]:
-    """Anchors, aliases and tags: what is YAML, but not ours."""
+    """Problems with anchors, aliases and tags, which we refuse."""
     for event in untrusted.yaml_events(text):
         kind = "alias" if isinstance(event, yaml.AliasEvent) else "anchor"
         for what, name in ((kind, getattr(event, "anchor", None)), ("tag", getattr(event, "tag", None))):
@@ -149,7 +149,7 @@ _REMEDIES = {
     "another document": "keep one document in a file",
     "did not find expected comment or line break": "put the text in quotes",
 }
-"""What to do about the parser's complaints, which speak of its own work; by what they say."""
+"""Remedies for the parser's messages, by their words. The messages are about its own work."""
 
 
 def _place(node: Any, text: str = "") -> Place:
@@ -211,8 +211,8 @@ def _text(node: Any) -> str:
 
 
 def _scalar(document: Document, path: KeyPath, node: Any) -> Any:
-    """A scalar's value. Of YAML 1.1's many spellings only those are read that mean the same to everybody: `yes`,
-    `012` and `1:30` would silently become true, 10 and 90."""
+    """A scalar's value. We refuse spellings of YAML 1.1 that surprise people: `yes`, `012` and `1:30` would silently become true,
+    10 and 90."""
     kind, text = node.tag.removeprefix(_TAG), node.value
     if kind == "null":
         return None
@@ -220,7 +220,7 @@ def _scalar(document: Document, path: KeyPath, node: Any) -> Any:
         return text == "true"
     if kind == "int" and _INTEGER.fullmatch(text):
         return int(text)
-    if kind == "float":  # none is wanted anywhere; messages show it as it is written
+    if kind == "float":  # no key takes one; messages show it as written
         return float("nan")
     if kind == "timestamp":
         try:

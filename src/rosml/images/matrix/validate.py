@@ -1,4 +1,4 @@
-"""A document -> its model, such as a `Matrix`, or every problem that it has, each with its place in the file."""
+"""A document -> its model, such as a `Matrix`, or all its problems, each with its place in the file."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ Top = TypeVar("Top", bound=BaseModel)
 
 
 def checked(document: Document, top: type[Top], meaning: Mapping[str, str]) -> Top:
-    """What a document says, as a model of any kind.
+    """The model of a document.
 
     Args:
         document: the file.
-        top: the model of the whole of it.
-        meaning: what the model's own patterns ask for, in words.
+        top: the model of the whole file.
+        meaning: the model's own patterns in words.
 
     Raises:
         InputError: with every problem of its structure.
@@ -40,7 +40,7 @@ def checked(document: Document, top: type[Top], meaning: Mapping[str, str]) -> T
             # The rest may be right in that version.
             text = f"{_problem(document, other[0], top, meaning).text}; {_OTHER_VERSION}"
             raise InputError(document.name, [document.problem(("version",), text)]) from None
-        # What YAML itself misreads (a key twice, `yes` for true) was explained already.
+        # Values that YAML itself misreads (a key twice, `yes` for true) have their message already.
         explained = {problem.path for problem in problems}
         complaints = [_problem(document, detail, top, meaning) for detail in details]
         raise InputError(
@@ -52,14 +52,14 @@ def checked(document: Document, top: type[Top], meaning: Mapping[str, str]) -> T
 
 
 _OTHER_VERSION = "take the rosml of the checkout that the file is from, or a newer one"
-"""What to do about a file whose format this release does not know."""
+"""The remedy for a file whose format this release does not know."""
 
 
 def validate(document: Document) -> Matrix:
     """The matrix of a document.
 
     Raises:
-        InputError: with every problem of its structure; or, where that is sound, with every name that does not exist.
+        InputError: with every problem of its structure; if there is none, with every name that does not exist.
     """
     matrix = checked(document, Matrix, MEANING)
     if problems := [document.problem(path, text) for path, text in findings(matrix)]:
@@ -82,7 +82,7 @@ def _problem(document: Document, error: Any, top: type[BaseModel], meaning: Mapp
 
 
 def _first_errors(details: Sequence[Any]) -> list[Any]:
-    """Pydantic's errors without those that follow from others: a list is too short for it where an item is wrong."""
+    """Pydantic's errors without those that follow from others: if an item is wrong, pydantic calls its list too short."""
     wrong = {detail["loc"][:-1] for detail in details}
     return [detail for detail in details if detail["type"] != "too_short" or detail["loc"] not in wrong]
 
@@ -90,7 +90,7 @@ def _first_errors(details: Sequence[Any]) -> list[Any]:
 def _complaint(
     kind: str, context: Mapping[str, Any], value: Any, written: str, otherwise: str, meaning: Mapping[str, str]
 ) -> str:
-    """One sentence: what was expected, what is there, and how to put it right."""
+    """One sentence: what was expected, what was found, and a remedy."""
     if kind == "string_type":
         quoted = isinstance(value, (int, float, date)) and written
         remedy = f'write it in quotes: "{written}"' if quoted else ""
@@ -168,7 +168,7 @@ def _purpose(path: KeyPath, top: type[BaseModel]) -> str:
 
 
 def _model(path: KeyPath, top: type[BaseModel]) -> type[BaseModel] | None:
-    """The model that describes what stands at `path` below `top`; None where there is none."""
+    """The model of the value at `path` below `top`; None if there is none."""
     kind: Any = top
     for step in path:
         if isinstance(kind, type) and issubclass(kind, BaseModel):
@@ -181,7 +181,7 @@ def _model(path: KeyPath, top: type[BaseModel]) -> type[BaseModel] | None:
 
 
 def _bare(kind: Any) -> Any:
-    """A type without `| None`; of a union, its first member."""
+    """A type without `| None`. A union becomes its first member."""
     while get_origin(kind) in (Union, types.UnionType):
         kind = next(argument for argument in get_args(kind) if argument is not type(None))
     return kind
