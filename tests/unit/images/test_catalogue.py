@@ -461,7 +461,7 @@ def test_the_command_prints_json(tmp_path: Path) -> None:
 def test_a_folder_that_cannot_be_written(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     done = call("--only", TORCH, "--output", str(tmp_path / "file/page"))
-    assert isinstance(done.exception, RosmlError) and "a folder that you may write to" in done.exception.remedy
+    assert isinstance(done.exception, RosmlError) and "choose a writable folder" in done.exception.remedy
 
 
 def test_the_sources_of_the_page_are_all_loaded() -> None:

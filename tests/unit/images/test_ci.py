@@ -89,7 +89,7 @@ def test_a_plan_is_the_matrix_of_the_jobs_that_build(registry: Publisher, image_
     summary = (told / github.SUMMARY).read_text()
     assert f"## Plan of {DAY} for {HOST}/{PREFIX}" in summary
     assert "| amd64-1 | amd |" in summary
-    assert "- as they should be: 0" in summary
+    assert "- up to date: 0" in summary
 
 
 def test_a_plan_names_what_changed_when_asked(
@@ -109,7 +109,7 @@ def test_a_plan_names_what_changed_when_asked(
         report.print_plan(run.state, why)
         said = capsys.readouterr().out
         assert ("changed: components/torch/files.sh" in said) == why
-        counts = f"{len(named)} to do, {len(run.state.items) - len(named)} as they should be\n"
+        counts = f"{len(named)} to do, {len(run.state.items) - len(named)} up to date\n"
         assert said.endswith(counts) and "its inputs changed" in said
 
 
@@ -164,7 +164,7 @@ def test_what_lacks_a_lock_has_a_line_of_its_own(
     run = registry.run(lacking)
     report.print_plan(run.state, why=False)
     *_, counts, line = capsys.readouterr().out.splitlines()
-    assert counts.endswith(" as they should be")
+    assert counts.endswith(" up to date")
     assert line == f"{images} without a lock, which cannot be built yet: {missing.RESTORE}"
     report.tell(make_plan(run.state, 4))
     assert f"\n- without a lock: {images}, which cannot be built yet\n" in (told / github.SUMMARY).read_text()
@@ -442,7 +442,7 @@ def test_a_run_says_what_it_uploaded(
     registry.registry.uploaded = 0
     nothing = registry.publish(image_set, only=["alpha-base"], architectures=("amd64",), serving=("amd64",), date=NEXT)
     report.show(nothing, as_json=False)
-    assert "everything is as it should be\n0 B uploaded, " in capsys.readouterr().out
+    assert "everything is up to date\n0 B uploaded, " in capsys.readouterr().out
     registry.packages["alpha"] = "tuesday"
     same = registry.publish(image_set, only=["alpha-base"], architectures=("amd64",), serving=("amd64",), date=NEXT)
     assert steps(same, "build") and same.pushed == 0, "the same layers were counted again"
@@ -469,5 +469,5 @@ def test_the_summary_of_a_job_has_a_row_for_all_that_was_done(
     assert found["promote", "`alpha-core`", ""][0] == "done"
     assert not [key for key in found if "omega" in key[1]]
     unchanged = sum(item.thing.target == "omega-core" for item in run.state.items)
-    assert unchanged == 2 and f"- {unchanged} left alone, as they should be\n" in text
+    assert unchanged == 2 and f"- {unchanged} up to date, left alone\n" in text
     assert "- build: 2 done\n" in text and "- build: 2 failed\n" in text

@@ -80,7 +80,7 @@ def test_what_is_proposed_is_whole(checkout: Path, tmp_path_factory: pytest.Temp
     assert any(name.startswith("locks/") for name in changed), "the local replacement for uv has other versions"
     report = (checkout / "versions.md").read_text()
     assert "moved" in report
-    assert "No release on the index is newer than what the matrix names." in report
+    assert "No release on the index is newer than those that the matrix names." in report
     assert [name for name in changed if not name.startswith(tuple(KEPT))] == [], "made, and thrown away"
     assert sorted(PROPOSED) == sorted(set(KEPT) - {"versions.md"})
     second = tmp_path_factory.mktemp("second") / "checkout"

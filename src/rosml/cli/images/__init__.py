@@ -1,1 +1,1 @@
-"""Commands that make images, say what there is, and publish it."""
+"""Commands that build, list and publish images."""

@@ -1,4 +1,4 @@
-"""What the commands of a publishing run share: their options, and the run that these ask for."""
+"""What the commands of a publishing run share: their options, and how a run is made from these."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ if TYPE_CHECKING:
     from rosml.machine.services import Services
 
 KEPT = "interrupted: no tag points at what is not finished; what was finished is kept, the next call carries on"
-"""What is said after Ctrl-C."""
+"""The message after Ctrl-C."""
 
 
 def wait_for_turn() -> None:
-    """Waits until no other publishing run of this checkout is under way; the turn ends with the command."""
+    """Waits until no other publishing run of this checkout is under way. The turn ends with the command."""
     turn = file_lock.turn(
         ROOT / ".state/publish.lock", lambda: say("waiting for another publishing run of this checkout")
     )
@@ -38,14 +38,14 @@ def wait_for_turn() -> None:
 
 
 def _namespace(_context: click.Context, _parameter: click.Parameter, value: str) -> str:
-    """A part of a repository's name, checked before it becomes one."""
+    """Checks the first part of repositories' names."""
     if not re.fullmatch(r"[a-z0-9]+([._-]+[a-z0-9]+)*(/[a-z0-9]+([._-]+[a-z0-9]+)*)*", value):
         raise click.BadParameter(f"{value!r} is no part of a repository's name, such as rosml or my-team/rosml")
     return value
 
 
 def sharing(*names: str) -> Callable[[Function], Function]:
-    """Options that several commands share, by name."""
+    """Adds options that several commands share, by name."""
 
     def decorate(function: Function) -> Function:
         for name in reversed(names):
@@ -72,7 +72,7 @@ _OPTIONS: dict[str, Callable[[Function], Function]] = {
         multiple=True,
         metavar="NAME",
         callback=options.words,
-        help="work for it; repeatable; this machine's own if left out",
+        help="work for this one; repeatable; this machine's own if left out",
     ),
     "serve": click.option(
         "--serve",
@@ -82,42 +82,42 @@ _OPTIONS: dict[str, Callable[[Function], Function]] = {
         help="architectures that this registry serves; repeatable; all of the matrix if left out",
     ),
     "force": click.option(
-        "--force", is_flag=True, envvar="ROSML_FORCE", help="make everything anew, without the builder's cache"
+        "--force", is_flag=True, envvar="ROSML_FORCE", help="rebuild everything, without the builder's cache"
     ),
     "plan": click.option(
         "--plan",
         "plan_file",
         type=click.Path(path_type=Path, exists=True),
-        help="what 'plan' wrote: its date and images",
+        help="a file that 'plan' wrote; take the date and the images from it",
     ),
-    "shard": click.option("--shard", default="", metavar="NAME", help="of --plan: only what it builds"),
+    "shard": click.option("--shard", default="", metavar="NAME", help="with --plan: only the images of this shard"),
     "date": click.option(
-        "--date", default="", metavar="TIME", help="the run's date, such as 2026-11-22T03:00:00Z; now"
+        "--date", default="", metavar="TIME", help="the run's date, such as 2026-11-22T03:00:00Z; now if left out"
     ),
     "since": click.option(
-        "--since", default="", metavar="REV", help="only images that differ from a git revision: for pull requests"
+        "--since", default="", metavar="REV", help="only images that differ from this git revision, for pull requests"
     ),
     "at-most": click.option(
         "--at-most",
         type=click.IntRange(min=1),
         default=4,
         show_default=True,
-        help="with --since: so many of them, chosen to have one for all that changed",
+        help="with --since: build at most this many; together they cover the changes",
     ),
     "require-scan": click.option(
-        "--require-scan", is_flag=True, help="images get tags only after a scan by the policy that found them clean"
+        "--require-scan", is_flag=True, help="move tags only to images that a scan by the policy found clean"
     ),
     "sign": click.option(
         "--sign",
         is_flag=True,
         envvar="ROSML_SIGN",
-        help="sign indexes, with the key that COSIGN_KEY names or as the workflow; without a signature none gets a tag",
+        help="sign indexes, with the key that COSIGN_KEY names or as the workflow; move tags only to signed ones",
     ),
     "policy": click.option(
         "--policy",
         type=click.Path(path_type=Path),
         default=ROOT / "scan.yaml",
-        help="the file that says which vulnerabilities keep an image from its tags; scan.yaml if left out",
+        help="the file that decides which vulnerabilities keep an image from its tags; scan.yaml if left out",
     ),
     "json": options.JSON,
 }
@@ -125,7 +125,7 @@ _OPTIONS: dict[str, Callable[[Function], Function]] = {
 
 @dataclass
 class Call:
-    """What the commands of a publishing run are called with."""
+    """The options of a command of a publishing run."""
 
     registry: str = ""
     matrix: Path = ROOT / "matrix.yaml"
@@ -144,7 +144,7 @@ class Call:
     policy: Path = ROOT / "scan.yaml"
 
     def changed(self, image_set: ImageSet) -> tuple[str, ...]:
-        """The images to build of those that differ from the revision; ends the command where there are none."""
+        """The images to build, of those that differ from the revision. If there are none, the command ends."""
         from rosml.base import github
         from rosml.images.bake import pull_request
         from rosml.images.bake.inputs import Inputs
@@ -169,11 +169,11 @@ class Call:
         return load.load(self.matrix, ROOT)
 
     def survey(self, reading: bool = False) -> State:
-        """What is known of the images that are asked for: the registry and the repositories of packages were asked.
+        """Asks the registry and the package repositories, and gives the state of the requested images.
 
         Args:
-            reading: nothing will be made. What images stand on is judged for all of its architectures, and with a
-                registry named, no service of this machine is needed.
+            reading: nothing will be built. Then the ROS images and parts below are judged on all of their architectures,
+                and if a registry is named, no service of this machine is needed.
         """
         from rosml.base import clock
         from rosml.images.image_set import selection
@@ -194,11 +194,11 @@ class Call:
             self.serve, self.force = self.serve or plan.serve, self.force or plan.force
             package_state = plan.package_state
         elif self.shard:
-            raise click.UsageError("--shard is one of a plan: add --plan FILE")
-        selection.require_architectures(image_set, self.serve)  # a typo is told before anything is asked
+            raise click.UsageError("--shard needs a plan: add --plan FILE")
+        selection.require_architectures(image_set, self.serve)  # a typo ends the command before anything is asked
         if self.since:
             if self.only:
-                raise click.UsageError("--since says which images; leave --only out")
+                raise click.UsageError("--since chooses the images; leave --only out")
             self.only = self.changed(image_set)
         selection.select(image_set, self.only)
         if self.date:
@@ -229,14 +229,14 @@ class Call:
         return found
 
     def run(self) -> Run:
-        """The run that is asked for; nothing is done yet."""
+        """The requested run. It has done nothing yet."""
         from rosml.images.builds.maker import BuildKitMaker
         from rosml.images.publish.cosign import Signer
         from rosml.images.publish.run import Run
         from rosml.machine import trust
 
         started = time.monotonic()
-        # A signer that is missing is told before anything is asked.
+        # If the signer is missing, the command ends before anything is asked.
         signer = Signer.find(ROOT, trust.trusting(self.services(reading=False))) if self.sign else None
         state = self.survey()
         services = state.request.services
@@ -244,7 +244,7 @@ class Call:
         return Run(state, maker, say, signer, started)
 
     def services(self, reading: bool) -> Services:
-        """Those of this machine; none are needed where nothing will be made and a registry is named."""
+        """The services of this machine. None are needed if nothing will be built and a registry is named."""
         from rosml.base.errors import RosmlError
         from rosml.machine.services import Services
 
@@ -254,7 +254,7 @@ class Call:
             raise (options.unnamed(error) if reading else error) from None
 
     def report(self, run: Run) -> None:
-        """Prints what was done; ends with 1 where something failed."""
+        """Prints what was done. Exits with 1 if something failed."""
         from rosml.cli.images import report
 
         report.show(run, self.as_json)

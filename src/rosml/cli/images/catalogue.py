@@ -1,4 +1,4 @@
-"""Writes the catalogue of what is published: a page for people, and catalogue.json."""
+"""`rosml catalogue`: what is published, as a page for people and as catalogue.json."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rosml.cli.checkout import Command
 
 @click.command(
     "catalogue",
-    short_help="Writes a page of what is published, and the same as JSON.",
+    short_help="Writes a page of all published images, and JSON.",
     cls=Command,
     alone=True,
     prints=True,
@@ -27,20 +27,20 @@ from rosml.cli.checkout import Command
     "--output",
     type=click.Path(path_type=Path, file_okay=False),
     default=STATE / "catalogue",
-    help="the folder to write; .state/catalogue of the checkout if left out, or rosml/catalogue in the user's cache",
+    help="the folder to write; if left out, .state/catalogue in the checkout, or rosml/catalogue in your cache",
 )
 @click.option(
     "--history",
     type=click.IntRange(min=1),
     default=10,
     show_default=True,
-    help="describe so many builds of each image that no tag points at any more; those with a tag are all described",
+    help="describe at most this many builds of each image without a tag; builds with a tag are all described",
 )
-@click.option("--json", "as_json", is_flag=True, help="print catalogue.json on standard output, and write nothing")
+@click.option("--json", "as_json", is_flag=True, help="print catalogue.json on standard output, and write no file")
 def main(registry: str, matrix: Path, only: tuple[str, ...], output: Path, history: int, as_json: bool) -> None:
-    """Writes the catalogue into a folder that any static host can serve, or that is opened as it is.
+    """Writes the catalogue into a folder. Open it in a browser, or serve it from any static host.
 
-    Reads manifests, configs and the records; pulls no layer, builds nothing, and needs no right to write.
+    Reads manifests, configs and the records. Pulls no layer, builds nothing, and needs only read access.
 
     \b
     Examples:
@@ -55,7 +55,7 @@ def main(registry: str, matrix: Path, only: tuple[str, ...], output: Path, histo
     from rosml.images.image_set import load
 
     if not output.name:
-        raise click.UsageError("--output names no folder")
+        raise click.UsageError("--output needs the name of a folder")
     image_set = load.load(matrix, ROOT)
     place = options.place_of(registry, ROOT)
     with place.client:
@@ -69,7 +69,7 @@ def main(registry: str, matrix: Path, only: tuple[str, ...], output: Path, histo
     try:
         written = site.write(output, found)
     except OSError as error:
-        raise RosmlError(f"{output}: {error.strerror}", "name a folder that you may write to") from None
+        raise RosmlError(f"{output}: {error.strerror}", "choose a writable folder") from None
     published = sum(image.status == "built" for image in found.images)
     terminal.echo(
         f"{counted(len(found.images), 'image')} described, {published} of them published in {found.registry}", err=True

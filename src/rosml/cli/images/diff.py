@@ -1,4 +1,4 @@
-"""`rosml diff`: which images a change reaches."""
+"""`rosml diff`: which images a change rebuilds."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from rosml.cli import options
 from rosml.cli.checkout import Command
 
 
-@click.command("diff", short_help="Says which images a change builds anew, and why.", cls=Command, prints=True)
+@click.command("diff", short_help="Lists which images a change rebuilds, and why.", cls=Command, prints=True)
 @click.argument("version", metavar="[REVISION]", default="HEAD")
 @options.MATRIX
 @options.JSON
 def main(version: str, matrix: Path, as_json: bool) -> None:
-    """Says which images differ from a git revision or another matrix file, and why. Without REVISION: from HEAD.
+    """Lists which images differ from a git revision or another matrix file, and why. Without REVISION, compares with HEAD.
 
     \b
     Examples:
-      rosml diff               what the uncommitted changes would build
-      rosml diff v1.2 --json   all of it since a tag, for machines
+      rosml diff               which images the uncommitted changes rebuild
+      rosml diff v1.2 --json   all changes since a tag, for machines
     """
     from rosml.base import github
     from rosml.cli.images import tables

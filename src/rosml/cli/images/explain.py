@@ -1,4 +1,4 @@
-"""`rosml explain`: why there is an image, or why not."""
+"""`rosml explain`: why an image exists, or why it does not."""
 
 from __future__ import annotations
 
@@ -18,8 +18,9 @@ from rosml.cli.checkout import Command
 @options.MATRIX
 @options.JSON
 def main(name: str, matrix: Path, as_json: bool) -> None:
-    """Says why an image exists, or why it does not. NAME is a target or a tag, with the registry or without. Dated tags
-    are not in the matrix: leave the date out.
+    """Says why an image exists, or why it does not.
+
+    NAME is a target or a tag, with or without the registry. Leave out the date of a dated tag: the matrix has no dates.
 
     \b
     Examples:

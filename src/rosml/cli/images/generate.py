@@ -1,9 +1,9 @@
-"""Writes docker-bake.hcl (and schemas, tables of the documentation, and files for CI) from matrix.yaml.
+"""Writes docker-bake.hcl from matrix.yaml; also schemas, tables of the documentation, and files for CI.
 
 \b
 Examples:
   rosml generate          after a change of matrix.yaml
-  rosml generate --check  whether anybody forgot that
+  rosml generate --check  whether a generated file is stale
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from rosml.base.errors import RosmlError
 from rosml.cli import command, options
 from rosml.cli.checkout import Command
 
-if TYPE_CHECKING:  # imported where it is needed: what is fast stays fast
+if TYPE_CHECKING:  # imported by the functions that need it, so that other commands start fast
     from rosml.images.image_set.model import ImageSet
 
 COMMAND = "rosml generate"
@@ -37,7 +37,7 @@ COMMAND = "rosml generate"
 @click.option(
     "--output",
     type=click.Path(path_type=Path),
-    help="Write this bake file instead, and nothing else.",
+    help="Write only the bake file, and write it here.",
 )
 def main(check: bool, matrix: Path, output: Path | None) -> None:
     if output and output.exists() and output.resolve() == matrix.resolve():
@@ -53,7 +53,7 @@ def main(check: bool, matrix: Path, output: Path | None) -> None:
 
 
 def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
-    """Every generated file with its content; nothing but the bake file where that is to be written elsewhere."""
+    """Every generated file with its content; only the bake file if `output` says where to write it."""
     from rosml.images.bake import bake_file, inputs
 
     known = inputs.Inputs(ROOT, image_set)
@@ -80,7 +80,8 @@ def write(wanted: dict[Path, str], lost: RosmlError | None = None, within: Path 
     """Writes the files that changed.
 
     Args:
-        lost: locks that should be there; images without them are in no group.
+        wanted: files, with their content.
+        lost: a warning about missing locks; images without locks are in no group.
         within: the folder that links may not lead out of; None for a file that the user named.
     """
     changed = files.write_all(wanted, within)
@@ -91,8 +92,11 @@ def write(wanted: dict[Path, str], lost: RosmlError | None = None, within: Path 
 
 
 def verify(wanted: dict[Path, str], lost: RosmlError | None) -> None:
-    """Compares the files; raises RosmlError if one is stale, or if locks are lost: whoever then generates and commits
-    would commit the loss."""
+    """Compares the files with what would be generated.
+
+    Raises:
+        RosmlError: a file is stale; or locks are lost, because a commit after 'rosml generate' would include the loss.
+    """
     differences = {file: files.difference(file, content) for file, content in wanted.items()}
     stale = [files.shown(file) for file, text in differences.items() if text]
     terminal.echo("".join(differences.values()), nl=False)

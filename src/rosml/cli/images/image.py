@@ -1,4 +1,4 @@
-"""`rosml image`: one image, from nothing to a tag in the local registry."""
+"""`rosml image`: one image, from its build to a tag in the local registry."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from rosml.machine.services import Services
 
 LONGEST_TAG = 128
-"""Characters, by the OCI distribution specification."""
+"""In characters, by the OCI distribution specification."""
 
 
 @click.command("image", short_help="Builds and tests an image on this machine.", cls=Command, kept=KEPT)
@@ -34,22 +34,22 @@ LONGEST_TAG = 128
     "--platform",
     default="",
     metavar="PLATFORM",
-    help="build and test for it, such as linux/arm64; no tag moves where it is not the machine's own",
+    help="build and test for this one, such as linux/arm64; no tag moves if it is not this machine's own",
 )
 @click.option(
     "--on",
     default="",
     metavar="IMAGE",
-    help="install the ROS of TARGET on IMAGE, which is somebody else's, in the place of its operating system's image",
+    help="install the ROS of TARGET on IMAGE, not on the base image that matrix.yaml names",
 )
 @sharing("force", "json")
 def main(target: str, matrix: Path, namespace: str, platform: str, on: str, force: bool, as_json: bool) -> None:
-    """Builds TARGET and what it stands on, runs its structure tests, and moves its tags in the local registry.
+    """Builds TARGET, runs its structure tests, and moves its tags in the local registry.
 
-    Sets this machine up first, if it is not. Makes only what is missing or out of date. 'status' and the catalogue know the
-    image afterwards.
+    Builds also the images and parts that TARGET needs, if they are missing or out of date. Sets this machine up first, if
+    necessary. 'rosml status' and the catalogue show the image afterwards.
 
-    Without TARGET: the first of matrix.yaml's defaults that this machine can build.
+    Without TARGET, builds the first of matrix.yaml's defaults that this machine can build.
 
     \b
     Examples:
@@ -71,7 +71,7 @@ def main(target: str, matrix: Path, namespace: str, platform: str, on: str, forc
 
     call = Call(matrix=matrix, force=force)
     image_set = call.image_set
-    # A typo is told before anything else happens.
+    # A typo ends the command before anything else happens.
     native = native_architecture()
     architecture = selection.architecture_of(image_set, platform) if platform else native
     named = explain.image(image_set, target) if target else None
@@ -115,7 +115,7 @@ def _on(
     """Installs the ROS of an image on another one, and pushes the result into the local registry.
 
     Raises:
-        RosmlError: the image is not there or has ROS, nothing fits, or a step failed.
+        RosmlError: the image is missing or has ROS already, no ROS of the matrix fits it, or a step failed.
     """
     from rosml.containerize import adopt, app_base
     from rosml.containerize.app_inputs import Values
@@ -132,7 +132,7 @@ def _on(
     tag = re.sub(r"^sha256:(.{12}).*", r"\1", place.reference)
     if len(tag) + 1 + len(image.target) > LONGEST_TAG:
         tag = found.digest[7:19]
-    # With its whole path: two owners have images of one name, and `records` is one of ours.
+    # The whole path: two owners may have images of the same name, and `records` is one of our repositories.
     reference = f"{services.registry}/{namespace}/on/{place.repository}:{tag}-{image.target}"
     output = f"type=image,push=true,{COMPRESSION}"
     digest = adopt.make(onto, services, os.environ, (platform,), reference, output)

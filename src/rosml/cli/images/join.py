@@ -1,4 +1,4 @@
-"""Puts an image together in a registry, from a ROS image and parts: no Docker, no builder, no layer is pulled."""
+"""`rosml join`: joins a ROS image and parts in a registry. It needs no Docker and no builder, and pulls no layer."""
 
 from __future__ import annotations
 
@@ -11,28 +11,26 @@ from rosml.base import terminal
 from rosml.cli import options
 from rosml.cli.checkout import Command
 
-KEPT = "interrupted: no tag was moved; what was pushed is found again by the next call"
-"""What is said after Ctrl-C."""
+KEPT = "interrupted: no tag was moved; the next call finds again what was pushed"
+"""The message after Ctrl-C."""
 
 
-@click.command(
-    "join", short_help="Puts an image together from a ROS image and parts.", cls=Command, alone=True, kept=KEPT
-)
+@click.command("join", short_help="Joins a ROS image and parts in a registry.", cls=Command, alone=True, kept=KEPT)
 @click.argument("ros_image")
 @click.argument("parts", nargs=-1, required=True, metavar="PART...")
 @click.option("--tag", required=True, metavar="REFERENCE", help="the image to make: registry, repository and tag")
 @click.option(
-    "--platform", "platforms", multiple=True, metavar="PLATFORM", help="only for it, such as linux/arm64; repeatable"
+    "--platform", "platforms", multiple=True, metavar="PLATFORM", help="only this one, such as linux/arm64; repeatable"
 )
-@click.option("--allow-unlisted", is_flag=True, help="go on where an image has no list of its files to be compared")
+@click.option("--allow-unlisted", is_flag=True, help="continue if an image has no list of files to compare")
 @options.JSON
 def main(
     ros_image: str, parts: tuple[str, ...], tag: str, platforms: tuple[str, ...], allow_unlisted: bool, as_json: bool
 ) -> None:
     """Joins ROS_IMAGE and PARTs, and moves a tag to the result.
 
-    All are complete references, in any registry. Layers are mounted where they are in the tag's registry, and copied where
-    they are not. For every platform that all of them have. Credentials are those of 'docker login'.
+    Give complete references, in any registry. The result has every platform that all of them have. rosml mounts layers from
+    the registry of the tag, and copies layers from other registries. Credentials are those of 'docker login'.
 
     \b
     Example:

@@ -1,4 +1,4 @@
-"""`rosml list`: images with their facts."""
+"""`rosml list`: images, with their versions, platforms and tags."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from rosml.cli.checkout import Command
 @options.MATRIX
 @options.JSON
 def main(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
-    """Lists every image with its facts; with GROUPs, those that are in all of them.
+    """Lists all images, with their versions, platforms and tags. With GROUPs, lists the images that are in all of them.
 
     \b
     Examples:

@@ -1,4 +1,4 @@
-"""Writes the hash-pinned locks in locks/ from matrix.yaml, and moves the digests of base images in it."""
+"""`rosml locks`: writes the hash-pinned locks in locks/ from matrix.yaml, and updates the digests of base images in it."""
 
 from __future__ import annotations
 
@@ -29,25 +29,29 @@ if TYPE_CHECKING:
 @click.option(
     "--upgrade",
     is_flag=True,
-    help="Move to the newest versions that fit, and base images to what their tags point at; otherwise earlier ones stay.",
+    help="Take the newest versions that fit, and the images that base images' tags point at. Without it, versions stay.",
 )
-@click.option("--bases", is_flag=True, help="Only move base images to what their tags point at; resolve nothing.")
+@click.option("--bases", is_flag=True, help="Only take the images that base images' tags point at; resolve nothing.")
 @click.option(
-    "--upstream", is_flag=True, help="Say what the index has that the matrix has not, since when, and what holds it."
+    "--upstream",
+    is_flag=True,
+    help="List the releases on the index that the matrix lacks, since when they exist, and what holds them back.",
 )
 @click.option(
     "--installs",
     is_flag=True,
-    help="Say which releases people get of packages that they install into images, and write that to docs/installs.md;"
-    " exit 1 if constraints take older ones than they need.",
+    help="Find which releases of other packages you get if you install them into images, and write that to"
+    " docs/installs.md; exit 1 if constraints force older releases than necessary.",
 )
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 if a lock or a base image would change.")
 @click.option("--stack", "stacks", multiple=True, metavar="NAME", help="Only the locks of this stack or row of wheels.")
 @options.MATRIX
 @click.option(
-    "--report", type=click.Path(path_type=Path, dir_okay=False), help="Write the table of versions there, as Markdown."
+    "--report",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="Write the table of versions into this file, as Markdown.",
 )
-@click.option("--json", "as_json", is_flag=True, help="Print what moved as JSON; all else goes to standard error.")
+@click.option("--json", "as_json", is_flag=True, help="Print what moved as JSON, and all else on standard error.")
 def main(
     upgrade: bool,
     bases: bool,
@@ -61,8 +65,8 @@ def main(
 ) -> None:
     """Resolves every stack for every Python version and architecture, and writes the locks that changed.
 
-    With --upgrade or --bases, digests of base images in matrix.yaml move as well; run 'rosml generate' then.
-    If there is a scanner ('rosml setup scanner'), says which versions will keep images from their tags, by scan.yaml.
+    --upgrade and --bases also update the digests of base images in matrix.yaml; run 'rosml generate' afterwards.
+    If you have the scanner ('rosml setup scanner'), the command lists the versions that the scan will stop, by scan.yaml.
 
     \b
     Examples:
@@ -70,9 +74,9 @@ def main(
       rosml locks --upgrade    take new releases of the dependencies
       rosml locks --stack cpu  the locks of one stack
       rosml locks --check --json   what would move, for machines
-      rosml locks --bases      take base images that their makers renewed
+      rosml locks --bases      take new base images
       rosml locks --upstream   releases of PyTorch and TensorFlow that no stack has yet
-      rosml locks --installs   what people get who install gradio, jax or vllm
+      rosml locks --installs   what you get if you install gradio, jax or vllm
     """
     from rosml.cli.images import tables
     from rosml.images.image_set import load, locked
@@ -98,7 +102,7 @@ def main(
     for path in () if check else stale:
         (ROOT / path).parent.mkdir(parents=True, exist_ok=True)
         files.write(ROOT / path, locks.texts[path], within=ROOT)
-    for path in stale:  # when all is written: whoever reads along may stop reading
+    for path in stale:  # after all is written: the reader of a pipe may stop reading
         terminal.echo(f"{path}: {'would change' if check else 'written'}", err=as_json)
     moved = moves(earlier, {path: locks.texts[path] for path in stale if path in earlier})
     fresh = [path for path in stale if path not in earlier]
@@ -117,7 +121,8 @@ def main(
         terminal.echo(line, err=True)
     if stopped:
         terminal.echo(
-            "raise what the scan will stop, or add entries to scan.yaml, with a reason and a last day", err=True
+            "raise the versions that the scan will stop, or add entries to scan.yaml, with a reason and a last day",
+            err=True,
         )
     terminal.echo(f"{len(locks.texts)} locks, {len(stale)} {'stale' if check else 'changed'}", err=as_json)
     if as_json:
@@ -128,26 +133,29 @@ def main(
 
 
 def say(line: str) -> None:
-    """Tells people how far the work is."""
+    """Prints progress."""
     terminal.echo(line, err=True)
 
 
 def require_alone(upstream: bool, installs: bool, bases: bool, given: Mapping[str, object]) -> None:
-    """Refuses options that are about different things.
+    """Refuses options that exclude each other.
 
     Args:
-        upstream: and the next two: what was asked for. given: options that may not go with it, and their values.
+        upstream: whether --upstream is given.
+        installs: whether --installs is given.
+        bases: whether --bases is given.
+        given: the values of the options that may exclude these.
     """
     if upstream and (given["--upgrade"] or given["--bases"] or given["--check"]):
         raise click.UsageError("--upstream writes no lock; leave --upgrade, --bases and --check out")
     if bases and (given["--upgrade"] or given["--stack"]):
-        raise click.UsageError("--bases is about base images alone; leave --upgrade and --stack out")
+        raise click.UsageError("--bases takes base images alone; leave --upgrade and --stack out")
     if installs and (upstream or any(given.values())):
-        raise click.UsageError("--installs is about all stacks, and writes no lock; give no other option")
+        raise click.UsageError("--installs looks at all stacks, and writes no lock; give no other option")
 
 
 def require_known(image_set: ImageSet, stacks: Sequence[str]) -> None:
-    """Refuses a stack that there is not."""
+    """Refuses unknown stacks."""
     from rosml.base.problems import listed, unknown
 
     known = [*image_set.matrix.stacks, *(item.distribution for item in image_set.wheels)]
@@ -157,10 +165,10 @@ def require_known(image_set: ImageSet, stacks: Sequence[str]) -> None:
 
 
 def tell_installs(matrix: Path) -> None:
-    """Says what people get of packages that they install, and writes the data and the page.
+    """Finds which releases people get of packages that they install, and writes the data and the page.
 
     Raises:
-        RosmlError: constraints take older releases than they need.
+        RosmlError: constraints force older releases than necessary.
     """
     from rosml.images.image_set import load
     from rosml.images.locks import installs
@@ -178,7 +186,7 @@ UPSTREAM = ("stack", "package", "ours", "newest", "since", "held by")
 
 
 def tell_upstream(image_set: ImageSet, stacks: Sequence[str], report: Path | None, as_json: bool) -> None:
-    """Says what the index has that the matrix has not."""
+    """Prints the releases on the index that the matrix lacks."""
     from rosml.base.problems import counted
     from rosml.cli.images import tables
     from rosml.images.locks import upstream
@@ -190,20 +198,22 @@ def tell_upstream(image_set: ImageSet, stacks: Sequence[str], report: Path | Non
         terminal.echo(json.dumps([asdict(item) for item in found], indent=2, ensure_ascii=False))
         return
     tables.show(UPSTREAM, upstream_rows(found), wrapped=("held by",))
-    terminal.echo(f"{counted(len(found), 'newer release')}" if found else "nothing is newer than what the matrix names")
+    terminal.echo(
+        f"{counted(len(found), 'newer release')}" if found else "no release is newer than those that the matrix names"
+    )
 
 
 def upstream_table(image_set: ImageSet, stacks: Sequence[str]) -> str:
-    """What the index has that the matrix has not: a part of the text of a pull request."""
+    """The releases on the index that the matrix lacks, as Markdown for a pull request."""
     from rosml.images.locks import upstream
 
     return upstream_text(upstream.look(image_set, stacks=stacks, say=say))
 
 
 def upstream_text(found: Sequence[Newer]) -> str:
-    """The same as Markdown."""
+    """Releases that the matrix lacks, as Markdown."""
     if not found:
-        return "\nNo release on the index is newer than what the matrix names.\n"
+        return "\nNo release on the index is newer than those that the matrix names.\n"
     return "\nOn the index, and not in the matrix:\n\n" + github.table(UPSTREAM, upstream_rows(found))
 
 
@@ -224,7 +234,14 @@ def upstream_rows(found: Sequence[Newer]) -> list[tuple[str, ...]]:
 
 
 def tell_bases(pinned: Pins, check: bool, report: Path | None, as_json: bool) -> None:
-    """Says which base images moved, where nothing else was asked for; with `check` an error if any did."""
+    """Reports which base images moved, for --bases.
+
+    Args:
+        pinned: the base images.
+        check: raise an error if any moved.
+        report: a file for the table, as Markdown.
+        as_json: print them as JSON.
+    """
     if report:
         files.write(report, base_table(pinned))
     if as_json:
@@ -234,10 +251,13 @@ def tell_bases(pinned: Pins, check: bool, report: Path | None, as_json: bool) ->
 
 
 def require_fresh(locks: int, pinned: Pins | None, words: Sequence[str], as_json: bool) -> None:
-    """Ends with an error where something is stale: what it is, and the command that writes it.
+    """Ends the command with an error if something is stale. The error names it, and the command that writes it.
 
     Args:
-        locks: how many are stale. pinned: base images, if they were looked at. words: what the command was called with.
+        locks: how many locks are stale.
+        pinned: base images, if they were looked at.
+        words: the options of the command.
+        as_json: print the error on standard error alone.
     """
     from rosml.base.problems import counted, listed
 
@@ -250,7 +270,7 @@ def require_fresh(locks: int, pinned: Pins | None, words: Sequence[str], as_json
 
 
 def stop(error: RosmlError, as_json: bool) -> None:
-    """Ends with an error; with `--json`, whose one object is printed by then, it is told on standard error alone."""
+    """Ends the command with an error. With `--json`, the one object is printed already, so the error goes to standard error."""
     if not as_json:
         raise error
     terminal.echo(f"error: {error.message}\nremedy: {error.remedy}", err=True)
@@ -266,12 +286,16 @@ def to_json(
     stopped: Sequence[Refused] = (),
     unknown: str = "",
 ) -> str:
-    """What `--json` prints. Where a package was, or is, not there, its version is `null`.
+    """What `--json` prints. The version of a package that a lock lacked, or lacks now, is `null`.
 
     Args:
-        moved: versions, with how many locks have each. stale: locks that changed, or would. fresh: new ones among them.
-        left_out: requests whose locks stay as they are, with the reason. pinned: base images.
-        stopped: versions that the scan will stop. unknown: why nobody knows that.
+        moved: versions, and how many locks have each.
+        stale: locks that changed, or would change.
+        fresh: the new ones of these.
+        left_out: requests whose locks stay as they are, with the reason.
+        pinned: base images.
+        stopped: versions that the scan will stop.
+        unknown: why these are not known.
     """
     found = {
         "moved": [
@@ -290,7 +314,7 @@ def to_json(
 
 
 def base_images(matrix: Path, check: bool, as_json: bool = False) -> Pins:
-    """Looks where the tags of base images point, and writes that into the matrix; nothing where it is only checked."""
+    """Asks where the tags of base images point, and writes that into the matrix, unless `check` is set."""
     from rosml.images.image_set import load
     from rosml.images.locks import base_digests
     from rosml.images.matrix import source
@@ -311,7 +335,7 @@ def base_images(matrix: Path, check: bool, as_json: bool = False) -> Pins:
 
 
 def base_table(pinned: Pins) -> str:
-    """The base images that moved, and those of which nobody knows: a part of the text of a pull request."""
+    """The base images that moved, and those whose registry did not say, as Markdown for a pull request."""
     from rosml.images.locks import base_digests
 
     rows = base_digests.rows(pinned.moved)
@@ -321,7 +345,7 @@ def base_table(pinned: Pins) -> str:
 
 
 def judged(image_set: ImageSet, texts: Mapping[str, str]) -> tuple[list[Refused], str]:
-    """What of locks the scan will stop by scan.yaml, and why nobody knows it, if so."""
+    """The locked versions that the scan will stop by scan.yaml; or the reason why these are not known."""
     from datetime import UTC, datetime
 
     from rosml.images.scan import locked, policy
@@ -332,15 +356,15 @@ def judged(image_set: ImageSet, texts: Mapping[str, str]) -> tuple[list[Refused]
         return locked.refused(image_set, texts, policy.load(ROOT / "scan.yaml"), trivy, datetime.now(UTC), say), ""
     except ScannerFailed as error:
         remedy = f"; {error.remedy}" if error.remedy else ""
-        return [], f"nobody knows whether the scan will stop what is locked: {error.message}{remedy}"
+        return [], f"cannot tell which locked versions the scan will stop: {error.message}{remedy}"
 
 
 def refused_table(stopped: Sequence[Refused], unknown: str) -> str:
-    """What the scan will stop: a part of the text of a pull request."""
+    """The locked versions that the scan will stop, as Markdown for a pull request."""
     if unknown:
         return f"\n{unknown[0].upper()}{unknown[1:]}\n"
     if not stopped:
-        return "\nThe scan will stop nothing that is locked.\n"
+        return "\nThe scan will stop none of the locked versions.\n"
     rows = [(it.package, it.version, it.id, it.severity, it.fixed or "-", str(len(it.images))) for it in stopped]
     columns = ("package", "version", "advisory", "severity", "fixed in", "images")
     return "\nBy `scan.yaml`, the scan will stop images with these versions:\n\n" + github.table(columns, rows)
@@ -355,7 +379,7 @@ def rows_of(moved: Mapping[Move, int]) -> list[tuple[str, ...]]:
 
 
 def markdown(moved: Mapping[Move, int], fresh: Sequence[str], left_out: Mapping[Any, str]) -> str:
-    """The table, new locks, and those that stay as they are with the reason: the text of a pull request."""
+    """The text of a pull request: the table, new locks, and locks that stay as they are, with the reason."""
     text = github.table(COLUMNS, rows_of(moved)) if moved else "No version moved.\n"
     lines = [f"- new: `{path}`" for path in fresh]
     lines += [f"- {request}: locks stay as they are: {reason}" for request, reason in left_out.items()]

@@ -1,4 +1,4 @@
-"""`rosml part`: parts, which people add to images of their own."""
+"""`rosml part`: parts, which you add to your own images."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ from rosml.cli.command import say
 from rosml.cli.images.call import KEPT, sharing
 
 
-@click.command("part", short_help="Builds parts, which COPY --link adds to an image of yours.", cls=Command, kept=KEPT)
+@click.command("part", short_help="Builds parts, which COPY --link adds to your image.", cls=Command, kept=KEPT)
 @click.argument("parts", nargs=-1, metavar="[NAME]...", type=completion.Name("parts"))
 @sharing("matrix", "namespace", "json")
-@click.option("--markdown", is_flag=True, help="print them as a table in Markdown, for docs/digests.md")
+@click.option("--markdown", is_flag=True, help="print a table in Markdown, for docs/digests.md")
 @click.option(
-    "--platform", default="", metavar="PLATFORM", help="for this one only, such as linux/arm64; then no tag moves"
+    "--platform", default="", metavar="PLATFORM", help="build only for this one, such as linux/arm64; no tag moves"
 )
-@click.option("--again", is_flag=True, help="assemble them without the builder's cache")
+@click.option("--again", is_flag=True, help="build without the builder's cache")
 def main(
     parts: tuple[str, ...], matrix: Path, namespace: str, as_json: bool, markdown: bool, platform: str, again: bool
 ) -> None:
-    """Assembles parts and publishes them in the local registry: what COPY --link adds to an image of one's own.
+    """Builds parts and pushes them into the local registry. COPY --link adds them to your image.
 
-    For all of their architectures, without emulation. Without NAME: lists them.
+    Builds for all architectures of a part, without emulation. Without NAME, lists all parts.
 
     \b
     Examples:
@@ -41,7 +41,7 @@ def main(
     from rosml.registry.client import Registry
 
     if as_json and markdown:
-        raise click.UsageError("--json and --markdown are two forms of the same; use one of them")
+        raise click.UsageError("--json and --markdown exclude each other; use one of them")
     image_set = loading.load(matrix, ROOT)
     wanted = [found.find(image_set, name) for name in dict.fromkeys(parts)]
     if not wanted:

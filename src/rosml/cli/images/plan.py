@@ -17,25 +17,26 @@ from rosml.cli.images.call import Call, sharing
 @click.option(
     "--everywhere",
     is_flag=True,
-    help="plan for all architectures that the registry serves, each on machines of its own, and say which builds what",
+    help="plan for all architectures that the registry serves, each on its own machines, and deal the images to machines",
 )
 @click.option(
     "--shards",
     type=click.IntRange(min=1),
     default=8,
     show_default=True,
-    help="among how many machines builds are dealt out, at most",
+    help="deal builds to at most this many machines",
 )
 @click.option("--why", is_flag=True, help="name the inputs that changed")
 @click.option(
-    "--output", type=click.Path(path_type=Path, dir_okay=False), help="write the plan there, for the other steps"
+    "--output",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="write the plan into this file, for the other steps",
 )
 def main(everywhere: bool, shards: int, why: bool, output: Path | None, **options: Any) -> None:
-    """Says what is to be done: which images are not as they should be, and why.
+    """Says which images a run will build, join or test, and why.
 
-    Compares the inputs of every image, and the dates of the packages that it is built from, with what the registry's
-    records say. No later step touches unchanged images. Also with --registry, it needs what 'rosml setup', or 'rosml setup
-    client', leaves in the checkout.
+    Compares the inputs of every image, and the dates of its packages, with the registry's records. No later step touches
+    images that are up to date. Run 'rosml setup' or 'rosml setup client' first, also if you name a --registry.
 
     \b
     Examples:
@@ -51,7 +52,7 @@ def main(everywhere: bool, shards: int, why: bool, output: Path | None, **option
     if everywhere:
         call.architectures = call.serve or tuple(call.image_set.matrix.architectures)
     state = call.survey()
-    # Who plans for this machine alone needs no machines in CI, and no word in the matrix on which they are.
+    # A plan for this machine alone needs no machines in CI, and no runner in the matrix.
     found = make_plan(state, shards, why) if everywhere or output or call.as_json else None
     if output and found:
         files.write(output, found.text())

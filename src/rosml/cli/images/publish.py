@@ -1,4 +1,4 @@
-"""`rosml publish`: the steps of a publishing run, and what is done with published tags."""
+"""`rosml publish`: the steps of a publishing run, and commands for published tags."""
 
 from __future__ import annotations
 
@@ -32,13 +32,15 @@ ELSEWHERE = {name: f"rosml {name}" for name in ("image", "part", "plan", "status
 
 @click.group(
     "publish",
-    short_help="Builds, tests and publishes images, and undoes it.",
+    short_help="Builds, tests and publishes images, or undoes that.",
     cls=Group,
     kept=KEPT,
     elsewhere=ELSEWHERE,
 )
 def main() -> None:
-    """Builds, tests and publishes images of matrix.yaml: the steps of a publishing run, and what is done with published tags.
+    """Builds, tests and publishes images of matrix.yaml.
+
+    'all' does a whole publishing run. Other commands do one step of it, or move and remove published tags.
 
     \b
     Examples:
@@ -52,7 +54,7 @@ _GATED = (*_STEP, "require-scan", "policy", "sign")
 
 
 def _step(name: str, help_text: str, options: tuple[str, ...] = _STEP) -> None:
-    """A command for a step of the pipeline."""
+    """Adds the command for a step of a publishing run."""
 
     @main.command(name, help=f"{help_text}\n\n\b\nExample:\n  rosml publish {name} --plan plan.json --shard amd64-1")
     @sharing(*options)
@@ -66,16 +68,16 @@ def _step(name: str, help_text: str, options: tuple[str, ...] = _STEP) -> None:
         call.report(run)
 
 
-@main.command(short_help="Makes the repositories that a plan writes into.")
+@main.command(short_help="Creates the repositories that a plan writes into.")
 @sharing("matrix", "json")
 @click.option(
     "--plan", "plan_file", type=click.Path(path_type=Path, exists=True), required=True, help="what 'plan' wrote"
 )
 def repositories(plan_file: Path, matrix: Path, as_json: bool) -> None:
-    """Makes the repositories that a plan writes into, one after the other, before several machines push at once.
+    """Creates the repositories that a plan writes into, one after the other, before several machines push at once.
 
-    Registries such as ghcr.io make a repository at the first push, and refuse other pushes into it meanwhile. What was made
-    before stays as it is.
+    Registries such as ghcr.io create a repository at its first push, and refuse other pushes into it meanwhile. Existing
+    repositories stay as they are.
 
     \b
     Example:
@@ -92,7 +94,7 @@ def repositories(plan_file: Path, matrix: Path, as_json: bool) -> None:
     found = plan.repositories(loading.image_set(source.read(matrix)))  # without its locks: it names repositories
     made, failed = list[str](), dict[str, str]()
     with place.client:
-        for name in [*found, rosdep_index.NAME] if found else []:  # a job of the night writes rosdep's lists besides
+        for name in [*found, rosdep_index.NAME] if found else []:  # a nightly job also writes rosdep's lists
             try:
                 if place.make(name):
                     made.append(name)
@@ -105,18 +107,18 @@ def repositories(plan_file: Path, matrix: Path, as_json: bool) -> None:
     raise SystemExit(bool(failed))
 
 
-_step("build", "Builds ROS images and parts that are out of date or missing. They are pushed by digest.")
-_step("join-images", "Puts ROS images and parts together in the registry. No layer is pulled.")
+_step("build", "Builds ROS images and parts that are out of date or missing. It pushes them by digest.")
+_step("join-images", "Joins ROS images and parts in the registry. It pulls no layer.")
 _step("test", "Runs the structure tests that images have not passed yet. They run on the image's architecture.")
 
 
-@main.command(name="images", short_help="Builds, joins and tests images, each as soon as it can be.")
+@main.command(name="images", short_help="Builds, joins and tests images, each as soon as possible.")
 @sharing(*_STEP)
-@click.option("--minutes", type=click.FloatRange(min=0), help="begin nothing more after so many")
+@click.option("--minutes", type=click.FloatRange(min=0), help="start no further image after this time")
 def images(minutes: float | None, **options: Any) -> None:
-    """Builds, joins and tests images, each as soon as it can be: what 'build', 'join-images' and 'test' do one after the other.
+    """Builds, joins and tests images, each as soon as possible: 'build', 'join-images' and 'test' in one command.
 
-    A run that ends early leaves images that were tested, and get their tags; the next one goes on.
+    If a run ends early, the images tested so far can get their tags, and the next run continues.
 
     \b
     Example:
@@ -133,26 +135,25 @@ def images(minutes: float | None, **options: Any) -> None:
 
 _step(
     "index",
-    "Makes indexes over the architectures of images. All must be there, tested and alike. No tag moves.",
+    "Makes indexes over the architectures of images. All must be built, tested and alike. No tag moves.",
     _GATED,
 )
 _step(
     "promote",
-    "Moves tags to the indexes of images that passed everything. It keeps where they were, for 'undo'.",
+    "Moves tags to the indexes of images that passed everything. It records the earlier digests, for 'undo'.",
     _GATED,
 )
 
 
-@main.command(name="all", short_help="Does all steps, for all that is out of date or missing.")
+@main.command(name="all", short_help="Does all steps, for images that are out of date or missing.")
 @sharing("registry", "matrix", "only", "since", "at-most", "architecture", "serve", "force", "date")
 @sharing("require-scan", "policy", "sign", "json")
 def everything(**options: Any) -> None:
-    """Builds, joins, tests and publishes all that is not as it should be: every step, one after the other.
+    """Builds, joins, tests and publishes all images that are out of date or missing: every step, one after the other.
 
-    Scans where --require-scan is given, with the database that 'scan --fetch' left. Signs where --sign is given, with
-    cosign ('rosml setup signer').
+    --require-scan scans, with the database that 'scan --fetch' left. --sign signs, with cosign ('rosml setup signer').
 
-    Interrupted at any point, the next call goes on where it was.
+    If a run is interrupted, the next one completes it.
 
     \b
     Examples:
@@ -179,7 +180,7 @@ def _scan(
     reports: Path | None = None,
     results: Results | None = None,
 ) -> judge.Run:
-    """Scans by a call's policy, with the database that is there or is fetched."""
+    """Scans by a call's policy, with the database on this machine or a fetched one."""
     from rosml.images.publish.steps.scan import scan as scan_images
     from rosml.images.scan import policy
     from rosml.images.scan.trivy import ScannerFailed, Trivy
@@ -198,19 +199,21 @@ def _scan(
 @main.command(short_help="Scans images for known vulnerabilities.")
 @sharing("registry", "matrix", "only", "plan", "shard", "date", "policy", "json")
 @click.option("--fetch", is_flag=True, help="fetch the database of vulnerabilities first; once per run")
-@click.option("--database", default="", metavar="REFERENCE", help="the one that all machines of a run take, by digest")
 @click.option(
-    "--reports", type=click.Path(path_type=Path, file_okay=False), help="a folder for SARIF, a file per image"
+    "--database", default="", metavar="REFERENCE", help="the database that all machines of a run use, by digest"
+)
+@click.option(
+    "--reports", type=click.Path(path_type=Path, file_okay=False), help="a folder for SARIF, with one file per image"
 )
 @click.option(
     "--output",
     type=click.Path(path_type=Path, dir_okay=False),
-    help="write what was found there, for 'record', and nothing into the registry: reading is enough",
+    help="write the results into this file, for 'record', and nothing into the registry: read access is enough",
 )
 def scan(fetch: bool, database: str, reports: Path | None, output: Path | None, **options: Any) -> None:
     """Scans images for known vulnerabilities, by the policy in scan.yaml. Needs 'rosml setup scanner'.
 
-    Exits with 3 where the policy stops an image, with 4 where the scanner failed and nothing is known.
+    Exits with 3 if the policy stops an image, and with 4 if the scanner failed and nothing is known.
 
     \b
     Examples:
@@ -234,10 +237,10 @@ def scan(fetch: bool, database: str, reports: Path | None, output: Path | None, 
     raise SystemExit(found.outcome.exit_code)
 
 
-@main.command(short_help="Prints which database of vulnerabilities is the newest.")
+@main.command(short_help="Prints the newest database of vulnerabilities.")
 @sharing("policy", "json")
 def database(policy: Path, as_json: bool) -> None:
-    """Prints which database of vulnerabilities is the newest, by digest: for 'scan --database' on several machines.
+    """Prints the reference of the newest database of vulnerabilities, by digest: for 'scan --database' on several machines.
 
     \b
     Example:
@@ -258,11 +261,11 @@ def database(policy: Path, as_json: bool) -> None:
     terminal.echo(json.dumps({"database": found}) if as_json else found)
 
 
-@main.command(short_help="Writes into the registry what a scan found elsewhere.")
+@main.command(short_help="Writes the results of a scan into the registry.")
 @sharing("registry", "matrix", "only", "plan", "date", "json")
 @click.argument("file", type=click.Path(path_type=Path, exists=True, dir_okay=False))
 def record(file: Path, **options: Any) -> None:
-    """Writes into the registry what 'scan --output FILE' found on a machine that may not.
+    """Writes results into the registry. 'scan --output FILE' made FILE on a machine without write access.
 
     \b
     Example:
@@ -277,14 +280,15 @@ def record(file: Path, **options: Any) -> None:
     call.report(run)
 
 
-@main.command(alone=True, short_help="Keeps one issue at GitHub while images are not published.")
+@main.command(alone=True, short_help="Keeps one issue on GitHub while images are not published.")
 @click.argument("file", type=click.Path(path_type=Path, exists=True, dir_okay=False))
 @click.option(
     "--open", "unpublished", type=click.IntRange(min=0), required=True, help="how many images are not published"
 )
 def issue(file: Path, unpublished: int) -> None:
-    """Keeps one issue of the repository at GitHub, with the text of FILE, for as long as images are not published. In a job of GitHub
-    Actions, with its token as GITHUB_TOKEN.
+    """Keeps one issue open in the repository on GitHub, with the text of FILE, while images are not published.
+
+    Works in a job of GitHub Actions. GITHUB_TOKEN has the job's token.
 
     \b
     Example:
@@ -297,14 +301,14 @@ def issue(file: Path, unpublished: int) -> None:
     say(issues.keep(files.limited(file, 4 * LONGEST).decode(errors="replace"), unpublished))
 
 
-@main.command(alone=True, short_help="Moves the tags of a run back to where they were.")
+@main.command(alone=True, short_help="Moves the tags of a run back to their earlier digests.")
 @sharing("registry", "json")
 @click.argument("run", default="")
 def undo(run: str, **options: Any) -> None:
-    """Moves the tags of RUN back to where they were; of the last run if left out.
+    """Moves the tags of RUN back to where they were before it.
 
-    RUN is the date of a run. A tag that has moved on since stays where it is. With --registry, it needs that registry
-    alone.
+    RUN is the date of a run; the last run if left out. A tag that a later run moved stays where it is. With --registry, the
+    command needs no other service.
 
     \b
     Examples:
@@ -330,9 +334,9 @@ def undo(run: str, **options: Any) -> None:
 @sharing("registry", "json")
 @click.argument("checkout", type=click.Path(path_type=Path, exists=True, file_okay=False), required=False)
 def rosdep(checkout: Path | None, as_json: bool, **options: Any) -> None:
-    """Publishes rosdep's lists for 'rosml containerize': of ros/rosdistro on GitHub, or of a CHECKOUT of it.
+    """Publishes rosdep's lists for 'rosml containerize', from ros/rosdistro on GitHub or from a CHECKOUT of it.
 
-    They get the tags latest and of today. The same lists have the same digest.
+    They get the tag latest and one with today's date. The same lists have the same digest.
 
     \b
     Example:
@@ -348,28 +352,28 @@ def rosdep(checkout: Path | None, as_json: bool, **options: Any) -> None:
     terminal.echo(json.dumps({"tags": names, "digest": digest}) if as_json else f"{names[0]}  {digest}")
 
 
-@main.command(alone=True, short_help="Says what the registry no longer needs, and removes it.")
+@main.command(alone=True, short_help="Lists what the registry no longer needs, or removes it.")
 @sharing("registry", "matrix", "json")
 @click.option(
     "--days",
     type=click.IntRange(min=0, max=36500),
     default=30,
     show_default=True,
-    help="dated tags younger than that stay",
+    help="keep dated tags younger than this",
 )
 @click.option(
     "--newest",
     type=click.IntRange(min=0),
     default=3,
     show_default=True,
-    help="so many dated tags of each image stay in any case",
+    help="always keep this many dated tags of each image",
 )
-@click.option("--apply", is_flag=True, help="remove it; without that, only says what would go")
+@click.option("--apply", is_flag=True, help="remove it; without this option, the command only lists what can go")
 def prune(days: int, newest: int, apply: bool, **options: Any) -> None:
-    """Says what the registry no longer needs, and with --apply removes it.
+    """Lists what the registry no longer needs. With --apply, removes it.
 
-    What a kept tag leads to stays: an index, its images, and what is attached to them. With --registry, it needs that
-    registry alone.
+    Whatever a kept tag leads to stays: its index, the images of the index, and what is attached to them. With --registry,
+    the command needs no other service.
 
     \b
     Examples:
@@ -396,7 +400,7 @@ def prune(days: int, newest: int, apply: bool, **options: Any) -> None:
         if apply:
             for line in pruner.remove(found):
                 say(line if STAYS in line else f"removed: {line}")
-    if call.as_json:  # at the end: an error while it is removed is an object of its own
+    if call.as_json:  # at the end: an error during the removal prints its own object
         terminal.echo(json.dumps(found.to_json(), indent=2))
     elif not apply and (found.tags or found.manifests):
         terminal.echo("nothing was removed; add --apply")

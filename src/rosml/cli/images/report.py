@@ -1,4 +1,4 @@
-"""What a publishing run will do, or did: as tables, as JSON, and as the summary of a job in CI."""
+"""Shows what a publishing run will do, or did: as tables, as JSON, and as the summary of a CI job."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from rosml.images.records import store
 
 
 def tell(plan: Plan) -> None:
-    """Tells CI of a plan: its shards, for the matrix of the jobs that build, and what there is to do."""
+    """Gives a plan to CI: its shards as an output, for the matrix of the jobs that build, and counts as a summary."""
     github.output("shards", json.dumps([{"name": shard.name, "runner": shard.runner} for shard in plan.shards]))
     counts = Counter(step for task in plan.tasks for step in task.steps)
     lines = [f"- {step}: {number}" for step, number in counts.items()] or ["- nothing to do"]
-    lines += [f"- as they should be: {plan.unchanged}"]
+    lines += [f"- up to date: {plan.unchanged}"]
     unlocked = {task.target for task in plan.tasks if task.kind != "part" and task.hindered.startswith(UNLOCKED)}
     lines += [f"- without a lock: {counted(len(unlocked), 'image')}, which cannot be built yet"] if unlocked else []
     lines += [*(f"- {remark}" for remark in plan.remarks), ""]
@@ -33,7 +33,7 @@ def tell(plan: Plan) -> None:
 
 
 def print_plan(state: State, why: bool) -> None:
-    """A line for each item that something is to be done about, and counts of the others."""
+    """Prints a line for each item that has steps to do, and counts of the others."""
     found = state.tasks()
     todo = [task for task in found if task.steps]
     rows = []
@@ -46,22 +46,25 @@ def print_plan(state: State, why: bool) -> None:
     unchanged = len(found) - len(todo) - sum(hindered.values())
     unlocked = {task.item.target: task.item.thing for task in found if task.hindered.startswith(UNLOCKED)}
     rest = "".join(f", {number} {reason}" for reason, number in hindered.items() if reason != UNLOCKED)
-    terminal.console().print(f"{len(todo)} to do, {unchanged} as they should be{rest}", style="dim")
+    terminal.console().print(f"{len(todo)} to do, {unchanged} up to date{rest}", style="dim")
     tables.print_unlocked([thing for thing in unlocked.values() if isinstance(thing, Image)])
 
 
 def show(run: Run, as_json: bool) -> None:
-    """What a run did, on standard output; and in CI's summary, where there is one."""
+    """Prints what a run did, and writes it into the summary of the CI job, if there is one."""
     tell_outcomes(run.outcomes, run.state.date, run.uploaded, run.started, as_json)
     github.summary(markdown(run))
 
 
 def tell_outcomes(outcomes: list[Outcome], date: str, uploaded: int, started: float, as_json: bool) -> None:
-    """Outcomes of a command on standard output.
+    """Prints the outcomes of a command.
 
     Args:
-        date: of the run. uploaded: bytes that the registry got. started: when it began, by the monotonic clock.
-        as_json: as an object, and not as a table.
+        outcomes: what the command did.
+        date: of the run.
+        uploaded: bytes sent to the registry.
+        started: when the command began, by the monotonic clock.
+        as_json: print an object instead of a table.
     """
     if as_json:
         content = {
@@ -84,12 +87,12 @@ def tell_outcomes(outcomes: list[Outcome], date: str, uploaded: int, started: fl
         out.print(f"waits: {number} times: {reason}", style="yellow")
     if unlocked := _unlocked(outcomes):
         out.print(f"waits: {unlocked} without a lock", style="yellow")
-    text = ", ".join(_counts(outcomes)) or "nothing to do: everything is as it should be"
+    text = ", ".join(_counts(outcomes)) or "nothing to do: everything is up to date"
     out.print(text, _effort(uploaded, started), sep="\n", style="dim")
 
 
 def _interesting(outcomes: list[Outcome]) -> list[Outcome]:
-    """Those that people want to read of: what was done or failed; what merely waits is counted."""
+    """What was done or failed. What waits is only counted."""
     return [outcome for outcome in outcomes if outcome.state != "waits"]
 
 
@@ -99,7 +102,7 @@ def _first(outcome: Outcome) -> str:
 
 
 def _counts(outcomes: list[Outcome]) -> list[str]:
-    """How many there are of each step and state, and how long they took together."""
+    """How many outcomes each step has in each state, and their time together."""
     counts = Counter((outcome.step, outcome.state) for outcome in outcomes)
     seconds = {key: sum(x.seconds for x in outcomes if (x.step, x.state) == key) for key in counts}
     return [
@@ -114,24 +117,24 @@ def _effort(uploaded: int, started: float) -> str:
 
 
 def _waiting(outcomes: list[Outcome]) -> Counter[str]:
-    """How often something waits for what; without what waits for a lock."""
+    """How many items wait, by reason; without those that wait for a lock."""
     return Counter(x.reason for x in outcomes if x.state == "waits" and UNLOCKED not in x.reason)
 
 
 def _unlocked(outcomes: list[Outcome]) -> int:
-    """How many images and parts wait for a lock, whichever."""
+    """How many images and parts wait for a lock."""
     return len({x.target for x in outcomes if x.state == "waits" and UNLOCKED in x.reason})
 
 
 def markdown(run: Run) -> str:
-    """The summary of a job in CI."""
+    """The summary of a CI job."""
     outcomes = run.outcomes
     touched = {(outcome.target, outcome.architecture) for outcome in outcomes}
     alone = [task for task in run.state.tasks() if task.item.key not in touched]
     skipped = sum(not task.steps and not task.hindered for task in alone)
     effort = _effort(run.uploaded, run.started)
     lines = ["", f"## Publishing run of {run.state.date}", "", *(f"- {text}" for text in _counts(outcomes))]
-    lines += [f"- {skipped} left alone, as they should be", f"- {effort}", ""]
+    lines += [f"- {skipped} up to date, left alone", f"- {effort}", ""]
     rows = []
     for outcome in _interesting(outcomes):
         entry = run.state.known.get((outcome.target, outcome.architecture or store.INDEX))

@@ -1,4 +1,4 @@
-"""`rosml status`: how the images of a matrix stand in a registry."""
+"""`rosml status`: the state of a matrix's images in a registry."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ from rosml.cli.images.call import Call, sharing
 )
 @sharing("registry", "matrix", "only", "architecture", "serve", "json")
 @click.option(
-    "--markdown", type=click.Path(path_type=Path, dir_okay=False), help="also write a summary there, grouped by cause"
+    "--markdown", type=click.Path(path_type=Path, dir_okay=False), help="also write a summary into this file, by cause"
 )
 def main(markdown: Path | None, **options: Any) -> None:
-    """Shows how every image stands: published, outdated, failed, missing, lock missing, or waiting
-    for a builder; and why.
+    """Shows the state of every image, and why: published, outdated, failed, missing, lock missing, or waiting
+    for a builder.
 
-    Below the table it says once for each cause how many images it keeps from being published. In CI, that is also the summary of
-    the job.
+    Below the table, it counts for each cause the images that this cause keeps from being published. In CI, the summary of the
+    job has the same.
 
-    With --registry, it needs no service of this machine: it asks that registry, and for images of a live repository of
-    packages, that repository for its date.
+    With --registry, the command needs no service of this machine. It asks that registry, and the package repositories for
+    their dates.
 
     \b
     Examples:

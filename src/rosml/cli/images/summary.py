@@ -1,4 +1,4 @@
-"""The end of `rosml image`: what was made and where the time went, on one screen or as JSON."""
+"""What `rosml image` prints at its end: what was built and where the time went, on one screen or as JSON."""
 
 from __future__ import annotations
 
@@ -18,18 +18,25 @@ from rosml.machine import buildx
 
 @dataclass
 class Summary:
-    """What publishing one image came to.
+    """The result of publishing one image.
 
     Attributes:
         target: the bake target.
-        reference: what to put after FROM: the main tag; the digest where no tag is made.
-        tags: all references that point at the image. moved: tags that pointed elsewhere, or nowhere, before.
-        digest: digest of the index behind the tags. manifest: of the image manifest that was tested.
-        compressed, unpacked: bytes. parts: bytes of `compressed` that are parts, which images of a stack share.
+        reference: what to put after FROM: the main tag, or the digest if no tag moved.
+        digest: digest of the index behind the tags.
+        manifest: digest of the image manifest that was tested.
+        tags: all references that point at the image.
+        moved: tags that pointed elsewhere, or nowhere, before.
+        compressed: bytes.
+        parts: bytes of `compressed` that are parts, which images of a stack share.
+        unpacked: bytes.
         uploaded: bytes that this call added to the registry.
-        passed, failed: structure tests. versions: of what was found inside.
-        seconds: time by step. made: targets that were built or joined now.
-        builder: the command that builds a Dockerfile on top of it with the same builder.
+        passed: structure tests.
+        failed: structure tests.
+        versions: of packages and programs found in the image.
+        seconds: time by step.
+        made: targets that this call built or joined.
+        builder: the command that builds a Dockerfile on top of the image with the same builder.
     """
 
     target: str
@@ -78,17 +85,17 @@ class Summary:
 
 
 def require_whole(run: Run, image: Image, architecture: str, tagged: bool) -> None:
-    """Checks that a run left an image as it should be.
+    """Checks that an image is complete after a run.
 
     Raises:
-        RosmlError: it did not; says which step failed first, or what the image waits for.
+        RosmlError: it is not; the message says which step failed first, or what the image waits for.
     """
     state = run.state
     if failed := next((outcome for outcome in run.outcomes if outcome.state == "failed"), None):
         known = state.known.get((failed.target, failed.architecture or INDEX))
         remedy = known.failed.get("remedy", "") if known else ""
         text = f"{failed.step} of {failed.target} failed, so {image.target} gets no tag: {failed.reason}"
-        raise RosmlError(text, remedy or "mend what failed, then run it again: what was finished is kept")
+        raise RosmlError(text, remedy or "correct what failed, then run it again: what was finished is kept")
     if tagged:
         index = state.index_of(image)
         wrong = state.unready(image) or (
@@ -98,23 +105,25 @@ def require_whole(run: Run, image: Image, architecture: str, tagged: bool) -> No
         wrong = "; ".join(state.reasons(state.by_key[image.target, architecture]))
     if wrong:
         waits = next((o.reason for o in run.outcomes if o.target == image.target and o.state == "waits"), wrong)
-        remedy = "make it anew: --force, or ROSML_FORCE=1 for make"
+        remedy = "rebuild it: --force, or ROSML_FORCE=1 for make"
         if waits.startswith(ABSENT):
-            remedy = "try it later, or build from what is tested before its release: ROS_CHANNEL=testing rosml image"
+            remedy = "try it later, or build from ROS's packages before their release: ROS_CHANNEL=testing rosml image"
         elif waits.startswith(WAITING):
             remedy = f"use a machine that reaches the base image, or {base_images.name_another(image.os)}"
         raise RosmlError(f"{image.target} gets no tag: {waits}", remedy)
 
 
 def of_image(run: Run, image: Image, architecture: str, moves: list[Move] | None) -> Summary:
-    """What a run came to for one image.
+    """The result of a run for one image.
 
     Args:
-        run: that ended. image, architecture: of which.
-        moves: of tags; None where it was to move none.
+        run: the run, which ended.
+        image: the image.
+        architecture: the architecture.
+        moves: moves of tags; None if the run was to move none.
 
     Raises:
-        RosmlError: the image is not as it should be.
+        RosmlError: the image is not complete.
     """
     require_whole(run, image, architecture, tagged=moves is not None)
     state, repository = run.state, run.state.place.reference(image.repository)

@@ -1,4 +1,4 @@
-"""Tables for people of images, differences, shards, states and findings."""
+"""Tables of images, differences, shards, states and findings, for people."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:  # a table of images needs none of them
     from rosml.images.scan.judge import Run
 
 MANY = 12
-"""From more names on, they are folded in a summary."""
+"""If there are more names than this, they are folded in a summary."""
 
 COLOURS = {"critical": "bold red", "high": "red", "medium": "yellow"}
 
@@ -48,14 +48,14 @@ def show(
 
 
 def coloured(text: str, style: str) -> Text:
-    """A cell in a style of rich's."""
+    """A cell in a style of rich."""
     from rich.text import Text  # slow to import, and only needed here
 
     return Text(text, style)
 
 
 def print_difference(difference: Difference) -> None:
-    """Prints it in few lines, whatever the number of images."""
+    """Prints a difference in a few lines, however many images there are."""
     out, columns = terminal.console(), ("what", "why", "which")
     if difference.registry:
         out.print(f"registry: {' → '.join(difference.registry)}; all names change")
@@ -106,7 +106,7 @@ def short(version: str) -> str:
 
 
 def print_unlocked(images: Collection[Image]) -> None:
-    """A line for those of some images that lack a lock, or one for each of the two things that help; nothing if none does."""
+    """Prints how many of some images lack a lock, with a line for each remedy."""
     lost = sum(bool(image.lost) for image in images)
     waiting = sum(not image.locked for image in images) - lost
     for count, remedy in ((lost, missing.RESTORE), (waiting, missing.ASK_PYTORCH)):
@@ -130,8 +130,8 @@ def shard_rows(shards: Iterable[Shard]) -> list[tuple[str, ...]]:
 
 
 def print_scan(run: Run) -> None:
-    """Prints a run: each image's line and its findings that stop it or are ignored, the worst first; what is wrong with the
-    policy's entries, and the run's outcome."""
+    """Prints a scan: a line for each image, and its findings that stop it or are ignored, the worst first; problems of the
+    policy's entries, and the outcome."""
     from rosml.images.scan.sarif import COLUMNS, finding_rows, summary
 
     said: set[str] = set()
@@ -156,8 +156,8 @@ FEW = 24
 
 
 def print_status(found: list[ImageStatus], causes: Sequence[Cause], ahead: Mapping[str, int]) -> None:
-    """A line for each image that was published or failed, the published ones first; a block for each cause; and how many images
-    there are of each state. Of few images, each has a line."""
+    """Prints a line for each image that was published or failed, the published ones first; a block for each cause; and how many
+    images each state has. If there are few images, each has a line."""
     from rosml.images.publish.status import STATES, age
 
     order = list(STATES)
@@ -179,7 +179,7 @@ def print_status(found: list[ImageStatus], causes: Sequence[Cause], ahead: Mappi
 
 
 def _counts(found: Sequence[ImageStatus]) -> str:
-    """How many images there are of each state."""
+    """How many images each state has."""
     from rosml.images.publish.status import STATES
 
     counts = Counter(item.state for item in found)
@@ -188,14 +188,14 @@ def _counts(found: Sequence[ImageStatus]) -> str:
 
 
 def _ahead(ahead: Mapping[str, int]) -> str:
-    """What a further run would do."""
+    """What another run would do."""
     steps = ", ".join(f"{name} {number}" for name, number in ahead.items())
     return f"a further run would {steps}" if steps else "a further run has nothing to do"
 
 
 def status_markdown(place: str, found: Sequence[ImageStatus], causes: Sequence[Cause], ahead: Mapping[str, int]) -> str:
-    """How the images of a registry stand, for the owner of a repository: numbers, then each cause with its images and the last
-    lines of its log."""
+    """The state of a registry's images, for the owner of a repository: numbers, then each cause with its images and the
+    last lines of its log."""
     lines = [f"## Images of {place}", "", f"{_counts(found)}. {_ahead(ahead).capitalize()}.", ""]
     for cause in causes:
         reason = f": {github.code(cause.reason)}" if cause.reason else ""

@@ -11,7 +11,7 @@ from rosml.images.image_set.model import Image, ImageSet
 
 
 def select(image_set: ImageSet, only: Sequence[str]) -> tuple[Image, ...]:
-    """The images that patterns of targets or tags, or groups, name; all if there is none.
+    """The images that patterns of targets or tags, or groups, name; all images without any of these.
 
     Raises:
         RosmlError: a pattern names no image (exit code 2).
