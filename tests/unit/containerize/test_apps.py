@@ -774,9 +774,9 @@ def test_a_lock_file_that_is_written_anew_takes_nothing_from_a_cache(
     repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
-    monkeypatch.setattr(cache.Cache, "found", lambda *_: pytest.fail("what is there may be old"))
+    monkeypatch.setattr(stage_cache.Cache, "found", lambda *_: pytest.fail("what is there may be old"))
     given = {"base-image": "ros:jazzy", "command": "true", "cache": f"{services.registry}/me/cache"}
-    build.App(repository, inputs.values(given, repository, {}), {}, services, lambda _: None, renew=True).build()
+    build.App(repository, app_inputs.values(given, repository, {}), {}, services, lambda _: None, renew=True).build()
 
 
 def test_another_ros_than_the_base_images_is_not_used(
@@ -786,7 +786,7 @@ def test_another_ros_than_the_base_images_is_not_used(
     for name, said in (("humble", ["ROS_DISTRO=humble is not used: the base image has jazzy"]), ("jazzy", [])):
         given = {"base-image": "ros:jazzy", "command": "true", "ros-distro": name}
         told: list[str] = []
-        build.App(repository, inputs.values(given, repository, {}), {}, services, told.append).build()
+        build.App(repository, app_inputs.values(given, repository, {}), {}, services, told.append).build()
         assert [line for line in told if line.startswith("ROS_DISTRO")] == said
 
 
