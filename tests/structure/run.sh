@@ -36,6 +36,7 @@ export here report metadata
 run_one() {
   local name=$1 config
   config=$(config_of "$name")
+  echo "$name"
   /run/structure-test/container_structure_test/bin/container-structure-test test --driver host --force --output json \
     --test-report "$report/$name.json" --metadata "$metadata" --config "$config" >"$report/$name.log" 2>&1 ||
     true # summary.py judges, and takes a missing report for a failure

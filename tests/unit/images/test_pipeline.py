@@ -521,7 +521,7 @@ def test_an_image_in_which_no_test_ran_gets_no_tag(
     monkeypatch.setattr(Bytes, "test", lambda *words: replace(real(*words), passed=0))
     run = registry.publish(image_set, only=["alpha-core"])
     assert registry.tagged("ros") == {}
-    assert any("tests have not passed" in reason for reason in waiting(run, "alpha-core"))
+    assert any("tested, and no test ran" in reason for reason in waiting(run, "alpha-core"))
 
 
 def test_undo_brings_tags_back(registry: Publisher, image_set: ImageSet, project: Path) -> None:

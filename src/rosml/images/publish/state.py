@@ -254,8 +254,10 @@ class State:
             steps = ()
         if why:
             return Task(item, (item.making, *steps), tuple(why))
-        reasons = {"test": "its tests have not passed", "scan": "it was not scanned by this policy"}
-        return Task(item, steps, (reasons[steps[0]],) if steps else ())
+        if not steps:
+            return Task(item)
+        first = "it was not scanned by this policy" if steps[0] == "scan" else f"it was {self._untested(item)}"
+        return Task(item, steps, (first,))
 
     def made(self, key: tuple[str, str]) -> bool:
         """Whether an item is in the registry as it should be."""
@@ -310,6 +312,15 @@ class State:
     def passed(self, item: Item, entry: Entry) -> bool:
         """Whether the tests that there are now passed in the image of an entry: all, or those that it runs itself."""
         return self._tested(item, entry) and entry.passed > 0 and not entry.failures
+
+    def _untested(self, item: Item) -> str:
+        """What is known of the tests of an image that did not pass those that there are now."""
+        entry = self.known[item.key]
+        if not entry.tested:
+            return "not tested yet"
+        if not self._tested(item, entry):
+            return "tested before its tests changed"
+        return f"tested, and failed: {some(list(entry.failures))}" if entry.failures else "tested, and no test ran"
 
     def _tested(self, item: Item, entry: Entry) -> bool:
         """Whether the tests that there are now ran."""
@@ -427,8 +438,8 @@ class State:
             if why := self.reasons(item):
                 return f"{key[1]}: {why[0]}"
             if item.kind != "part" and not self.passed(item, entry):
-                failures = some(list(entry.failures)) if entry.failures else ""
-                return f"{key[1]}: tests " + (f"failed: {failures}" if failures else "have not passed")
+                failures = f"tests failed: {some(list(entry.failures))}" if entry.failures else ""
+                return f"{key[1]}: {failures or self._untested(item)}"
             if item.kind != "part" and (reason := self.unproven(item)):
                 return f"{key[1]}: {reason}"
             if self.request.scanning and "scan" in self._checks(item, entry):
