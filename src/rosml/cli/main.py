@@ -19,7 +19,6 @@ from rosml.cli.checkout import Command, Group
 TRIED = {name: f"rosml setup {name}" for name in ("clean", "client", "down", "scanner", "signer")} | {
     "up": "rosml setup",
     "build": "rosml image, for a base image; rosml containerize, for your packages",
-    "doctor": "rosml setup status",
     "exec": "rosml attach",
     "images": "rosml list",
     "info": "rosml explain",
@@ -54,7 +53,7 @@ SECTIONS = {
         "generate": "images.generate",
         "diff": "images.diff",
     },
-    "Set up this machine": {"setup": "machine.setup"},
+    "Set up this machine": {"setup": "machine.setup", "doctor": "machine.doctor"},
 }
 """The sections of --help: each command, and its module in this package, which has a `main`."""
 
@@ -85,7 +84,7 @@ class Rosml(Group):
 def cli(context: click.Context, quiet: bool) -> None:
     """ROS base images with machine learning inside.
 
-    list, explain and join need neither Docker nor root nor a checkout; nor do status, catalogue, publish undo and publish
+    list, explain, join and doctor need neither Docker nor root nor a checkout; nor do status, catalogue, publish undo and publish
     prune with --registry. run and attach need docker or podman, containerize needs Docker. The others need a checkout: call
     its own ./rosml.
 

@@ -124,6 +124,18 @@ def about(command: str) -> Engine:
     return _engine(command, _ended(_begun(command, "info", "--format", INFO))) or _guessed(command)
 
 
+def answering(command: str) -> Engine:
+    """The facts about an engine that answers.
+
+    Raises:
+        RosmlError: it does not answer, or we cannot read its answer.
+    """
+    said = _ended(_begun(command, "info", "--format", INFO))
+    if found := _engine(command, said):
+        return found
+    raise _silent(command, said.complaint)
+
+
 def image(command: str, identity: str) -> Image | None:
     """An image by its name or digest; None if the engine does not have it.
 

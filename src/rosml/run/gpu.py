@@ -35,14 +35,18 @@ def gpu(context: Context) -> Added:
     line, host = context.line, context.host
     if line.asks("no-gpu") or not context.is_here or _is_theirs(line):
         return NOTHING
-    jetson, wsl = host.has(*JETSON), host.has(*WSL)
-    if not (jetson or wsl or host.has("/dev/nvidiactl")):
+    if not is_nvidia(host):
         return Added(_rendering(context))
-    words = _nvidia(context.engine, host, jetson, wsl)
+    words = handed_in(context.engine, host)
     if not words:
-        return Added(notes=[_lacking(context.engine)])
+        return Added(notes=[lacking(context.engine)])
     _check_driver(context)
     return Added(words)
+
+
+def is_nvidia(host: Host) -> bool:
+    """Whether the machine has an NVIDIA GPU with its driver."""
+    return host.has(*JETSON) or host.has(*WSL) or host.has("/dev/nvidiactl")
 
 
 def _is_theirs(line: Line) -> bool:
@@ -51,18 +55,18 @@ def _is_theirs(line: Line) -> bool:
     return devices or line.has("gpus", "runtime") or line.sets("NVIDIA_VISIBLE_DEVICES")
 
 
-def _nvidia(engine: Engine, host: Host, jetson: bool, wsl: bool) -> Sequence[str]:
+def handed_in(engine: Engine, host: Host) -> Sequence[str]:
     """The engine's words for all NVIDIA GPUs; none if it cannot hand them in."""
-    if jetson and not engine.podman:
+    if host.has(*JETSON) and not engine.podman:
         return ["--runtime", "nvidia"] if engine.nvidia else []
     if any("nvidia.com/gpu" in host.text(file) for folder in engine.cdi for file in host.files(folder)):
         return CDI
-    if not engine.podman and (engine.nvidia or wsl or any(map(host.program, HOOKS))):
+    if not engine.podman and (engine.nvidia or host.has(*WSL) or any(map(host.program, HOOKS))):
         return ["--gpus", "all"]
     return []
 
 
-def _lacking(engine: Engine) -> tuple[str, str]:
+def lacking(engine: Engine) -> tuple[str, str]:
     """Why there is no GPU, and the remedy."""
     text = f"the container gets no GPU: {engine.program} cannot hand in NVIDIA's"
     made = ", then sudo nvidia-ctk cdi generate --output=/etc/cdi/nvidia.yaml" if engine.podman else ""

@@ -40,6 +40,7 @@ WORDS = [
     "ci",
     "containerize",
     "diff",
+    "doctor",
     "explain",
     "generate",
     "image",

@@ -360,7 +360,6 @@ def test_a_name_that_is_taken(desk: Desk, state: str, found: str, refused: bool,
         (["--no-rm=1", "ubuntu"], "'--no-rm' does not take a value"),
         (["--mws", "ubuntu"], "ubuntu has no workspace"),
         (["<registry>/ros:jazzy-base"], "remedy: write an image that you have"),
-        (["IMAGE", "bash"], "remedy: write an image that you have"),
     ],
 )
 def test_a_call_that_is_wrong(desk: Desk, words: list[str], says: str) -> None:

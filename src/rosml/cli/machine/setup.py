@@ -123,28 +123,28 @@ def main(context: click.Context) -> None:
     if context.invoked_subcommand is None:
         checkout.require()
         bootstrap()
-        state = _state()
+        state = state_of_checkout()
         _up(state, _docker_hub(state))
 
 
 @main.command(short_help="Installs missing tools.")
 def tools() -> None:
     """Finds the tools that builds need, and installs missing ones."""
-    state = _state()
+    state = state_of_checkout()
     _tools(state, _docker_hub(state))
 
 
 @main.command(short_help="Installs missing tools, starts the registry and the builder.")
 def up() -> None:
     """Finds or installs the tools, then starts the local registry and the builder."""
-    state = _state()
+    state = state_of_checkout()
     _up(state, _docker_hub(state))
 
 
 @main.command(hidden=True)
 def suite() -> None:
     """Does what `up` does, for `make test`: also installs Docker, Chromium and actionlint if they are missing."""
-    state = _state()
+    state = state_of_checkout()
     _up(state, _docker_hub(state), tests=True)
 
 
@@ -154,7 +154,7 @@ def client() -> None:
     from rosml.machine.services import Services
     from rosml.machine.setup import services
 
-    state = _state()
+    state = state_of_checkout()
     _installer(state).report()
     if not services.written(state):
         Services(ROOT, "", (), "", "", None, "", state.uv, state.ca_bundle, bases=()).save()
@@ -163,7 +163,7 @@ def client() -> None:
 @main.command(hidden=True)
 def linters() -> None:
     """Installs the Python packages for linters, and builds actionlint in some seconds."""
-    installer = _installer(_state())
+    installer = _installer(state_of_checkout())
     if not installer.found("actionlint", "--version"):
         installer.go_program("actionlint")
         installer.drop_go_caches()
@@ -174,7 +174,7 @@ def emulate() -> None:
     """Lets this machine build and test for the other architecture, with QEMU."""
     from rosml.machine.setup import builder, emulation
 
-    state = _state()
+    state = state_of_checkout()
     hub = _docker_hub(state)
     if emulation.ensure(_installer(state), hub):
         builder.stop(state)  # it looks for architectures once, when it starts
@@ -186,7 +186,7 @@ def browser() -> None:
     """Installs Chromium if it is missing: tests open the catalogue's page in it."""
     from rosml.machine.setup.tools import browser_packages
 
-    _installer(_state()).debian_packages(browser_packages())
+    _installer(state_of_checkout()).debian_packages(browser_packages())
 
 
 @main.command(short_help="Finds or builds trivy, which looks for vulnerabilities.")
@@ -235,7 +235,7 @@ def status(as_json: bool) -> None:
     """Shows what is running."""
     from rosml.machine.setup import services
 
-    facts = services.status(_state())
+    facts = services.status(state_of_checkout())
     if as_json:
         terminal.echo(json.dumps(facts, indent=2))
         return
@@ -254,7 +254,8 @@ def status(as_json: bool) -> None:
         terminal.echo(f"{name:<11}  {value}")
 
 
-def _state() -> State:
+def state_of_checkout() -> State:
+    """The state of setup in this checkout."""
     from rosml.machine.setup.state import State
 
     return State(ROOT, terminal.echo, os.environ.get(UV, ""), os.environ.get("ROSML_CA_BUNDLE", ""))
@@ -294,7 +295,7 @@ def _program(name: str, ask: str, file: str, tests: bool) -> None:
     """Finds or builds the scanner or the signer, and saves its path."""
     from rosml.base import files
 
-    installer = _installer(_state())
+    installer = _installer(state_of_checkout())
     path = installer.found(name, ask) or installer.go_program(name)
     if tests:
         installer.go_program("registry")
@@ -306,7 +307,7 @@ def _program(name: str, ask: str, file: str, tests: bool) -> None:
 def _down(remove: bool) -> None:
     from rosml.machine.setup import builder, services
 
-    state = _state()
+    state = state_of_checkout()
     stopped = services.down(state, remove)
     if remove:
         builder.unmount_below(state.folder)

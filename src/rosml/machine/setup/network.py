@@ -64,6 +64,16 @@ def _is_registry(answer: httpx.Response) -> bool:
     return known and answer.status_code in (200, 401)
 
 
+def answers(address: str) -> bool:
+    """Whether a server answers in time, with whatever."""
+    try:
+        with web.client(timeout=HUB_SECONDS) as client:
+            client.head(address)
+    except (httpx.HTTPError, httpx.InvalidURL, OSError, ValueError, RosmlError):
+        return False
+    return True
+
+
 def registry_answers(address: str) -> bool:
     """Whether a registry answers on a loopback address; never through a proxy."""
     try:

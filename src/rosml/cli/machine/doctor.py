@@ -1,0 +1,217 @@
+"""`rosml doctor`: what this machine has for rosml, what it lacks, and the remedy."""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+import shutil
+from collections.abc import Callable, Iterator
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+import click
+
+from rosml import IN_CHECKOUT, ROOT
+from rosml.base import terminal
+from rosml.base.errors import RosmlError
+from rosml.cli import options
+from rosml.cli.checkout import Command
+
+if TYPE_CHECKING:
+    from rosml.images.matrix.model import Matrix
+
+BUILD_GB = 40
+"""Free disk that builds of several images need (README.md)."""
+
+STYLES = {"ok": "green", "note": "yellow", "wrong": "red"}
+"""Every state of a finding, with its colour: it works; some commands lack it; something that is there does not work."""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What is known of one thing that rosml uses.
+
+    Attributes:
+        name: of the thing.
+        state: one of STYLES.
+        found: what there is.
+        remedy: what to do, if something is to be done.
+    """
+
+    name: str
+    state: Literal["ok", "note", "wrong"]
+    found: str
+    remedy: str = ""
+
+
+@click.command(
+    "doctor", short_help="Says what this machine lacks for rosml, and the remedy.", cls=Command, alone=True, prints=True
+)
+@options.JSON
+def main(as_json: bool) -> None:
+    """Says what this machine has for rosml, what it lacks, and the remedy: system, disk, docker or podman, GPU and driver, the
+    services of a checkout, the network. Changes nothing.
+
+    'rosml run --check IMAGE' looks at what ROS nodes in a container depend on.
+
+    Exits with 1 if something that is there does not work.
+
+    \b
+    Examples:
+      rosml doctor
+      rosml doctor --json
+    """
+    found = [finding for check in CHECKS for finding in check()]
+    if as_json:
+        terminal.echo(json.dumps([asdict(finding) for finding in found], indent=2))
+    else:
+        show(found)
+    if any(finding.state == "wrong" for finding in found):
+        raise SystemExit(1)
+
+
+def show(found: list[Finding]) -> None:
+    """Prints a line for each finding, and the remedies below it."""
+    width = max(len(finding.name) for finding in found)
+    for finding in found:
+        state = click.style(finding.state.ljust(5), fg=STYLES[finding.state])
+        terminal.echo(f"{state}  {finding.name.ljust(width)}  {finding.found}")
+        if finding.remedy:
+            terminal.echo(f"{'':5}  {'':{width}}  → {finding.remedy}")
+
+
+def system() -> Iterator[Finding]:
+    """The machine itself."""
+    with_name = (
+        platform.freedesktop_os_release().get("PRETTY_NAME", "Linux") if Path("/etc/os-release").exists() else ""
+    )
+    text = f"{with_name or platform.system()}, {platform.machine()}, {os.cpu_count()} processors"
+    known = platform.machine() in ("x86_64", "aarch64", "arm64")
+    remedy = "" if known else "images exist for amd64 and arm64"
+    yield Finding("machine", "ok" if known else "note", f"{text}, Python {platform.python_version()}", remedy)
+
+
+def disk() -> Iterator[Finding]:
+    """Room for images and builds."""
+    place = ROOT if IN_CHECKOUT else Path.home()
+    free = shutil.disk_usage(place).free / 1e9
+    remedy = (
+        ""
+        if free >= BUILD_GB
+        else f"builds of several images need {BUILD_GB} GB; docker system df shows what Docker has"
+    )
+    yield Finding("disk", "ok" if not remedy else "note", f"{free:.0f} GB free", remedy)
+
+
+def engine() -> Iterator[Finding]:
+    """docker or podman, which start containers."""
+    from rosml.run import engine as engines
+
+    try:
+        program = engines.program(os.environ)
+        about = engines.answering(program)
+    except RosmlError as error:
+        # A checkout builds without an engine, and some people only join images in a registry.
+        installed = any(shutil.which(name) for name in engines.ENGINES)
+        yield Finding("engine", "wrong" if installed and not IN_CHECKOUT else "note", error.message, error.remedy)
+        return
+    kind = "podman" if about.podman else "docker"
+    said = kind if kind == os.path.basename(program) else f"{program}, which is {kind}"
+    yield Finding("engine", "ok", f"{said} answers" + (", rootless" if about.rootless else ""))
+
+
+def gpu() -> Iterator[Finding]:
+    """GPUs, their driver, and which images it runs."""
+    from rosml.run import engine as engines
+    from rosml.run import gpu as gpus
+    from rosml.run.host import host
+
+    here = host(os.environ)
+    if not gpus.is_nvidia(here):
+        yield Finding("GPU", "note", "no NVIDIA GPU, or no driver for it", "take images whose tag ends in -cpu")
+        return
+    kind, driver = "Jetson" if here.has(*gpus.JETSON) else "NVIDIA", gpus.driver(here)
+    stacks = _stacks(driver)
+    fit = f"; CUDA images: {', '.join(stacks)}" if stacks else ""
+    remedy = "" if stacks or not driver else "update the driver: CUDA 12 needs 525 or newer, CUDA 13 needs 580"
+    yield Finding("GPU", "note" if remedy else "ok", f"{kind}, driver {driver or 'unknown'}{fit}", remedy)
+    try:
+        about = engines.answering(engines.program(os.environ))
+    except RosmlError:  # told above
+        return
+    if words := gpus.handed_in(about, here):
+        yield Finding("GPU in containers", "ok", f"{about.program} hands it in: {' '.join(words)}")
+    else:
+        yield Finding("GPU in containers", "wrong", *gpus.lacking(about))
+
+
+def _stacks(driver: str) -> list[str]:
+    """The stacks with CUDA that a driver runs, the newest CUDA first."""
+    if not driver:
+        return []
+    matrix = _matrix()
+    newest = sorted(((facts.cuda, name) for name, facts in matrix.stacks.items() if facts.cuda), key=_by_numbers)
+    return [
+        name
+        for cuda, name in reversed(newest)
+        if int(driver.partition(".")[0]) >= int(matrix.drivers.get(cuda.partition(".")[0], "0"))
+    ]
+
+
+def _matrix() -> Matrix:
+    from rosml.images.image_set import load
+    from rosml.images.matrix import source
+
+    return load.image_set(source.read(ROOT / "matrix.yaml")).matrix
+
+
+def _by_numbers(found: tuple[str, str]) -> list[int]:
+    return [int(number) for number in found[0].split(".")]
+
+
+def services() -> Iterator[Finding]:
+    """The services of a checkout."""
+    if not IN_CHECKOUT:
+        yield Finding("checkout", "note", "none: list, explain, join, run and containerize need none", "")
+        return
+    from rosml.cli.machine.setup import state_of_checkout
+    from rosml.machine.setup.services import status
+
+    facts = status(state_of_checkout())
+    if not facts["up"]:
+        yield Finding(
+            "services", "note", "not up: no local registry, and no builder", "rosml setup; make image calls it"
+        )
+        return
+    for name, address in (("registry", facts["registry"]["address"]), ("builder", facts["builder"]["name"])):
+        answers = facts[name]["answers"]
+        text = f"{address} {'answers' if answers else 'does not answer'}"
+        yield Finding(name, "ok" if answers else "wrong", text, "" if answers else "rosml setup")
+    bases = "official ones, from Docker Hub" if facts["docker_hub"] else "made here from Debian's archive"
+    yield Finding("base images", "ok", bases)
+
+
+def network() -> Iterator[Finding]:
+    """What builds ask for."""
+    from rosml.base.side_by_side import side_by_side
+    from rosml.machine.setup.network import answers, docker_hub_answers
+
+    ca_bundle = os.environ.get("SSL_CERT_FILE", "")
+    archive = _matrix().ros_archive
+    asked: dict[str, Callable[[], bool]] = {"Docker Hub": lambda: docker_hub_answers(ca_bundle)}
+    if archive:
+        address = archive.live.format(generation="ros2")
+        asked["ROS's archive"] = lambda: answers(f"{address}/dists/")
+    asked["GitHub"] = lambda: answers("https://github.com/ros/rosdistro")
+    found = side_by_side(lambda name: asked[name](), asked)
+    silent = [name for name, yes in zip(asked, found, strict=True) if not yes]
+    if len(silent) < len(asked):
+        yield Finding("network", "ok", f"{', '.join(name for name in asked if name not in silent)}: answers")
+    if silent:
+        remedy = "set HTTPS_PROXY and SSL_CERT_FILE if a proxy is between; mirrors are in docs/registry.md"
+        yield Finding("network", "note", f"{', '.join(silent)}: no answer", remedy)
+
+
+CHECKS: tuple[Callable[[], Iterator[Finding]], ...] = (system, disk, engine, gpu, services, network)

@@ -1,0 +1,100 @@
+"""`rosml doctor`: what it says of machines of several kinds, and when it fails."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+
+from rosml.base.errors import RosmlError
+from rosml.cli.machine import doctor
+from rosml.machine.setup import network, services
+from rosml.run import engine, host
+from rosml.run.context import Engine
+
+DRIVER = "NVRM version: NVIDIA UNIX x86_64 Kernel Module  {}  Thu\n"
+
+
+@pytest.fixture
+def machine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The root of a machine with docker, where all answers and nothing is set up."""
+    monkeypatch.setattr(host, "ROOT", tmp_path)
+    monkeypatch.setattr(engine, "program", lambda _: "docker")
+    monkeypatch.setattr(engine, "answering", Engine)
+    monkeypatch.setattr(network, "docker_hub_answers", lambda _: True)
+    monkeypatch.setattr(network, "answers", lambda _: True)
+    monkeypatch.setattr(services, "status", lambda _: {"up": False})
+    return tmp_path
+
+
+def with_driver(root: Path, version: str) -> None:
+    (root / "dev").mkdir()
+    (root / "dev/nvidiactl").write_text("")
+    (root / "proc/driver/nvidia").mkdir(parents=True)
+    (root / "proc/driver/nvidia/version").write_text(DRIVER.format(version))
+
+
+def asked(code: int = 0) -> dict[str, dict[str, Any]]:
+    """The findings by name."""
+    done = CliRunner().invoke(doctor.main, ["--json"])
+    assert done.exit_code == code, done.output
+    return {finding["name"]: finding for finding in json.loads(done.output)}
+
+
+def test_a_machine_without_a_gpu_lacks_nothing_that_fails(machine: Path) -> None:
+    found = asked()
+    assert found["engine"]["found"] == "docker answers"
+    assert "-cpu" in found["GPU"]["remedy"] and "GPU in containers" not in found
+    assert found["services"]["remedy"].startswith("rosml setup")
+
+
+@pytest.mark.parametrize(
+    ("driver", "fit", "unfit"), [("580.65.06", {"cu132", "cu130", "cu128"}, set()), ("550.9", {"cu128"}, {"cu130"})]
+)
+def test_which_images_a_driver_runs(machine: Path, driver: str, fit: set[str], unfit: set[str]) -> None:
+    with_driver(machine, driver)
+    text = asked(1)["GPU"]["found"]
+    assert all(name in text for name in fit) and not any(name in text for name in unfit)
+
+
+def test_a_driver_that_is_too_old(machine: Path) -> None:
+    with_driver(machine, "470.1")
+    assert "525" in asked(1)["GPU"]["remedy"]
+
+
+def test_a_gpu_that_the_engine_cannot_hand_in_is_wrong(machine: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with_driver(machine, "580.1")
+    found = asked(1)["GPU in containers"]
+    assert found["state"] == "wrong" and "Container Toolkit" in found["remedy"]
+    monkeypatch.setattr(engine, "answering", lambda name: Engine(name, nvidia=True))
+    assert asked()["GPU in containers"]["found"] == "docker hands it in: --gpus all"
+
+
+def test_what_does_not_answer_is_named(machine: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """No engine and no network keep nobody from listing images: notes, each with its remedy."""
+
+    def silent(_: str) -> Engine:
+        raise RosmlError("docker does not answer", "start it")
+
+    monkeypatch.setattr(engine, "answering", silent)
+    monkeypatch.setattr(network, "answers", lambda address: "github" in address)
+    done = CliRunner().invoke(doctor.main)
+    assert done.exit_code == 0
+    assert "docker does not answer\n" in done.output and "→ start it\n" in done.output
+    assert "Docker Hub, GitHub: answers" in done.output and "ROS's archive: no answer" in done.output
+
+
+def test_a_service_that_does_not_answer_is_wrong(machine: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    facts = {
+        "up": True,
+        "registry": {"address": "127.0.0.1:5000", "answers": True},
+        "builder": {"name": "rosml", "answers": False},
+        "docker_hub": True,
+    }
+    monkeypatch.setattr(services, "status", lambda _: facts)
+    found = asked(1)
+    assert (found["registry"]["state"], found["builder"]["state"]) == ("ok", "wrong")
+    assert found["builder"]["remedy"] == "rosml setup"
