@@ -162,8 +162,8 @@ def _line(own: list[str], engine: list[Given], rest: list[str]) -> Line:
     if image.startswith("-"):  # after `--`; the engine would take it for an option
         remedy = "rosml run IMAGE" if image == "-" else "write an image after --"
         raise RosmlError(f"{image!r} is no name of an image", remedy, exit_code=2)
-    if "<" in image or ">" in image:
-        text = f"{image} is what stands for an image in a page"
+    if "<registry>" in image:
+        text = f"{image}: <registry> stands for the place that has the images"
         raise RosmlError(text, "write an image that you have, such as ghcr.io/me/rosml/ros:jazzy-base", exit_code=2)
     return Line(tuple(own), tuple(engine), image, tuple(rest[1:]))
 
