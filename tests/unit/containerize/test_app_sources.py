@@ -313,6 +313,7 @@ def test_the_format_of_rosinstall_is_read_as_vcstool_does(place: Place) -> None:
         ("repositories: {x: {type: git, url: 'fd://3/x'}}", "not allowed"),
         ("repositories: {x: {type: git, url: 'ssh://-oProxyCommand=x/y'}}", "no host"),
         ("repositories: {x: {type: git, url: '-oProxyCommand=x:y'}}", "the url is not valid"),
+        ("repositories: {x: {type: git, url: 'git@-oProxyCommand=x:y'}}", "the url is not valid"),
         ("repositories: {x: {type: git, url: 'a/b'}}", "the url is not valid"),
         (f"repositories: {{x: {{type: git, url: 'https://u:{SECRET}@h/x'}}}}", "holds a password"),
         ("repositories: {x: {type: git, url: 'https://h/x', version: --x}}", "is no version"),

@@ -203,8 +203,12 @@ def test_an_image_that_docker_alone_has(services: Services, tmp_path: Path, monk
     docker.chmod(0o755)
     monkeypatch.setenv("PATH", str(tmp_path), prepend=":")
     name = f"{services.registry}/mine:1"
-    found = app_base.find(name, dataclasses.replace(services, builder_kind="user"), ("linux/amd64",))
-    assert (found.reference, found.digest, found.environment) == (name, "sha256:7", {"ROS_DISTRO": "jazzy"})
+    builds = dataclasses.replace(services, builder_kind="user")
+    for wanted in ("", "sha256:7"):
+        found = app_base.find(name, builds, ("linux/amd64",), wanted)
+        assert (found.reference, found.digest, found.environment) == (name, "sha256:7", {"ROS_DISTRO": "jazzy"})
+    with pytest.raises(RosmlError):  # a lock file names another one
+        app_base.find(name, builds, ("linux/amd64",), "sha256:8")
     with pytest.raises(RosmlError, match="there is no image"):
         app_base.find(name, services, ("linux/amd64",))
 

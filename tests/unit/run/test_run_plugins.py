@@ -201,6 +201,7 @@ def test_the_drivers_version(machine: Machine, place: str, content: bytes, versi
     [
         ("580", "579.99", False),
         ("580", "580.10", True),
+        ("580.10", "580.10", True),
         ("525", "580.10", True),
         ("1000", "580.10", False),
         ("525.60.13", "525.60.11", False),
@@ -521,6 +522,8 @@ def test_the_cookie_is_in_a_private_file(desk: Desk) -> None:
         assert stat.S_IMODE(first.st_mode) == 0o600 and stat.S_IMODE(file.parent.stat().st_mode) == 0o700
         assert desk.call("ubuntu", **env).returncode == 0
         assert file.stat().st_ino == first.st_ino, "containers have it mounted"
+        file.chmod(0o644)
+        assert desk.call("ubuntu", **env).returncode == 0 and stat.S_IMODE(file.stat().st_mode) == 0o600
     assert [path.name for path in session.rglob("*")] == ["rosml", "xauth-0"] and b"secret" in file.read_bytes()
     assert desk.call("ubuntu", **env).returncode == 0 and "DISPLAY=:0" not in desk.calls[-1]
 
