@@ -163,7 +163,10 @@ def test_one_file_alone(place: Place) -> None:
     assert place.fetch(recursive=False) == [] and listing(place.out) == {}
     place.put(repos(a=(place.root / "a", "main")))
     assert [item.path for item in place.fetch(recursive=False)] == ["a"]
-    assert "nowhere.repos: no file below" in place.refused(recursive=False, file="nowhere.repos").message
+    (place.root / "outside.repos").write_text("repositories: {}")
+    (place.target / "link.repos").symlink_to("../outside.repos")
+    for name in ("nowhere.repos", "../outside.repos", "link.repos"):
+        assert f"{name}: no file below" in place.refused(recursive=False, file=name).message
 
 
 def test_a_file_that_is_left_out(place: Place) -> None:

@@ -423,6 +423,8 @@ def test_the_agent_of_ssh(machine: Machine) -> None:
     with pytest.raises(RosmlError, match="no agent answers"):
         sockets.ssh_agent(machine.context("--ssh-agent"))
     machine.environment["SSH_AUTH_SOCK"] = "/tmp/ssh-x/agent.1"
+    with pytest.raises(RosmlError, match="no agent answers"):
+        sockets.ssh_agent(machine.context("--ssh-agent"))
     machine.socket("/tmp/ssh-x/agent.1")
     assert sockets.ssh_agent(machine.context()) == []
     assert sockets.ssh_agent(machine.context("--ssh-agent")) == [
