@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The way from a bare Python to `rosml setup`: finds or installs uv, has it install Python packages, and hands over."""
+"""Starts `rosml setup` from a bare Python: finds or installs uv, installs Python packages with it, and hands over."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ PYTHON = VENV / "bin" / "python"
 SOURCES = ROOT / "src"
 OLDEST_UV = [0, 9]
 OLDEST_PYTHON = "3.11"
-"""That the commands run with, as pyproject.toml has it."""
+"""The oldest Python for the commands, as in pyproject.toml."""
 
 GROUPS = ("app", "dev", "page")
-"""Of Python packages, each with those before it: of the commands; of linters and tests; of the page's tests."""
+"""Groups of Python packages, each with those before it: for the commands; for linters and tests; for the page's tests."""
 
 COMMANDS = {
     **dict.fromkeys(("python", "up", "tools", "emulate", "client", "scanner", "signer", "room"), "app"),
@@ -40,11 +40,11 @@ COMMANDS = {
     **dict.fromkeys(("suite", "browser"), "page"),
     **dict.fromkeys(("down", "status", "clean"), ""),
 }
-"""The commands of `rosml setup`, and the group of packages that each needs; none where those that are there do. `python` installs
-them and does nothing else."""
+"""The commands of `rosml setup`, and the group of packages that each needs; None if the present ones are enough. `python` only
+installs packages."""
 
 EPILOG = """\
-Options, and what the environment says, are those of `rosml setup`. `python` only installs uv and Python packages.
+Options and environment variables are those of `rosml setup`. `python` only installs uv and Python packages.
 
 Examples:
   python3 scripts/bootstrap.py up
@@ -53,20 +53,20 @@ Examples:
 
 
 UNREACHED = "check the network and proxies (HTTPS_PROXY); a company's certificates go into ROSML_CA_BUNDLE; docs/registry.md has more"
-"""What to do where packages cannot be had."""
+"""The remedy if packages cannot be fetched."""
 
 
 class Failure(Exception):
-    """The set-up cannot go on: a message and its remedy, which may be empty."""
+    """Setup cannot go on: a message and its remedy, which may be empty."""
 
 
 def say(text: str) -> None:
-    """Prints a line at once, also into a pipe."""
+    """Prints a line without buffering."""
     print(text, flush=True)
 
 
 def output_of(*argv: str) -> str | None:
-    """What a short command prints, or nothing where it is missing, fails or hangs."""
+    """The output of a short command; None if it is missing, fails or hangs."""
     try:
         done = subprocess.run(argv, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=20, cwd=ROOT)
     except (OSError, subprocess.TimeoutExpired):
@@ -75,10 +75,10 @@ def output_of(*argv: str) -> str | None:
 
 
 def run(what: str, argv: Sequence[str], log: Path, env: Mapping[str, str], remedy: str = "") -> None:
-    """Runs a command that may take long: its output goes to a log, a sign of life to people.
+    """Runs a long command. Its output goes to a log; users see signs of life.
 
     Raises:
-        Failure: it fails; with the end of its log.
+        Failure: it fails; the message has the end of its log.
     """
     started, devnull = time.monotonic(), subprocess.DEVNULL
     with log.open("w") as out:
@@ -90,7 +90,7 @@ def run(what: str, argv: Sequence[str], log: Path, env: Mapping[str, str], remed
                 except subprocess.TimeoutExpired:
                     say(f"  {what}: still at work ({time.monotonic() - started:.0f} s)")
         finally:
-            process.terminate()  # where this was interrupted
+            process.terminate()  # if this was interrupted
             process.wait()
     if process.returncode:
         end = "".join(f"    {line}\n" for line in log.read_text(errors="replace").splitlines()[-20:])
@@ -99,7 +99,7 @@ def run(what: str, argv: Sequence[str], log: Path, env: Mapping[str, str], remed
 
 
 def write(file: Path, text: str, mode: int = 0o644) -> None:
-    """Writes a file so that a reader sees the old text or the new one, never a part."""
+    """Writes a file at once: a reader sees the old text or the new one, never a part."""
     partial = file.with_name(f".{file.name}.{os.getpid()}")
     partial.write_text(text)
     partial.chmod(mode)
@@ -108,7 +108,7 @@ def write(file: Path, text: str, mode: int = 0o644) -> None:
 
 @contextmanager
 def lock() -> Iterator[None]:
-    """Lets one set-up at a time work on this checkout. The lock goes with the process, also with what it becomes.
+    """Lets one setup at a time work on this checkout. The process keeps the lock, also if it becomes another program.
 
     Raises:
         Failure: .state cannot be written to.
@@ -124,14 +124,14 @@ def lock() -> Iterator[None]:
         try:
             fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            say("waiting for another set-up of this checkout to finish")
+            say("waiting for another setup of this checkout")
             fcntl.flock(stream, fcntl.LOCK_EX)
         os.set_inheritable(stream.fileno(), True)
         yield
 
 
 def ca_bundle() -> str:
-    """The user's own CA bundle: absolute path, or empty.
+    """The absolute path of the user's own CA bundle, or empty.
 
     Raises:
         Failure: ROSML_CA_BUNDLE, which only this project reads, names no file.
@@ -144,7 +144,7 @@ def ca_bundle() -> str:
 
 
 def uv_on_path() -> str:
-    """The user's own uv, where it is new enough; `.state/bin` does not count."""
+    """The user's own uv, if it is new enough; `.state/bin` does not count."""
     entries = os.environ.get("PATH", os.defpath).split(os.pathsep)
     path = shutil.which("uv", path=os.pathsep.join(entry for entry in entries if entry and Path(entry) != BIN))
     if path is None:
@@ -158,10 +158,10 @@ def uv_on_path() -> str:
 
 
 def pinned_uv() -> str:
-    """The pinned Python package's program in `.state/bin`, installed where it is not there.
+    """The program of the pinned Python package, in `.state/bin`. Installs it if it is missing.
 
     Raises:
-        Failure: it cannot be had.
+        Failure: it cannot be installed.
     """
     requirements, program, stamp = ROOT / "tools" / "requirements.txt", BIN / "uv", BIN / ".uv.pin"
     wanted = requirements.read_text()
@@ -169,7 +169,7 @@ def pinned_uv() -> str:
         return str(program)
     started, folder, log = time.monotonic(), STATE / "tools", LOG / "install-uv.log"
     env = {**os.environ, "PIP_DISABLE_PIP_VERSION_CHECK": "1", "PIP_NO_INPUT": "1", "DEBIAN_FRONTEND": "noninteractive"}
-    env.update(PIP_USER="0", PIP_TARGET="", PIP_PREFIX="")  # a user's own settings would put it elsewhere
+    env.update(PIP_USER="0", PIP_TARGET="", PIP_PREFIX="")  # the user's own settings would install it elsewhere
     if bundle := ca_bundle():
         env.setdefault("PIP_CERT", bundle)
     if output_of(sys.executable, "-c", "import ensurepip, venv") is None:
@@ -192,11 +192,11 @@ def packages(uv: str, group: str) -> None:
     """Installs the Python packages of `tools/requirements-<group>.txt` into `.venv`, and removes others.
 
     Args:
-        group: of `GROUPS`. Where a larger one was installed before, it stays: otherwise a command would take away what the
-            tests beside it import.
+        group: a group of `GROUPS`. If a larger one is installed, it stays: otherwise a command would remove packages that running
+            tests import.
 
     Raises:
-        Failure: a package has none of the hashes in the file, or cannot be had.
+        Failure: a package has none of the hashes in the file, or cannot be fetched.
     """
     started, log = time.monotonic(), LOG / "packages.log"
     env = {name: value for name, value in os.environ.items() if name not in ("UV_QUIET", "VIRTUAL_ENV", "UV_PYTHON")}
@@ -211,9 +211,9 @@ def packages(uv: str, group: str) -> None:
         run("Python packages", make, log, env, UNREACHED)
     known = VENV / "group"
     before = known.read_text() if known.exists() else ""
-    known.unlink(missing_ok=True)  # what is interrupted is done again
+    known.unlink(missing_ok=True)  # if this is interrupted, it is done again
     group = max(group, before if before in GROUPS else group, key=GROUPS.index)
-    # A build would fetch what it needs by itself, without a hash: wheels alone.
+    # Only wheels: a build would fetch its own requirements, without hashes.
     sync = [uv, "pip", "sync", "--python", str(PYTHON), "--require-hashes", "--no-build"]
     run("Python packages", [*sync, str(ROOT / "tools" / f"requirements-{group}.txt")], log, env, UNREACHED)
     for folder in (VENV / "lib").glob("python3*/site-packages"):
@@ -224,14 +224,14 @@ def packages(uv: str, group: str) -> None:
 
 
 def can_hand_over() -> bool:
-    """Whether the packages that `rosml setup` needs are there."""
+    """Whether the packages for `rosml setup` are installed."""
     code = f"import sys; sys.path.insert(0, {str(SOURCES)!r}); import rosml.cli.main"
     return output_of(str(PYTHON), "-c", code) is not None
 
 
 def hand_over(command: str, *options: str, uv: str = "", come_back: bool = False) -> int:
-    """Becomes `rosml setup COMMAND`, or calls it and gives its exit code. ROSML_UV says where uv is, and that its packages are
-    there. What a ROS workspace sets would change what our Python imports."""
+    """Becomes `rosml setup COMMAND`, or calls it and returns its exit code. ROSML_UV has the path of uv, and tells that the packages
+    are installed. The variables of a ROS workspace are removed: they would change our Python's imports."""
     left_out = ("PYTHONPATH", "PYTHONHOME", "PYTHONOPTIMIZE", "PYTHONSAFEPATH")
     env = {name: value for name, value in os.environ.items() if name not in left_out}
     env.update(ROSML_UV=uv, ROSML_CA_BUNDLE=ca_bundle())
@@ -243,12 +243,12 @@ def hand_over(command: str, *options: str, uv: str = "", come_back: bool = False
 
 
 def stop() -> None:
-    """Stops the services of this checkout, where the packages are lost that do it well."""
+    """Stops the services of this checkout if the packages for `rosml setup down` are lost."""
     stopped: dict[int, str] = {}
     for kind in (signal.SIGTERM, *[0] * 198, signal.SIGKILL):
         left = {}
         for file in Path("/proc").glob("[0-9]*/cmdline"):
-            with suppress(FileNotFoundError, ProcessLookupError):  # it ended meanwhile
+            with suppress(FileNotFoundError, ProcessLookupError):  # the process ended meanwhile
                 program = Path(os.fsdecode(file.read_bytes().partition(b"\0")[0]))
                 if program in (BIN / "buildkitd", BIN / "registry"):
                     left[int(file.parent.name)] = program.name
@@ -262,7 +262,7 @@ def stop() -> None:
 
 
 def clean() -> int:
-    """Removes all that was made.
+    """Removes all files of setup.
 
     Raises:
         Failure: something is left.
@@ -284,14 +284,14 @@ def clean() -> int:
 
 
 def work(command: str, options: Sequence[str]) -> int:
-    """Does a command; gives its exit code."""
+    """Runs a command. Returns its exit code."""
     if command == "status":
         if can_hand_over():
             return hand_over(command, *options)
         say(json.dumps({"state": str(STATE), "up": False}) if "--json" in options else "services  not up (rosml setup)")
         return 0
     if not sys.platform.startswith("linux"):
-        raise Failure("this set-up needs Linux", "use a Linux machine, a virtual one, or WSL")
+        raise Failure("setup needs Linux", "use a Linux machine, a virtual one, or WSL")
     if command == "clean" and not STATE.exists():
         return clean()
     if command == "down" and not STATE.exists():
@@ -310,12 +310,12 @@ def work(command: str, options: Sequence[str]) -> int:
 
 
 def terminate(_number: int, _frame: FrameType | None) -> NoReturn:
-    """SIGTERM ends as Ctrl-C does."""
+    """Handles SIGTERM like Ctrl-C."""
     raise KeyboardInterrupt
 
 
 def main(argv: Sequence[str]) -> int:
-    """Runs a command; gives the exit code: 0, 1 (failed), 2 (usage), 130 (interrupted)."""
+    """Runs the command line. Returns the exit code: 0, 1 (failed), 2 (usage), 130 (interrupted)."""
     style = argparse.RawDescriptionHelpFormatter
     parser = argparse.ArgumentParser("rosml setup", description=__doc__, epilog=EPILOG, formatter_class=style)
     parser.add_argument("command", choices=COMMANDS, metavar="COMMAND", help=", ".join(COMMANDS))

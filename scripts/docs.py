@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes a site of the documentation, and fails where a link leads nowhere."""
+"""Makes a site of the documentation, and fails if a link leads nowhere."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "src"))
 
-import rosml.base.environment  # noqa: F401 (first: says what to do where the others are missing)
+import rosml.base.environment  # noqa: F401 (first: says what to do if the others are missing)
 
 # isort: split
 
@@ -25,7 +25,7 @@ from rosml.cli import command
 
 CONFIG = "mkdocs.yml"
 BESIDE = ("README.md", "CHANGELOG.md", "SECURITY.md", "CONTRIBUTING.md")
-"""Pages that are not in docs/, since forges look for them elsewhere."""
+"""Pages outside of docs/, because forges expect them elsewhere."""
 
 _LINK = re.compile(r"(?<=\]\()[^)\s#]+")
 
@@ -38,7 +38,7 @@ _LINK = re.compile(r"(?<=\]\()[^)\s#]+")
     help="Where to make it; .state/docs if left out. The site is in its folder site.",
 )
 def main(output: Path) -> None:
-    """Makes a site of the pages in docs/ and of README.md, CHANGELOG.md, SECURITY.md and CONTRIBUTING.md. No server is needed for it.
+    """Makes a site of the pages in docs/ and of README.md, CHANGELOG.md, SECURITY.md and CONTRIBUTING.md. It needs no server.
 
     \b
     Examples:
@@ -60,13 +60,13 @@ def build(folder: Path) -> None:
     done = subprocess.run(argv, cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
     said = f"{done.stdout}{done.stderr}".partition("Traceback (most recent call last)")[0].strip()
     if done.returncode or not (folder / "site/index.html").is_file():
-        raise RosmlError(f"the site cannot be built:\n{said}", "mend what it names; the pages are those in docs/")
+        raise RosmlError(f"the site cannot be built:\n{said}", "correct the named place; the pages are in docs/")
 
 
 def stage(root: Path, folder: Path) -> None:
-    """Copies every page, and every file of the repository that one links to, to the same places below the folder `docs`.
+    """Copies every page, and every file of the repository to which a page links, to the same place below the folder `docs`.
 
-    A page may so link to a file that is none, as it does on a forge.
+    So a page may link to a file that is no page, as on a forge.
     """
     shutil.rmtree(folder / "docs", ignore_errors=True)
     (folder / "docs").mkdir(parents=True)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`rosml generate`, from a checkout without a set-up of its own: src/rosml/cli/images/generate.py."""
+"""Runs `rosml generate` in a checkout without its own setup: src/rosml/cli/images/generate.py."""
 
 import sys
 from pathlib import Path

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Resolves the Python packages in pyproject.toml, and what they require, to versions and hashes: tools/requirements-*.txt."""
+"""Resolves the Python packages in pyproject.toml, and their dependencies, to versions and hashes: tools/requirements-*.txt."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "src"))
 
-import rosml.base.environment  # noqa: F401 (first: says what to do where the others are missing)
+import rosml.base.environment  # noqa: F401 (first: says what to do if the others are missing)
 
 # isort: split
 
@@ -24,11 +24,11 @@ from rosml.base.errors import RosmlError
 from rosml.cli import command
 
 FILES: dict[str, tuple[str, ...]] = {"app": (), "build": ("build",), "dev": ("dev",), "page": ("dev", "page")}
-"""Groups of pyproject.toml that a file has, beside the packages of the commands."""
+"""The groups of pyproject.toml in each file, beside the packages of the commands."""
 
 
 def group(project: dict[str, Any], name: str) -> Iterator[str]:
-    """The requirements of a group, with those of the groups that it includes."""
+    """The requirements of a group and of the groups that it includes."""
     for item in project["dependency-groups"][name]:
         if isinstance(item, str):
             yield item
@@ -37,7 +37,7 @@ def group(project: dict[str, Any], name: str) -> Iterator[str]:
 
 
 def asked(root: Path) -> dict[str, str]:
-    """What pyproject.toml asks for, a requirement on each line, by file."""
+    """The requirements in pyproject.toml for each file, a line each."""
     project = tomllib.loads((root / "pyproject.toml").read_text())
     commands = [*project["project"]["dependencies"], *project["project"]["optional-dependencies"]["images"]]
     return {
@@ -47,19 +47,19 @@ def asked(root: Path) -> dict[str, str]:
 
 
 def path(root: Path, file: str) -> Path:
-    """Where a file is."""
+    """The path of a file."""
     return root / "tools" / f"requirements-{file}.txt"
 
 
 def header(file: str, wanted: str) -> str:
-    """A file's first lines, which say what it was resolved from."""
+    """The first lines of a file, with a digest of its requirements."""
     what = " and ".join(["The commands' Python packages", *(f"the group {name}" for name in FILES[file])])
     digest = hashlib.sha256(wanted.encode()).hexdigest()
     return f"# {what}, by hash. Written by: uv run scripts/requirements.py\n# asked for: sha256:{digest}\n"
 
 
 def stale(root: Path) -> list[str]:
-    """Files that were not resolved from what pyproject.toml asks for now."""
+    """Files that were not resolved from the present pyproject.toml."""
     return [
         str(path(root, file).relative_to(root))
         for file, wanted in asked(root).items()
@@ -94,9 +94,9 @@ def resolve(root: Path, upgrade: bool) -> None:
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 if pyproject.toml asks for other packages.")
-@click.option("--upgrade", is_flag=True, help="Move what the packages require to the newest versions.")
+@click.option("--upgrade", is_flag=True, help="Move dependencies of the packages to the newest versions.")
 def main(check: bool, upgrade: bool) -> None:
-    """Resolves the Python packages in pyproject.toml, and what they require, to versions and hashes.
+    """Resolves the Python packages in pyproject.toml, and their dependencies, to versions and hashes.
 
     \b
     Examples:

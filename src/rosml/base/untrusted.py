@@ -1,6 +1,6 @@
-"""JSON and YAML from outside, as plain data: with limits on size, depth and numbers, so that no reader after it has to fear them.
+"""Reads JSON and YAML from outside as plain data, with limits on size, depth and numbers.
 
-A model gives the data its shape next. Nothing else of this package calls a parser of JSON or YAML for a text that others wrote.
+Models then check the data's shape. No other module parses JSON or YAML from outside.
 """
 
 from __future__ import annotations
@@ -17,16 +17,16 @@ if TYPE_CHECKING:
     import yaml
 
 SIZE = 16 << 20
-"""Bytes that a text may have, unless its reader says something else."""
+"""The most bytes of a text, unless the caller sets another limit."""
 
 DEPTH = 100
-"""How many lists and objects may be inside each other. Nothing that is read here has more than twenty."""
+"""The most levels of nested lists and objects. Real data has at most twenty."""
 
 DIGITS = 20
-"""How many digits a whole number may have: enough for 64 bits."""
+"""The most digits of a whole number: enough for 64 bits."""
 
 NODES = 2_000_000
-"""How many values a YAML file may have once its aliases are replaced. rosdep's largest list has 30,000."""
+"""The most values of a YAML file after its aliases are replaced. rosdep's largest list has 30,000."""
 
 CHECK = "check where it is from"
 
@@ -38,11 +38,13 @@ def json_of(data: bytes | str, what: str, limit: int = SIZE, remedy: str = CHECK
     """The value of a JSON text.
 
     Args:
-        what: the text is, for messages. limit: its bytes. remedy, exit_code: of the error.
+        what: the text's name in messages.
+        limit: the most bytes.
+        remedy, exit_code: those of the error.
 
     Raises:
         RosmlError: the text is larger, nested deeper than `DEPTH`, or no JSON in UTF-8; it has a number of more than `DIGITS`
-            digits or beyond what a float holds, the same key twice in an object, or half of a surrogate pair.
+            digits or too large for a float, the same key twice in an object, or half of a surrogate pair.
     """
     try:
         return json_value(data, limit)
@@ -51,17 +53,17 @@ def json_of(data: bytes | str, what: str, limit: int = SIZE, remedy: str = CHECK
 
 
 def json_value(data: bytes | str, limit: int = SIZE) -> Any:
-    """The same.
+    """The value of a JSON text.
 
     Raises:
-        ValueError: as RosmlError above.
+        ValueError: as RosmlError of `json_of`.
     """
     (found,) = json_values(data, limit, one=True)
     return found
 
 
 def json_object(data: bytes | str, limit: int = SIZE) -> dict[str, Any] | None:
-    """The object of a JSON text; None if it is none that `json_value` takes."""
+    """The object of a JSON text; None if it is no object, or if `json_value` refuses it."""
     try:
         found = json_value(data, limit)
     except ValueError:
@@ -73,7 +75,8 @@ def json_values(data: bytes | str, limit: int = SIZE, one: bool = False) -> list
     """The values of JSON texts that follow each other.
 
     Args:
-        limit: bytes of all. one: there is exactly one.
+        limit: the most bytes of all texts.
+        one: there must be exactly one.
 
     Raises:
         ValueError: as RosmlError of `json_of`.
@@ -139,7 +142,7 @@ _DECODER = json.JSONDecoder(parse_int=_whole, parse_float=_fraction, parse_const
 
 
 def _require_shallow(values: list[Any]) -> None:
-    """Raises ValueError where values are nested too deep. The lists and objects of one level are looked at together."""
+    """Raises ValueError if values are nested too deep. Checks level by level."""
     level: list[Any] = [item for item in values if isinstance(item, (dict, list))]
     for _ in range(DEPTH + 1):
         if not level:
@@ -161,14 +164,16 @@ def _is_unicode(found: Any) -> bool:
 
 
 def yaml_of(data: bytes | str, what: str, limit: int = SIZE, remedy: str = CHECK, exit_code: int = 1) -> Any:
-    """The value of a YAML text: what YAML's safe constructor makes of it. It may have aliases.
+    """The value of a YAML text, from YAML's safe constructor. The text may have aliases.
 
     Args:
-        what: the text is, for messages. limit: its bytes. remedy, exit_code: of the error.
+        what: the text's name in messages.
+        limit: the most bytes.
+        remedy, exit_code: those of the error.
 
     Raises:
-        RosmlError: the text is larger, nested deeper than `DEPTH`, or no YAML in UTF-8; its aliases make more than `NODES` values
-            of it, or lead into themselves; a value is none of its type.
+        RosmlError: the text is larger, nested deeper than `DEPTH`, or no YAML in UTF-8; its aliases make more than `NODES` values,
+            or lead into themselves; a value does not fit its type.
     """
     import yaml
 
@@ -187,10 +192,10 @@ def yaml_of(data: bytes | str, what: str, limit: int = SIZE, remedy: str = CHECK
 
 
 def yaml_node(text: str) -> Any:
-    """The top node of a YAML text; None of an empty one.
+    """The top node of a YAML text; None for an empty one.
 
     Raises:
-        yaml.YAMLError: it is no YAML, nested too deep, or its aliases are too many or lead into themselves.
+        yaml.YAMLError: it is no YAML, is nested too deep, or its aliases are too many or lead into themselves.
     """
     import yaml
 
@@ -199,7 +204,7 @@ def yaml_node(text: str) -> Any:
 
 
 def yaml_events(text: str) -> Iterator[Any]:
-    """The events of a YAML text, up to `DEPTH` levels. libyaml's compose ends the process where there are some ten thousand.
+    """The events of a YAML text, up to `DEPTH` levels. With some ten thousand levels, libyaml's compose ends the process.
 
     Raises:
         yaml.YAMLError: it is no YAML, or nested too deep.
@@ -218,7 +223,7 @@ def yaml_events(text: str) -> Iterator[Any]:
 
 
 def _loader() -> Any:
-    """libyaml comes with PyYAML's wheels; the parser in Python reads the same, ten times slower."""
+    """libyaml's loader, which comes with PyYAML's wheels. The parser in Python reads the same, ten times slower."""
     import yaml
 
     return getattr(yaml, "CSafeLoader", yaml.SafeLoader)
@@ -231,13 +236,11 @@ def _refused(why: str, event: Any) -> yaml.MarkedYAMLError:
 
 
 def _require_small(events: Iterator[Any]) -> None:
-    """Raises yaml.YAMLError where aliases make too much of a text, go too deep, or lead into themselves."""
+    """Raises yaml.YAMLError if aliases make too much of a text, go too deep, or lead into themselves."""
     import yaml
 
-    known: dict[str, tuple[int, int]] = {}  # of what an anchor names: how many values, and how many levels of them
-    above: list[tuple[str, int, int]] = [
-        ("", 0, 0)
-    ]  # of each collection that is open: its anchor, values and levels so far
+    known: dict[str, tuple[int, int]] = {}  # for each anchor: the number of its values, and of their levels
+    above: list[tuple[str, int, int]] = [("", 0, 0)]  # for each open collection: its anchor, values and levels so far
     for event in events:
         if isinstance(event, yaml.CollectionStartEvent):
             above.append((event.anchor or "", 1, 1))
@@ -264,7 +267,7 @@ def _require_small(events: Iterator[Any]) -> None:
 
 
 def _constructor() -> Any:
-    """PyYAML's safe one, without numbers that are as long as a file."""
+    """PyYAML's safe constructor, without very long numbers."""
     import yaml
 
     known, whole = yaml.constructor.SafeConstructor.yaml_constructors, "tag:yaml.org,2002:int"

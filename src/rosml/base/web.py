@@ -1,7 +1,7 @@
-"""HTTP clients, as the environment has it: proxies and certificates that cannot be used are told, and are no traceback.
+"""HTTP clients with the environment's proxies and certificates. If these cannot be used, the error says so without a traceback.
 
-What servers answer has limits here: addresses that they name are checked, redirects are counted, and a body is read as it was
-sent, up to a size. Nothing is unpacked: a few kB of gzip can hold gigabytes.
+Servers' answers have limits: we check addresses in them, count redirects, and read a body as it was sent, up to a size. We unpack
+nothing, because a few kB of gzip can hold gigabytes.
 """
 
 from __future__ import annotations
@@ -26,46 +26,45 @@ from rosml.base.errors import RosmlError
 PROXIES = ("HTTPS_PROXY", "https_proxy", "HTTP_PROXY", "http_proxy", "ALL_PROXY", "all_proxy")
 
 REDIRECTS = 5
-"""How many redirects one request follows."""
+"""The most redirects of a request."""
 
 EXCERPT = 64 << 10
-"""Bytes that are read of an answer that nobody needs as a whole: an error, or a redirect."""
+"""The most bytes to read of an error or a redirect."""
 
 
 BUSY = (429, 500, 502, 503, 504)
-"""Answers that may be other ones a moment later."""
+"""Status codes of answers that may differ a moment later."""
 
 ATTEMPTS = 3
-"""How often a server is asked for a list that is busy."""
+"""How often we ask a busy server."""
 
 WAIT, LONGEST_WAIT = 1.0, 30.0
-"""Seconds before the second attempt, which double with every further one; and what a server may ask for at most."""
+"""Seconds before the second attempt, doubled with every further one; and the longest wait that a server may ask for."""
 
 LONGEST = 600.0
-"""Seconds that a body may take that is read as a whole."""
+"""Seconds that the whole of a body may take."""
 
 
 class Unfit(ValueError):
-    """What a server sent and this program does not take. The message says why, in words."""
+    """A server's answer that we refuse. The message says why."""
 
 
 class _NoCookies(CookieJar):
-    """Keeps nothing: no server that this program asks needs a cookie."""
+    """Keeps no cookie: no server needs one."""
 
     def extract_cookies(self, *_: object) -> None:
         pass
 
 
 def client(**options: Any) -> httpx.Client:
-    """A client of httpx, which trusts what `trusted` says unless told otherwise by `verify`. It asks for bodies as they are,
-    and keeps no cookies.
+    """A client of httpx. It trusts the authorities of `trusted` unless `verify` says otherwise, asks for unpacked bodies, and keeps no
+    cookies.
 
     Raises:
-        RosmlError: a variable of the environment names a proxy of a kind that is not supported, or certificates that cannot
-            be read (exit code 2).
+        RosmlError: a variable of the environment names an unsupported proxy, or certificates that cannot be read (exit code 2).
     """
     try:
-        if "verify" not in options:  # who speaks plain http reads no certificates
+        if "verify" not in options:  # plain http needs no certificates
             options["verify"] = trusted()
         headers = {"Accept-Encoding": "identity", **options.pop("headers", {})}
         return httpx.Client(headers=headers, cookies=_NoCookies(), **options)
@@ -81,7 +80,7 @@ def client(**options: Any) -> httpx.Client:
 
 
 def is_here(address: str) -> bool:
-    """Whether an address, such as `http://host:3142`, names this machine: a socket can be bound to where its host is."""
+    """Whether an address, such as `http://host:3142`, is this machine's: a socket can be bound to its host."""
     try:
         host = urlsplit(address if "//" in address else f"//{address}").hostname
         found = socket.getaddrinfo(host, 0, type=socket.SOCK_STREAM) if host else []
@@ -95,9 +94,8 @@ def is_here(address: str) -> bool:
 
 
 def trusted() -> ssl.SSLContext:
-    """What TLS trusts by SSL_CERT_FILE or SSL_CERT_DIR, by default the usual authorities: for all clients, nobody changes it.
-
-    Reading hundreds of certificates takes 50 ms, more than most requests.
+    """TLS' authorities: those of SSL_CERT_FILE or SSL_CERT_DIR, by default the usual ones. All clients share the context, so do not
+    change it: reading hundreds of certificates takes 50 ms, more than most requests.
 
     Raises:
         OSError: the file cannot be read, or has no certificate in PEM.
@@ -114,10 +112,10 @@ def _trusted(_file: str, _folder: str) -> ssl.SSLContext:
 
 
 def joined(base: httpx.URL, text: str) -> httpx.URL:
-    """The address that a server names, as seen from the address that it was asked at.
+    """The address that a server names, relative to the asked one.
 
     Raises:
-        Unfit: it is none that can be asked.
+        Unfit: it cannot be asked.
     """
     try:
         return checked(base.join(text))
@@ -129,7 +127,7 @@ def checked(address: httpx.URL) -> httpx.URL:
     """An address, if it can be asked.
 
     Raises:
-        Unfit: it has another scheme than http and https, or a host that is no name.
+        Unfit: its scheme is not http or https, or its host is no name.
     """
     try:
         address.host.encode("idna")  # as the look-up of the name does it
@@ -142,20 +140,20 @@ def checked(address: httpx.URL) -> httpx.URL:
 
 
 def origin(address: httpx.URL) -> tuple[str, str, int | None]:
-    """Scheme, host and port: who is asked."""
+    """Scheme, host and port of an address."""
     return address.scheme, address.host, address.port
 
 
 def followed(client: httpx.Client, request: httpx.Request, elsewhere: bool) -> httpx.Response:
-    """Sends a request, and follows its redirects if it only reads. `Authorization` goes to no other origin. Nothing of the
-    answer's body is read yet.
+    """Sends a request, and follows its redirects if it only reads. `Authorization` goes to no other origin. It does not read the
+    answer's body.
 
     Args:
         elsewhere: follow redirects to other origins too. Otherwise such a redirect is the answer.
 
     Raises:
         Unfit: there are too many redirects, or one leads to no address.
-        httpx.HTTPError: nobody answers, or in no form that is HTTP.
+        httpx.HTTPError: the server does not answer, or not in HTTP.
     """
     answer = client.send(request, stream=True, follow_redirects=False)
     for _ in range(REDIRECTS):
@@ -172,7 +170,7 @@ def followed(client: httpx.Client, request: httpx.Request, elsewhere: bool) -> h
 
 
 def after(headers: Mapping[str, str]) -> float:
-    """Seconds that a server asks to wait: `Retry-After` has them, or a date. 0 if it asks for nothing that can be read."""
+    """Seconds that a server asks to wait, from `Retry-After`, which has seconds or a date. 0 if it has neither."""
     text = headers.get("retry-after", "")[:64]
     if text.isdecimal():
         return float(text)
@@ -183,10 +181,11 @@ def after(headers: Mapping[str, str]) -> float:
 
 
 def waited(attempt: int, seconds: float = 0.0) -> bool:
-    """Waits before a server that was too busy is asked again; false, without a wait, if it was asked often enough.
+    """Waits before asking a busy server again. Returns False, without a wait, if it was asked often enough.
 
     Args:
-        attempt: how often it was asked. seconds: that it asks to wait.
+        attempt: how often it was asked.
+        seconds: the wait that it asks for.
     """
     if attempt >= ATTEMPTS:
         return False
@@ -195,11 +194,11 @@ def waited(attempt: int, seconds: float = 0.0) -> bool:
 
 
 def asked(client: httpx.Client, url: str) -> httpx.Response:
-    """Asks for a file, again if the server is too busy or breaks off. Nothing of the answer's body is read yet.
+    """Asks for a file, again if the server is too busy or breaks off. It does not read the answer's body.
 
     Raises:
         Unfit: there are too many redirects, or one leads to no address.
-        httpx.HTTPError: nobody answers, or in no form that is HTTP.
+        httpx.HTTPError: the server does not answer, or not in HTTP.
     """
     attempt = 0
     while True:
@@ -216,10 +215,10 @@ def asked(client: httpx.Client, url: str) -> httpx.Response:
 
 
 def read(answer: httpx.Response, limit: int) -> bytes:
-    """The body of an answer, as it was sent, up to its end.
+    """The whole body of an answer, as it was sent.
 
     Args:
-        limit: its largest size, in bytes.
+        limit: the most bytes.
 
     Raises:
         Unfit: it is larger, or takes longer than `LONGEST`.

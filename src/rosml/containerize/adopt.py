@@ -64,7 +64,7 @@ def with_ros(
         words = adopted.called(base.entrypoint)
         found_words = " ".join(
             shlex.join(words or base.entrypoint).split()
-        )  # a line for people, whatever an image says
+        )  # one line, also if the image's own text has several
         said = "runs before each command" if words else "takes no command, and is left out"
         say(f"its entrypoint {said}: {found_words}")
     sync = variables.sync_date(services, image_set, image.distribution, say)

@@ -384,7 +384,7 @@ class App:
         try:
             before = lock.read(self._lock_file, self._folder)
         except RosmlError as error:
-            self._say(f"written anew: {error.message}")
+            self._say(f"written again: {error.message}")
             before = None
         if before:
             made = made.with_other_architectures(before)

@@ -21,7 +21,7 @@ from rosml.containerize import app_inputs, within
 
 SUFFIX = ".lock"
 
-RENEW = "write the lock file anew with --lock"
+RENEW = "renew the lock file with --lock"
 
 FOLDER = "lock"
 """The folder in the requests: for each architecture it has a folder with the lists `apt` and `pip`."""

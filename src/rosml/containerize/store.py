@@ -262,7 +262,7 @@ def is_pointer(file: Path) -> bool:
 
 
 def _empty(folder: Path) -> None:
-    """Makes a folder, or empties it. Its mode is git's, whatever the umask."""
+    """Makes a folder, or empties it. Its mode is git's, and does not depend on the umask."""
     if folder.exists():
         shutil.rmtree(folder)
     folder.mkdir()

@@ -1,1 +1,1 @@
-"""This machine: its set-up, the builder and the local registry, a call of buildx with its progress, git. Uses registry and base."""
+"""This machine: setup, the builder and the local registry, calls of buildx with progress, git. Uses registry and base."""

@@ -69,7 +69,7 @@ _OF_THE_BUILDER = (
         "the local registry's storage is damaged: rosml setup down; rm -r .state/registry; run it again",
     ),
 )
-"""Patterns of what BuildKit says when something outside the build is wrong, and what helps. A registry refuses in its words:
+"""Patterns of BuildKit's messages about problems outside of the build, and remedies. A registry refuses in BuildKit's words:
 "unexpected status from POST request to …: 403 Forbidden"."""
 
 _OF_OUR_STEPS = (
@@ -83,34 +83,34 @@ _OF_OUR_STEPS = (
     ("Failed to fetch|error sending request", _AGAIN),
     _NOBODY_THERE,
 )
-"""The same of what uv, curl and apt print in a step of rosml's own."""
+"""The same for the output of uv, curl and apt in rosml's own steps."""
 
 _OWN_WORDS = re.compile(r"error: .+; .+")
-"""How a script of rosml ends that knows why: the reason and its remedy."""
+"""The last line of a script of rosml that knows the reason: the reason and its remedy."""
 
 _MIRRORS = ("OS_APT_MIRROR", "ROS_APT_MIRROR")
 
 CANCEL_SECONDS = 15.0
-"""How long a builder that was told to stop may take before it is ended."""
+"""How long a builder may take to stop before we end it."""
 
 _PUSH = re.compile(r"failed to push (\S+): (.*)", re.DOTALL)
 _STATUS = re.compile(r"unexpected status(?: code)?(?: from \w+ request to)?(?: \S+)?: (\d{3}\b[\w ]*)")
 _CUT_OFF = re.compile(r"\bEOF\b|connection (?:reset|refused)|broken pipe|timeout|timed out|no such host", re.IGNORECASE)
-"""What BuildKit says of a push that failed, of what the registry answered, and of a registry that did not answer."""
+"""BuildKit's messages about a failed push, a registry's answer, and a registry without one."""
 
 STEP_NETWORK = "STEP_NETWORK"
-"""The variable of bake files that says which network steps have: `host` for this machine's, or the builder's default."""
+"""The variable of bake files with the network of steps: `host` for this machine's, or the builder's default."""
 
 _OURS = re.compile(r"STEP_NETWORK|PLATFORM|SOURCE_DATE_EPOCH|REVISION|DIGESTS|ROS_SYNC_DATES|OS_(?!APT_MIRROR$).*")
-"""Variables of the bake file that a shell may have for other reasons, and that would change what is built."""
+"""Variables of the bake file that a shell may have for other reasons, and that would change the build."""
 
 
 class Unanswered(RosmlError):
     """A build that failed because a registry answered with an error, or not at all.
 
     Attributes:
-        said: the answer, such as `403 Forbidden`. pushing: where the result was pushed to, which is made; empty if something
-            was pulled.
+        said: the answer, such as `403 Forbidden`.
+        pushing: the place to which the finished result was pushed; empty if something was pulled.
     """
 
     def __init__(self, message: str, remedy: str, said: str, pushing: str) -> None:
@@ -127,9 +127,9 @@ class Bake:
         target: the bake target.
         sets: overrides of targets, `target.key=value` each.
         variables: values of the bake file's variables.
-        name: what the log is called, without its ending.
+        name: the log's name, without its ending.
         file: the bake file.
-        foreign: scripts that run code of somebody else. What that prints is no reason that rosml knows a remedy for.
+        foreign: scripts that run other people's code. Its output gets no remedy from rosml.
     """
 
     target: str
@@ -141,8 +141,8 @@ class Bake:
 
 
 def local_servers(services: Services) -> list[str]:
-    """The variables that name a mirror or a proxy on this machine. If there are some, steps get this machine's network: from
-    one of their own, which set-up gives them, they do not reach it."""
+    """The variables that name a mirror or a proxy on this machine. If there are any, steps get this machine's network: from their
+    own network, which setup gives them, they cannot reach it."""
     if services.builder_kind == "user":
         return []
     return [name for name in (*_MIRRORS, *web.PROXIES) if web.is_here(os.environ.get(name, ""))]
@@ -162,9 +162,9 @@ def command(services: Services, bake: Bake, metadata: Path) -> list[str]:
 
 
 def environment(services: Services, bake: Bake) -> dict[str, str]:
-    """The environment of a call: the bake file's variables, and what the user's shell says about proxies."""
+    """The environment of a call: the bake file's variables, and the proxies of the user's shell."""
     env = trust.trusting(services)
-    # Attestations would make the pushed digest that of an index that changes with every build; they are kept apart.
+    # With attestations, the pushed digest would be that of an index that changes with every build. We keep them apart.
     env["BUILDX_NO_DEFAULT_ATTESTATIONS"] = "1"
     env["CA_BUNDLE"] = services.ca_bundle
     for name in [name for name in env if _OURS.fullmatch(name)]:
@@ -177,35 +177,35 @@ def environment(services: Services, bake: Bake) -> dict[str, str]:
 
 
 def command_on_it(services: Services) -> str:
-    """What a person types to build a Dockerfile of their own with the builder that was set up, into its registry. Layers of a base
-    image in zstd have no media type of Docker's that podman 4 would take."""
+    """The command by which users build their own Dockerfile with this builder, into its registry. It writes OCI media types: Docker
+    has none for a base image's zstd layers that podman 4 would take."""
     config = f"BUILDX_CONFIG={shlex.quote(str(services.buildx_config))} " if services.buildx_config else ""
     output = f"type=image,name={services.registry}/mine,push=true,oci-mediatypes=true"
     return f"{config}{shlex.join(services.buildx)} build --builder {services.builder} --output {output} ."
 
 
 def turn_file(services: Services) -> Path:
-    """What builds in one builder wait for."""
+    """The lock for which builds in one builder wait."""
     return (services.buildx_config or services.state) / "turns" / services.builder
 
 
 def run(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, str]]:
-    """Builds a target; lines for people go to standard error, everything to `.state/log/<name>.log`.
+    """Builds a target. Lines for people go to standard error, everything goes to `.state/log/<name>.log`.
 
-    Builds in one builder take turns. BuildKit solves builds that run at the same time in one graph; one that begins while
-    another one holds the steps that they share runs steps anew whose results are in the cache
-    (https://github.com/moby/buildkit/issues/4674): gigabytes of parts were assembled three times.
+    Builds in one builder take turns. BuildKit solves concurrent builds in one graph. If a build begins while another one holds
+    their common steps, it runs steps again whose results are in the cache (https://github.com/moby/buildkit/issues/4674):
+    gigabytes of parts were built three times.
 
-    BuildKit sends a request once, or four times within seconds where the registry is broken. A registry that is busy, or makes
-    the repository just now, needs longer: such a build is tried again, with the steps that are finished, as often as
-    the own client sends a request (`registry/failures.py`).
+    BuildKit sends a request once, or four times within seconds if the registry is broken. A registry needs longer if it is busy, or
+    if it is making the repository. So we repeat such a build, which keeps its finished steps, as often as our own client repeats a
+    request (`registry/failures.py`).
 
     Returns:
-        The progress with all steps, and what buildx says about the target, e.g. `containerimage.digest`.
+        The progress with all steps, and buildx's facts about the target, e.g. `containerimage.digest`.
 
     Raises:
         RosmlError: the build failed; the message has the failed step's last lines.
-        KeyboardInterrupt: the user stopped it; the builder was told.
+        KeyboardInterrupt: the user stopped it, and the builder has stopped.
     """
     waits = f"waiting for another build in builder '{services.builder}'"
     attempt = 0
@@ -221,15 +221,15 @@ def run(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, str]]:
             what = f"the push to {error.pushing}" if error.pushing else "a download of the build"
             BuildProgress(sys.stderr).say(f"{what} failed: {error.said}; attempt {attempt + 1} in {seconds:.0f} s")
             time.sleep(seconds)
-            if error.pushing:  # the result is the newest in the builder's cache, whose steps need not run anew
+            if error.pushing:  # the result is in the builder's cache, so its steps need not run again
                 bake = replace(bake, sets=[item for item in bake.sets if not item.endswith(".no-cache=true")])
 
 
 def _pause(services: Services, error: Unanswered, attempt: int) -> float | None:
-    """Seconds to wait before a build is tried again; None if that does not help.
+    """Seconds to wait before the build is repeated; None if that does not help.
 
-    A push that is denied is tried again where the own client may push: the registry was making the repository, then. A
-    registry that denies it to the client as well, for some seconds, means it.
+    If a push is denied, but our own client may push, the registry was making the repository, so we repeat it. If the registry denies
+    it to the client for some seconds, too, it means it.
     """
     status = int(error.said[:3]) if error.said[:3].isdecimal() else 0
     transient = failures.Transient(error.said)
@@ -288,7 +288,7 @@ def _run(services: Services, bake: Bake, mode: Literal["w", "a"]) -> tuple[Build
 
 
 def failure(bake: Bake, progress: BuildProgress, log: Path, code: int) -> RosmlError:
-    """The error for a build that failed: the step, its last lines, the log, and the remedy if the reason is known."""
+    """The error for a failed build: the step, its last lines, the log, and a remedy if the reason is known."""
     step = progress.failed()
     lines = list(step.tail)[-TAIL_LINES:] if step else []
     remedy = _remedy(bake, progress, step)
@@ -308,8 +308,8 @@ def failure(bake: Bake, progress: BuildProgress, log: Path, code: int) -> RosmlE
 
 
 def _remedy(bake: Bake, progress: BuildProgress, step: Step | None) -> str:
-    """What helps against the last line whose reason is known; empty if there is none. A build that goes on after an error,
-    such as a download that is tried again, did not fail because of it."""
+    """The remedy for the last line with a known reason; empty if there is none. Earlier errors do not count: a build may go on
+    after them, for example by repeating a download."""
     if step and "] ONBUILD " in step.name:
         return "every build on the base image runs this, and the files it is for are not here: name one without ONBUILD"
     said = [(line, _OF_THE_BUILDER) for line in (*progress.other, step.error if step else "")]
@@ -326,18 +326,18 @@ def _remedy(bake: Bake, progress: BuildProgress, step: Step | None) -> str:
 
 
 def _stop(process: subprocess.Popen[str]) -> None:
-    """Ends buildx, which cancels the build; the builder keeps the finished steps."""
+    """Stops buildx, which cancels the build. The builder keeps finished steps."""
     if process.poll() is None:
         process.send_signal(signal.SIGINT)
         try:
-            process.communicate(timeout=CANCEL_SECONDS)  # reads on: buildx must not wait for a full pipe
+            process.communicate(timeout=CANCEL_SECONDS)  # keeps reading, so that buildx does not wait for a full pipe
         except (subprocess.TimeoutExpired, KeyboardInterrupt):
             process.kill()
             process.wait()
 
 
 def _metadata(path: Path, target: str) -> dict[str, str]:
-    """What buildx wrote about a target; empty where it wrote nothing."""
+    """buildx's facts about a target; empty if it wrote none."""
     try:
         content = untrusted.json_value(path.read_bytes())[target].items()
     except (OSError, ValueError, TypeError, KeyError, AttributeError):

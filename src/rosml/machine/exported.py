@@ -1,8 +1,8 @@
-"""What a build left, taken in: regular files of an archive, and nothing else.
+"""Unpacks the output of a build: only regular files of an archive.
 
-Steps of a build run code of a repository, and of everything that this stands on. Names, kinds, sizes and contents of what they
-leave are a stranger's word. BuildKit's exporter into a folder makes the links, pipes and devices that they left on this machine
-as well. So the builder hands out an archive (`type=tar`), and this module writes the files in it.
+Steps of a build run code of a repository and of its dependencies, so the names, kinds, sizes and contents of their output may be
+a stranger's. BuildKit's exporter into a folder would also make their links, pipes and devices on this machine. So the builder
+writes an archive (`type=tar`), and this module writes the files in it.
 """
 
 from __future__ import annotations
@@ -22,10 +22,12 @@ MEGABYTE = 1 << 20
 
 @dataclass(frozen=True)
 class Limits:
-    """How much a build may leave.
+    """The limits of a build's output.
 
     Attributes:
-        entries: files, folders and others together. each: bytes of a file. total: bytes of all files that are taken.
+        entries: the most entries: files, folders and others.
+        each: the most bytes of a file.
+        total: the most bytes of all written files.
     """
 
     entries: int = 20_000
@@ -34,10 +36,10 @@ class Limits:
 
 
 TESTS = Limits()
-"""Of what tests leave."""
+"""The limits for test reports."""
 
 OURS = Limits(entries=1000, each=64 * MEGABYTE, total=512 * MEGABYTE)
-"""Of what rosml's own steps leave: lists of the files of images are the largest."""
+"""The limits for rosml's own steps, whose largest output is the lists of images' files."""
 
 _KINDS = {
     tarfile.SYMTYPE: "a link",
@@ -59,16 +61,16 @@ def unpack(
     wanted: Callable[[PurePosixPath], bool] = lambda path: True,
     limits: Limits = TESTS,
 ) -> dict[str, str]:
-    """Writes the files of an archive into a folder, which is made for them.
+    """Writes the files of an archive into a new folder.
 
     Args:
-        archive: as the builder wrote it.
-        folder: what was there before is removed.
-        wanted: says of a file's path whether it is written; other files are passed over.
-        limits: of all that is in the archive, and of the files that are written.
+        archive: the builder's archive.
+        folder: the folder; its former content is removed.
+        wanted: whether to write a file, by its path; others are skipped.
+        limits: the limits of the archive and of the written files.
 
     Returns:
-        What is no regular file, is too large, or has a name that cannot be shown: by path, with the reason. None of it was written.
+        Entries that were not written, with the reason, by path: no regular file, too large, or a name that cannot be shown.
 
     Raises:
         RosmlError: there is no archive, it is damaged, or it has more than the limits.
@@ -111,7 +113,7 @@ def unpack(
 
 
 _NAMES = (errno.EEXIST, errno.EISDIR, errno.ELOOP, errno.ENAMETOOLONG, errno.ENOTDIR)
-"""What a system says of names that cannot be, and not of its disk."""
+"""Errors about impossible names, as opposed to errors of the disk."""
 
 
 def _put(place: Path, content: bytes) -> None:
@@ -120,7 +122,7 @@ def _put(place: Path, content: bytes) -> None:
 
 
 def _refusal(entry: tarfile.TarInfo, path: PurePosixPath, limits: Limits) -> str:
-    """Why an entry is not written; empty if it may be."""
+    """Why an entry is not written; empty if it is."""
     if path.is_absolute() or not path.parts or ".." in path.parts:
         return "its path leads elsewhere"
     if entry.type not in (tarfile.REGTYPE, tarfile.AREGTYPE):
@@ -133,7 +135,7 @@ def _refusal(entry: tarfile.TarInfo, path: PurePosixPath, limits: Limits) -> str
 
 
 def _shown(path: PurePosixPath) -> str:
-    """A path as it can be printed."""
+    """A path that is safe to print."""
     return ascii(str(path))[1:-1] if not str(path).isprintable() else str(path)
 
 
@@ -141,7 +143,7 @@ def read(folder: Path, name: str) -> bytes:
     """A file that `unpack` wrote.
 
     Raises:
-        RosmlError: the build left none of that name.
+        RosmlError: the build left no such file.
     """
     try:
         return (folder / name).read_bytes()

@@ -1,12 +1,12 @@
-"""git, asked about a folder. The folder may be a stranger's: nothing in it starts a program.
+"""Asks git about a folder. The folder may be a stranger's: nothing in it may start a program.
 
-- We look for `.git` ourselves, and git starts at the folder that has it. A folder that only looks like a bare repository, which any
-  clone can bring along, is then never taken for one, by no version of git; `safe.bareRepository` says so from git 2.38 on alone.
-  git still finds `.git` itself there, and does not get it by `--git-dir`, because only then it checks whose repository it is.
-- git reads the settings of a repository, and a folder that came in an archive has its own. `commit` asks `rev-list`, which checks
-  no signature, has no pager, and reads neither files nor hooks. What is left is an object that is missing and has to be fetched:
-  no protocol is allowed. That is said by the environment, because `protocol.ext.allow` of a repository beats `protocol.allow`.
-- Of the caller's environment, git gets what it needs to find itself and its user. It gets no secret, and no other repository.
+- We look for `.git` ourselves, and start git in the folder that has it. So no version of git takes a folder for a bare repository
+  that only looks like one, which any clone can bring along; `safe.bareRepository` does the same only from git 2.38 on. git still
+  finds `.git` by itself. We do not pass `--git-dir`, because git would then not check who owns the repository.
+- git reads the settings of a repository, and a folder from an archive has its own. `commit` asks `rev-list`, which checks no
+  signature, has no pager, and reads neither files nor hooks. It could still fetch a missing object, so we allow no protocol. We say
+  so in the environment, because `protocol.ext.allow` of a repository beats `protocol.allow`.
+- git gets only those of the caller's variables that it needs to find itself and its user: no secret, and no other repository.
 """
 
 from __future__ import annotations
@@ -38,19 +38,19 @@ QUIET = {
     "safe.bareRepository": "explicit",
     "submodule.recurse": "false",
 }
-"""Settings with which git starts no program beside what is asked for. They go before those of repository and user."""
+"""Settings that keep git from starting other programs. They count before those of repository and user."""
 
 FETCHING = {"core.askPass": os.devnull, "core.sshCommand": os.devnull, "credential.helper": ""}
-"""Settings with which git has no program to fetch by."""
+"""Settings that leave git without programs to fetch with."""
 
 CLEAN = {"GIT_NO_LAZY_FETCH": "1", "GIT_TERMINAL_PROMPT": "0", "GIT_ATTR_NOSYSTEM": "1", "LC_ALL": "C", "LANGUAGE": ""}
-"""Variables that git gets for questions, and for fetching too."""
+"""Variables that git gets for questions, and also for fetching."""
 
 PASSED = ("HOME", "PATH", "SUDO_UID", "USER", "XDG_CONFIG_HOME")
-"""Variables of the caller that git gets for questions: where it is, and whose `safe.directory` counts."""
+"""The caller's variables that git gets for questions: they tell where git is, and whose `safe.directory` counts."""
 
 SECONDS = 60.0
-"""How long git may take for an answer."""
+"""How long an answer of git may take."""
 
 LATEST = 253402300799
 """The last second of the year 9999; a commit may claim any time."""
@@ -58,20 +58,25 @@ LATEST = 253402300799
 
 @dataclass(frozen=True)
 class Commit:
-    """A commit. Attributes: hash: whole. time: when it was made, in seconds since 1970, at most LATEST."""
+    """A commit.
+
+    Attributes:
+        hash: the whole hash.
+        time: the time of the commit, in seconds since 1970, at most LATEST.
+    """
 
     hash: str
     time: int
 
 
 def top(folder: Path) -> Path | None:
-    """The folder with `.git` that a folder belongs to: itself or one above it; None if there is none."""
+    """The nearest folder with `.git`: the folder itself or one above it; None if there is none."""
     folder = folder.resolve()
     return next((place for place in (folder, *folder.parents) if _has_git(place / ".git")), None)
 
 
 def _has_git(place: Path) -> bool:
-    """Whether `.git` is a repository, or the file that a worktree and a submodule have. git passes over other folders."""
+    """Whether `.git` is a repository, or the file of a worktree or a submodule. git skips other folders."""
     try:
         return place.is_file() or os.path.lexists(place / "HEAD")
     except OSError:
@@ -79,19 +84,19 @@ def _has_git(place: Path) -> bool:
 
 
 def trusting(place: Path) -> str:
-    """What has git read a repository that belongs to another user."""
+    """The remedy that makes git read another user's repository."""
     return f"if you trust it: git config --global --add safe.directory {shlex.quote(str(place))}"
 
 
 class Distrusted(RosmlError):
-    """A repository that belongs to another user, and that git therefore does not read."""
+    """The repository belongs to another user, so git does not read it."""
 
 
 def commit(folder: Path, say: Callable[[str], object] = lambda text: None) -> Commit | None:
-    """The commit that is checked out in a folder, which may be a stranger's; None if git does not say.
+    """The checked-out commit of a folder, which may be a stranger's; None if git does not tell.
 
     Args:
-        say: gets a sentence for people if git refuses to say, though there is a commit.
+        say: gets a sentence for people if git refuses to tell although there is a commit.
     """
     try:
         said = ask(folder, "rev-list", "--no-walk", "--format=%ct", "HEAD", "--")
@@ -105,11 +110,11 @@ def commit(folder: Path, say: Callable[[str], object] = lambda text: None) -> Co
 
 
 def ask(folder: Path, *arguments: str) -> bytes:
-    """What git prints; nothing if it fails without a word. In a stranger's folder, ask by `commit` alone: other commands may
-    start filters that its settings name.
+    """Returns git's output; nothing if git fails without a message. In a stranger's folder, call only `commit`: other commands may
+    start filters from the repository's settings.
 
     Args:
-        folder: in a repository. Paths among the arguments are relative to its top.
+        folder: a folder in a repository. Paths among the arguments are relative to the repository's top.
 
     Raises:
         RosmlError: git fails, is not installed or does not end; the folder is in no repository.

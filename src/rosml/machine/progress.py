@@ -1,7 +1,7 @@
-"""What BuildKit reports while it builds, as lines for people.
+"""Shows BuildKit's progress as lines for people.
 
-The input is `buildx --progress rawjson`: one JSON object a line, with steps (`vertexes`) that start and end, and what
-they print (`logs`, base64).
+The input is `buildx --progress rawjson`: one JSON object a line, with steps (`vertexes`) that start and end, and their output
+(`logs`, base64).
 """
 
 from __future__ import annotations
@@ -26,16 +26,16 @@ _PART = re.compile(r"^\[(?:_files-|part-)?(?P<part>\S+) part-files [^]]*\] .*/as
 _MOUNT = re.compile(r"--mount=\S+\s*")
 
 HEARTBEAT_SECONDS = 20.0
-"""A step that is silent for as long is named again, so that nobody takes it for dead."""
+"""If a step is silent for so long, its name is printed again as a sign of life."""
 
 TAIL_LINES = 20
-"""How many of a step's last lines are shown when it fails."""
+"""How many of a step's last lines are shown if it fails."""
 
 LONGEST_LINE = 64 << 10
-"""Bytes of a line that has no end yet, such as of a progress bar: more of it is taken for several lines."""
+"""The most bytes of a line without an end, such as a progress bar. A longer one counts as several lines."""
 
 KEPT_LINES = 200
-"""How many of them are kept: uv names every hash that it would have accepted, so the reason may stand far above the last ones."""
+"""How many lines are kept. uv prints every hash that it would have accepted, so the reason may be far above the last lines."""
 
 
 @dataclass
@@ -44,10 +44,10 @@ class Step:
 
     Attributes:
         name: BuildKit's name, e.g. ``[ros1-bookworm-core ros 1/2] RUN …``.
-        started, completed: seconds since the epoch; 0.0 when not known yet.
-        cached: the result was there already.
-        error: what went wrong, or empty.
-        tail: the last lines it printed, without empty ones.
+        started, completed: seconds since the epoch; 0.0 if not known yet.
+        cached: the result was in the cache.
+        error: the error, or empty.
+        tail: the last lines of its output, without empty ones.
     """
 
     name: str
@@ -59,12 +59,12 @@ class Step:
 
     @property
     def seconds(self) -> float:
-        """Duration; 0.0 for a step that was cached or has not ended."""
+        """The duration; 0.0 for a step that was cached or has not ended."""
         return max(0.0, self.completed - self.started) if self.completed and not self.cached else 0.0
 
     @property
     def label(self) -> str:
-        """Short text for people: what the step does, without the plumbing of mounts."""
+        """Short text for people: the step's work, without its mounts."""
         match = _PREFIX.match(self.name)
         if not match:
             return self.name
@@ -76,7 +76,7 @@ class Step:
 
     @property
     def internal(self) -> bool:
-        """A step of BuildKit's own bookkeeping, of no interest to people."""
+        """Whether it is BuildKit's own bookkeeping, of no interest to people."""
         return "internal]" in self.name or " context " in self.name.split("]")[0] or "LINK COPY" in self.name
 
 
@@ -91,8 +91,8 @@ class BuildProgress:
     """Follows one build: prints a line when a step of some length ends, and keeps all steps.
 
     Args:
-        out: where lines for people go.
-        log: where everything goes, in plain text.
+        out: the stream for people.
+        log: the stream for everything, in plain text.
         clock: monotonic seconds; replaced in tests.
     """
 
@@ -131,7 +131,7 @@ class BuildProgress:
                 self._end_lines(vertex)
 
     def feed(self, line: str) -> None:
-        """Takes one line. What is not JSON (warnings, errors of the command itself) is kept for the error message."""
+        """Takes one line. Lines that are no JSON (warnings, errors of the command itself) are kept for the error message."""
         try:
             message = json.loads(line)
         except ValueError:
@@ -148,7 +148,7 @@ class BuildProgress:
         self._heartbeat()
 
     def failed(self) -> Step | None:
-        """The step that went wrong, if one did; steps that were only cancelled because of it do not count."""
+        """The failed step, if there is one. Steps that were cancelled because of it do not count."""
         wrong = [step for step in self.steps.values() if step.error and "context canceled" not in step.error]
         return wrong[0] if wrong else None
 
@@ -168,7 +168,7 @@ class BuildProgress:
                 self.say(f"{step.seconds:6.1f} s  {step.label}")
 
     def _logs(self, log: dict[str, object]) -> None:
-        """Takes what a step printed: pieces of any size. A program that writes to a pipe may send a line word by word."""
+        """Takes the output of a step, in pieces of any size: a program that writes to a pipe may send a line word by word."""
         of = str(log.get("vertex", "")), str(log.get("stream", ""))
         try:
             data = base64.b64decode(str(log.get("data") or ""), validate=True)
@@ -182,7 +182,7 @@ class BuildProgress:
             self._begun[of] = rest
 
     def _end_lines(self, vertex: str) -> None:
-        """Takes lines of a step that have no end, as nothing comes any more."""
+        """Takes the unfinished lines of a step at its end."""
         for of in [of for of in self._begun if of[0] == vertex]:
             self._print(vertex, self._begun.pop(of))
 
@@ -203,7 +203,7 @@ class BuildProgress:
             self.say(f"   …      {step.label}{last}")
 
     def say(self, text: str) -> None:
-        """A line, with the time since the beginning."""
+        """Prints a line, with the time since the beginning."""
         self._spoke = self._clock()
         elapsed = int(self._clock() - self._begin)
         line = f"  {elapsed // 60:3d}:{elapsed % 60:02d}  {shown(text)}"

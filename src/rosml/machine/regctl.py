@@ -1,6 +1,5 @@
-"""What regctl does in a registry: it reads what builds and tests need once, and joins base images that are made offline. A
-publishing run makes indexes and tags with the client of `registry/oci.py`, which
-reads in bulk, joins and attaches as well: there is no regctl where nothing is built."""
+"""Calls regctl, which reads single manifests for builds and tests, and makes indexes of base images that are made offline. A
+publishing run uses the client of `registry/client.py` instead: without builds there is no regctl."""
 
 from __future__ import annotations
 
@@ -18,12 +17,12 @@ from rosml.machine.services import REMEDY, Services
 from rosml.registry import certificates
 
 SECONDS = 120.0
-"""Longest that one call may take; none of them moves a layer."""
+"""The longest that one call may take. No call moves a layer."""
 
 
 LOOPBACK = re.compile(r"(?:127\.0\.0\.1|localhost|\[::1\])(?::\d+)?(?=/)")
-"""Registries that speak plain http: those of this machine without certificates in certs.d. Set-up tells regctl of the one
-that it started."""
+"""Registries that speak plain http: those of this machine without certificates in certs.d. Setup tells regctl of its own
+registry."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +34,7 @@ class Layer:
 
 
 def regctl(services: Services, *arguments: str) -> str:
-    """Runs regctl and gives what it prints.
+    """Runs regctl and returns its output.
 
     Raises:
         RosmlError: regctl failed, or the registry does not answer.
@@ -56,7 +55,7 @@ def regctl(services: Services, *arguments: str) -> str:
     except subprocess.TimeoutExpired:
         raise RosmlError(f"the registry did not answer within {SECONDS:.0f} s: {' '.join(arguments)}", REMEDY) from None
     if done.returncode != 0:
-        services.require_registry()  # says so if that is the reason
+        services.require_registry()  # raises if that is the reason
         lines = done.stderr.strip().splitlines()
         raise RosmlError(f"regctl {' '.join(arguments)}: {lines[-1] if lines else f'exit code {done.returncode}'}")
     return done.stdout
@@ -74,7 +73,7 @@ def _json(services: Services, *arguments: str) -> dict[str, Any]:
 
 
 def manifest(services: Services, reference: str) -> dict[str, Any]:
-    """The manifest or index behind a reference, as it is stored."""
+    """The manifest or index of a reference, as stored."""
     return _json(services, "manifest", "get", "--format", "raw-body", reference)
 
 
@@ -87,7 +86,7 @@ def layers(services: Services, reference: str) -> tuple[Layer, ...]:
     """The layers of an image manifest, lowest first.
 
     Raises:
-        RosmlError: as in `regctl`; or it is no image manifest.
+        RosmlError: as in `regctl`; or the reference is no image manifest.
     """
     try:
         return _LAYERS.validate_python(manifest(services, reference).get("layers"))
@@ -99,7 +98,7 @@ _LAYERS = TypeAdapter(tuple[Layer, ...])
 
 
 def digest(services: Services, reference: str) -> str:
-    """The digest behind a tag; empty when there is no such tag."""
+    """The digest of a tag; empty if there is no such tag."""
     try:
         return regctl(services, "manifest", "head", reference).strip()
     except RosmlError as error:
@@ -110,9 +109,9 @@ def digest(services: Services, reference: str) -> str:
 
 
 def create_index(services: Services, repository: str, digests: list[str], annotations: dict[str, str]) -> str:
-    """Makes an index over image manifests that are in the repository already, without pulling anything.
+    """Makes an index of image manifests that the repository has already, without pulling anything.
 
-    It is put by its digest alone: nobody sees it before a tag points at it.
+    It is pushed by its digest alone: nobody sees it before a tag points at it.
 
     Returns:
         The digest of the index.

@@ -1,4 +1,4 @@
-"""The services that builds use: a local registry and a builder, as `rosml setup` left them."""
+"""The services for builds: the local registry and the builder of `rosml setup`."""
 
 from __future__ import annotations
 
@@ -28,19 +28,19 @@ BUILDER_SECONDS = 60.0
 
 @dataclass(frozen=True)
 class Services:
-    """What ``.state/services.json`` says.
+    """The content of ``.state/services.json``.
 
     Attributes:
         root: the checkout.
-        registry: address of the local registry, ``127.0.0.1:PORT``; it speaks plain http. Empty on a client of another one.
+        registry: the address of the local registry, ``127.0.0.1:PORT``, which speaks plain http; empty on a client of another one.
         buildx: the command that calls buildx, e.g. ``("docker", "buildx")``.
-        builder: the builder's name; empty where there is none.
+        builder: the builder's name; empty if there is none.
         builder_kind: ``buildkitd`` (our own), ``docker`` (a container of the user's Docker) or ``user`` (theirs).
-        buildx_config: buildx' configuration folder; nothing where it is the user's own.
-        regctl: path of regctl.
-        uv: path of uv.
-        ca_bundle: the user's CA bundle, absolute; empty where the system's certificates do.
-        bases: the command that is asked for base images, as `base_images` says; none where those of matrix.yaml are taken.
+        buildx_config: buildx' configuration folder; None for the user's own.
+        regctl: the path of regctl.
+        uv: the path of uv.
+        ca_bundle: the user's CA bundle, absolute; empty if the system's certificates count.
+        bases: the command that gives base images, as `base_images` says; empty if they are those of matrix.yaml.
     """
 
     root: Path
@@ -60,8 +60,8 @@ class Services:
 
         Args:
             root: the checkout.
-            required: they have to be there. Otherwise, where they were never started: the facts of a machine without
-                any, for commands that only read another registry.
+            required: raise an error if they were never started. Otherwise the result is a machine without services, for
+                commands that only read another registry.
 
         Raises:
             RosmlError: they were not started, or the file is damaged.
@@ -76,14 +76,14 @@ class Services:
         except OSError as error:
             raise RosmlError(f"cannot read {path}: {error.strerror}", REMEDY) from None
         except (TypeError, ValueError):
-            raise RosmlError(f"{path} is damaged", f"{REMEDY}, which writes it anew") from None
+            raise RosmlError(f"{path} is damaged", f"{REMEDY}, which writes it again") from None
 
     @classmethod
     def of_docker(cls, folder: Path) -> Services:
-        """The builder that the user's Docker builds with, where there is no checkout, and no registry.
+        """The builder of the user's Docker, without a checkout and without a registry.
 
         Args:
-            folder: for what is kept.
+            folder: the folder for kept files.
 
         Raises:
             RosmlError: there is no Docker with buildx.
@@ -104,7 +104,7 @@ class Services:
         return cls(folder, "", buildx, named[0], "user", None, "", "", bundle, bases=())
 
     def save(self) -> None:
-        """Writes them down for `load`.
+        """Writes the services for `load`.
 
         Raises:
             RosmlError: the file cannot be written.
@@ -136,15 +136,15 @@ class Services:
         env["REGCTL_CONFIG"] = str(self.state / "regctl" / "config.json")
         if self.ca_bundle:
             env["SSL_CERT_FILE"] = self.ca_bundle
-        # The registry is on loopback: a proxy could not reach it. Both spellings say the same: Go's programs and build steps
-        # read NO_PROXY and leave the other one unread where it is there, curl does the opposite.
+        # The registry is on loopback: a proxy could not reach it. Both spellings have the same value: Go's programs and build
+        # steps prefer NO_PROXY, curl prefers the other one.
         spellings = ("no_proxy", "NO_PROXY")
         known = [entry.strip() for name in spellings for entry in env.get(name, "").split(",") if entry.strip()]
         return env | dict.fromkeys(spellings, ",".join(dict.fromkeys([*known, "127.0.0.1", "localhost"])))
 
     @property
     def place(self) -> str:
-        """Where images go that are published nowhere else.
+        """The place of images if no registry is named: the local registry.
 
         Raises:
             RosmlError: there is no local registry.
@@ -157,7 +157,7 @@ class Services:
         """Checks that the registry answers.
 
         Raises:
-            RosmlError: there is none, or it does not.
+            RosmlError: there is no registry, or it does not answer.
         """
         if not self.registry:
             raise RosmlError("the local registry is not up", REMEDY)
@@ -167,10 +167,10 @@ class Services:
             raise RosmlError(f"the local registry at {self.registry} does not answer", REMEDY) from None
 
     def get(self, path: str, accept: str = "*/*", method: str = "GET") -> tuple[Mapping[str, str], bytes]:
-        """Asks the registry: headers and body of its answer.
+        """Asks the registry. Returns the headers and the body of its answer.
 
         Raises:
-            RosmlError: no answer, or one that is not a success.
+            RosmlError: the registry does not answer, or not with a success.
         """
         try:
             with web.client(timeout=REGISTRY_SECONDS, trust_env=False, verify=False) as client:
@@ -185,10 +185,10 @@ class Services:
         return answer.headers, content
 
     def require_builder(self, platform: str = "") -> None:
-        """Checks that buildx reaches the builder, and that it runs programs of a platform.
+        """Checks that buildx reaches the builder, and that the builder runs programs of a platform.
 
         Raises:
-            RosmlError: it does not.
+            RosmlError: one of these fails.
         """
         remedy = REMEDY
         if not self.builder:
@@ -219,4 +219,4 @@ class Services:
 
 
 _WRITTEN = TypeAdapter(Services)
-"""How services.json is read and written."""
+"""Reads and writes services.json."""

@@ -1,4 +1,4 @@
-"""What programs that this project calls are told about certificates."""
+"""Certificates for programs that this project calls."""
 
 from __future__ import annotations
 
@@ -12,10 +12,9 @@ from rosml.registry import certificates
 
 
 def trusting(services: Services) -> dict[str, str]:
-    """The environment of a program that looks for authorities in a bundle only, whichever registry it asks.
+    """The environment of a program that looks for authorities only in a bundle, for all registries.
 
-    The certificates of a registry that this user may not read are left out: the client that asks that very registry names
-    them.
+    Certificates that this user may not read are left out. If the client asks their registry, its error names them.
 
     Raises:
         RosmlError: the bundle cannot be read or written.

@@ -103,7 +103,7 @@ def test_a_release_of_another_stack(tmp_path: Path) -> None:
 
 def test_an_index_that_does_not_answer(tmp_path: Path) -> None:
     failing = executable(tmp_path / "uv", "echo 'dns error' >&2; exit 2")
-    with pytest.raises(RosmlError, match="nobody says what is newest:\ndns error"):
+    with pytest.raises(RosmlError, match="the newest releases are unknown:\ndns error"):
         upstream.look(parse(SMALL), failing)
 
 

@@ -512,7 +512,7 @@ def test_an_entry_for_other_images_matches_nothing_here(world: World) -> None:
     assert run.images[0].outcome is Outcome.POLICY_FAILED
     assert run.problems == (), "of omega-base nobody knows anything"
     (problem,) = scanned(world, image("alpha-base", base(world)), rules=found, targets=["alpha-base"]).problems
-    assert "ignore[0]: 'omega-*' fits no image of the matrix" in problem
+    assert "ignore[0]: 'omega-*' matches no image of the matrix" in problem
 
 
 @pytest.mark.parametrize("case", ["a part of the run", "an image of which nothing is known"])

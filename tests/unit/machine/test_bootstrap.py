@@ -116,7 +116,7 @@ def test_only_one_set_up_at_a_time(ready: Bootstrap) -> None:
         assert first.stdout and first.stdout.readline() == "begins\n"
         with subprocess.Popen(argv, stdout=subprocess.PIPE, text=True) as second:
             assert second.stdout
-            assert second.stdout.readline() == "waiting for another set-up of this checkout to finish\n"
+            assert second.stdout.readline() == "waiting for another setup of this checkout\n"
             first.kill()
             assert second.stdout.readline() == "begins\n"
             second.kill()

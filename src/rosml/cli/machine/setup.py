@@ -288,7 +288,7 @@ def _up(state: State, hub: bool, tests: bool = False) -> None:
 
     started = time.monotonic()
     services.up(state, _tools(state, hub, tests))
-    state.say(f"set-up: done in {duration(time.monotonic() - started)}")
+    state.say(f"setup: done in {duration(time.monotonic() - started)}")
 
 
 def _program(name: str, ask: str, file: str, tests: bool) -> None:

@@ -1,6 +1,7 @@
-"""An image set -> the text of docker-bake.hcl: every target written out, with what it inherits.
+"""An image set -> the text of docker-bake.hcl: every target, written out, and what it inherits.
 
-`targets` decides what a target is. Here it becomes text, and what several targets have in common becomes a target that they inherit.
+`targets` decides the content of targets. Here they become text. Fields that several targets share become an abstract target, which
+they inherit.
 """
 
 from __future__ import annotations
@@ -21,13 +22,13 @@ NAME, TESTS = "docker-bake.hcl", "docker-bake.tests.hcl"
 
 
 def render(image_set: ImageSet, found: Mapping[str, Target] | None = None) -> dict[str, str]:
-    """Both files by their names: images and parts, and what goes with it, the structure tests of each image.
+    """Both files by their names: one with images and parts, one with the structure tests of each image.
 
-    They depend on nothing but the image set. Tests are apart because the time that buildx takes for a file grows with the square
-    of its targets.
+    They depend only on the image set. Tests have their own file, because buildx's time for a file grows with the square of its
+    targets.
 
     Args:
-        found: all targets, for who has them already.
+        found: all targets, if the caller has them already.
     """
     every = _Targets(image_set, found)
     images, tests = every.needed(every.others), every.needed(every.tests)
@@ -39,9 +40,9 @@ def render(image_set: ImageSet, found: Mapping[str, Target] | None = None) -> di
 
 
 def excerpt(image_set: ImageSet, roots: Iterable[str]) -> str:
-    """The part of both files that some targets need: they, and what they are built on.
+    """The part of both files that some targets need: these targets, and all that they are built on.
 
-    A run asks for hundreds of them: no other image is looked at.
+    It looks at no other image, because a run needs hundreds of excerpts.
 
     Args:
         roots: targets of images, of their tests, of parts.
@@ -134,7 +135,7 @@ def _variables(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
 # ---- Targets ---------------------------------------------------------------------------------------------------------
 
 Said = dict[tuple[str, str], str]
-"""What a target says, as HCL: by attribute, and by key if the attribute is a mapping."""
+"""The fields of a target as HCL: by attribute, and by key if the attribute is a mapping."""
 
 EVERY: Said = {
     ("context", ""): '"."',
@@ -145,14 +146,14 @@ EVERY: Said = {
     OS_APT_MIRROR == "" ? [] : ["id=os-apt-mirror,env=OS_APT_MIRROR"]
   )""",
 }
-"""What every target says. Mirrors are secrets like the certificates: an argument would be in the image's history."""
+"""The fields of every target. Mirrors are secrets like the certificates: an argument would be in the image's history."""
 
 ORDER = ("inherits", "description", "target", "platforms", "contexts", "args", "labels", "tags")
-"""Attributes as people want to read them; others follow."""
+"""The first attributes, in the best order for readers; others follow."""
 
 
 def _said(target: Target) -> Said:
-    """All that a target says."""
+    """All fields of a target."""
     said = {**EVERY}
     if target.description:
         said["description", ""] = text(target.description)
@@ -187,12 +188,12 @@ def _value(value: Value, unknown: str) -> str:
     """An argument or label.
 
     Args:
-        unknown: what it is if it is a date that nobody named.
+        unknown: its value if it is a date that nobody has set.
     """
     if isinstance(value, str):
         return text(value)
     if isinstance(value, Overridable):
-        if value.variable == "SOURCE_DATE_EPOCH" or not value.fact:  # its default is the fact
+        if value.variable == "SOURCE_DATE_EPOCH" or not value.fact:  # the variable's default is the fact
             return value.variable
         return f'{value.variable} == "" ? {text(value.fact)} : {value.variable}'
     return {
@@ -206,7 +207,7 @@ def _value(value: Value, unknown: str) -> str:
 
 
 class _Targets:
-    """Targets as blocks of HCL. What all of some have in common is a target of its own, which these inherit."""
+    """Targets as blocks of HCL. Fields that some of them share are in an abstract target, which these inherit."""
 
     def __init__(self, image_set: ImageSet, found: Mapping[str, Target] | None = None) -> None:
         self._image_set, self._found = image_set, found or targets.of(image_set)
@@ -232,10 +233,10 @@ class _Targets:
             self._family(name, [], [image.target for image in members])
 
     def _family(self, name: str, above: list[str], members: list[str]) -> None:
-        """A target with what its members have in common, and do not all inherit already.
+        """Adds an abstract target with the fields that its members share, and do not all inherit already.
 
         Args:
-            above: what it inherits itself; its members inherit it in the place of these.
+            above: the targets that it inherits itself; its members inherit it instead of these.
         """
         if not members:
             return
@@ -250,10 +251,10 @@ class _Targets:
             self._above[member] = [*(other for other in self._above[member] if other not in above), name]
 
     def needed(self, roots: Iterable[str], built: bool = False) -> set[str]:
-        """Some targets, and what they inherit.
+        """Some targets, and those that they inherit.
 
         Args:
-            built: also what they are built on.
+            built: also the targets that they are built on.
         """
         needed, waiting = set[str](), [root for root in roots if root in self._found]
         while waiting:
@@ -265,7 +266,7 @@ class _Targets:
         return needed
 
     def blocks(self, names: Collection[str]) -> Iterator[str]:
-        """Some of the targets, in the order in which all stand."""
+        """Some of the targets, in the order of the whole file."""
         for title, members in self._sections():
             if found := [name for name in members if name in names]:
                 yield f"# ---- {title} ".ljust(119, "-") + "\n"
@@ -297,7 +298,7 @@ class _Targets:
         return self._merged[above]
 
     def _block(self, name: str) -> str:
-        """A target with what it does not inherit."""
+        """A target with the fields that it does not inherit."""
         inherited = self._inherited(name)
         attributes: dict[str, str | dict[str, Code]] = {}
         if above := self._above[name]:
@@ -315,7 +316,7 @@ class _Targets:
 
 
 def _lines(attributes: Mapping[str, str | dict[str, Code]]) -> Iterator[str]:
-    """Attributes as `hclfmt` writes them: the values of neighbours on one line each stand below each other."""
+    """Attributes as `hclfmt` writes them: it aligns the values of neighbours with one line each."""
     single: dict[str, object] = {}
     for name in sorted(attributes, key=lambda name: ORDER.index(name) if name in ORDER else len(ORDER)):
         value = attributes[name]
@@ -329,12 +330,12 @@ def _lines(attributes: Mapping[str, str | dict[str, Code]]) -> Iterator[str]:
 
 
 def _joined(image: Image) -> str:
-    """What images with the same framework, stack and Python inherit."""
+    """The abstract target of images with the same framework, stack and Python."""
     return f"_{image.framework}-{image.stack}-py{image.python.replace('.', '')}"
 
 
 def _by(images: Iterable[Image], of: Callable[[Image], str]) -> dict[str, list[Image]]:
-    """Images by what they are of."""
+    """Images grouped by a key."""
     found: dict[str, list[Image]] = {}
     for image in images:
         found.setdefault(of(image), []).append(image)
@@ -345,7 +346,7 @@ def _by(images: Iterable[Image], of: Callable[[Image], str]) -> dict[str, list[I
 
 
 def _groups(image_set: ImageSet, tests: bool) -> Iterator[str]:
-    """Names of targets, those of a distribution in a line: a new one adds a line."""
+    """The groups. Each distribution's targets are on one line, so a new distribution adds a line."""
     rows = {image.target: image.distribution for image in image_set.images}
     rows |= {image.test_target: image.distribution for image in image_set.images}
     yield "# ---- Groups ".ljust(119, "-") + "\n"

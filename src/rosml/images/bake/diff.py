@@ -1,4 +1,4 @@
-"""What differs between two versions of the project: images that are added, removed or changed, and why."""
+"""Differences between two versions of the project: added, removed and changed images, and the reasons."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix import names
 
 PARENT = "parent"
-"""The input that tells an image which stands on another target from before."""
+"""The input for another parent: the image stands on another target than before."""
 
 NO_LOCK = "cannot be built yet: no lock"
 
 
 @dataclass(frozen=True)
 class Change:
-    """An input that differs; None on the side that does not have it."""
+    """A changed input; None on the side that lacks it."""
 
     input: str
     old: str | None
@@ -35,11 +35,12 @@ class Difference:
 
     Attributes:
         added, removed: targets of images.
-        changed: why each of the others changed. same: how many did not.
-        tags: from which target to which they lead, for those that moved between images, and those that an image which is
-            on both sides gained (None before) or lost (None now).
-        unbuildable: those of the added and changed that have no lock.
-        registry: the old and the new one, where it changed: then all names change.
+        changed: the reasons of each changed image.
+        same: the number of unchanged images.
+        tags: the old and the new target of tags that moved between images, or that an image on both sides gained (None
+            before) or lost (None now).
+        unbuildable: added and changed images without a lock.
+        registry: the old and the new registry, if it changed: then all names change.
     """
 
     added: tuple[str, ...]
@@ -52,7 +53,7 @@ class Difference:
 
 
 def between(old: Inputs, new: Inputs) -> Difference:
-    """From one version to another."""
+    """The differences from one version to another."""
 
     @cache
     def changes(target: str, architecture: str) -> frozenset[Change]:
@@ -94,7 +95,7 @@ def between(old: Inputs, new: Inputs) -> Difference:
 
 
 def _parents(old: Image | None, new: Image | None, found: set[Change]) -> set[Change]:
-    """Changes with one for another parent, instead of one for each of the two, with the digests of an architecture."""
+    """The changes, with one change for another parent instead of two with the digests of an architecture."""
     if old is None or new is None or old.parent == new.parent:
         return found
     ends = {(TARGET + old.parent, None), (TARGET + new.parent, None)}
@@ -110,17 +111,17 @@ def _tags(old: ImageSet, new: ImageSet) -> dict[str, tuple[str | None, str | Non
 
 
 def _stays(way: tuple[str | None, str | None], old: ImageSet, new: ImageSet) -> bool:
-    """Whether a tag's way is worth telling: tags come and go with their images."""
+    """Whether a tag's move is worth mentioning. Tags that only come or go with their image are not."""
     return None not in way or any(target in old.by_target and target in new.by_target for target in way)
 
 
 def as_json(difference: Difference) -> str:
-    """All of it, with whole digests."""
+    """The whole difference as JSON, with whole digests."""
     return json.dumps(asdict(difference), indent=2) + "\n"
 
 
 def rows(difference: Difference) -> Iterator[tuple[str, str, str]]:
-    """What happened, why and to which images: a row for each reason, one for reasons that reach the same images."""
+    """Rows of event, reason and images. Reasons that reach the same images share a row."""
     yield from _changed(difference)
     unbuildable = set(difference.unbuildable)
     for kind in ("changed", "added"):
@@ -146,7 +147,7 @@ def _changed(difference: Difference) -> Iterator[tuple[str, str, str]]:
 
 
 def _tag_rows(tags: Mapping[str, tuple[str | None, str | None]]) -> Iterator[tuple[str, str, str]]:
-    """Tags that move, together where they go the same way; a row for all that are gone, and one for those gained."""
+    """Rows about tags: one for all that move between the same images, one for all that are gone, and one for all gained."""
     moved: dict[str, list[str]] = {}
     for tag, (was, now) in tags.items():
         if was and now:
@@ -159,7 +160,7 @@ def _tag_rows(tags: Mapping[str, tuple[str | None, str | None]]) -> Iterator[tup
 
 
 def markdown(difference: Difference) -> str:
-    """The same for CI's summary of a job."""
+    """The difference in Markdown, for the summary of a job."""
     counts = [how_many(difference, name) for name in ("added", "removed", "changed")]
     found = list(rows(difference))
     table = "\n" + github.table(("what", "why", "which"), found) if found else ""
@@ -178,7 +179,7 @@ def _ordered(changes: Iterable[Change]) -> tuple[Change, ...]:
 
 
 def _sentence(change: Change) -> str:
-    """An input with the words that differ, digests shortened."""
+    """An input with the words that differ, and shortened digests."""
     if change.input == PARENT:
         old, new = ((value or "").removeprefix("_os-") for value in (change.old, change.new))
         return f"stands on {new} instead of {old}"

@@ -1,4 +1,4 @@
-"""The Dockerfile as data: its stages, what each stands on, and the files that it takes from the checkout."""
+"""The Dockerfile as data: its stages, the base of each, and the files that it takes from the checkout."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ _COMMENT = re.compile(r"\s*#(?!\s*(?:syntax|escape)\s*=)")
 
 @dataclass(frozen=True)
 class Stage:
-    """A stage. Values may hold `${ARGUMENTS}`, as they are written.
+    """A stage. Values may have `${ARGUMENTS}`, as written.
 
     Attributes:
-        digest: of its instructions, without comments and blank lines.
-        stages: stages, contexts and images that it stands on (the first one) or takes files from.
+        digest: the digest of its instructions, without comments and blank lines.
+        stages: its base (the first one), and stages, contexts and images from which it takes files.
         sources: files and folders of the checkout that it copies or mounts.
-        defaults: its arguments that have a default.
+        defaults: its arguments with a default.
     """
 
     digest: str
@@ -34,7 +34,7 @@ class Stage:
 
 
 def parse(text: str) -> dict[str, Stage]:
-    """The stages by name. What stands before the first one is the stage "": its arguments apply to all of them."""
+    """The stages by name. The lines before the first one are the stage "", whose arguments apply to all."""
     head, *sections = re.split(r"^(?=FROM\s)", text, flags=re.MULTILINE)
     stages = {"": _stage(head, ())}
     for number, section in enumerate(sections):
@@ -59,7 +59,7 @@ def _stage(text: str, base: tuple[str, ...]) -> Stage:
 
 
 def _instruction(text: str) -> Iterator[tuple[str, str]]:
-    """What an instruction uses: stages, sources, and defaults of arguments."""
+    """The stages, sources and defaults of arguments that an instruction uses."""
     word, _, rest = text.strip().partition(" ")
     words = rest.split()
     flags = [flag.removeprefix("--").partition("=")[::2] for flag in words if flag.startswith("--")]

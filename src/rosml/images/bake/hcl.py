@@ -1,4 +1,4 @@
-"""Rendering of HCL, as far as a bake file needs it."""
+"""Writes HCL, as far as a bake file needs it."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from json.encoder import encode_basestring as quoted
 
 @dataclass(frozen=True)
 class Code:
-    """HCL as it is, as opposed to text: a variable."""
+    """Raw HCL, such as a variable, as opposed to text."""
 
     code: str
 
 
 @cache
 def text(value: str) -> str:
-    """A quoted text in which nothing is filled in."""
+    """A quoted text without templates."""
     return quoted(value).replace("${", "$${").replace("%{", "%%{")
 
 
 def literal(value: object) -> str:
-    """Plain data on one line: None, truth, text, code, and lists and mappings of these."""
+    """Plain data on one line: None, booleans, text, code, and lists and mappings of these."""
     if value is None:
         return "null"
     if isinstance(value, bool):
@@ -44,14 +44,14 @@ def pairs(values: Mapping[str, object]) -> Iterable[str]:
 
 
 def aligned(values: Mapping[str, object]) -> Iterable[str]:
-    """The same with the values below each other."""
+    """`name = value` for each value of a mapping, with aligned values."""
     width = max((len(key(name)) for name in values), default=0)
     return (f"{key(name).ljust(width)} = {literal(value)}" for name, value in values.items())
 
 
 @cache
 def key(name: str) -> str:
-    """A key of a mapping: in quotes where it has to be."""
+    """A key of a mapping, in quotes if it needs them."""
     return name if re.fullmatch(r"[A-Za-z][A-Za-z0-9_-]*", name) else text(name)
 
 

@@ -1,8 +1,8 @@
-"""What decides the content of an image or part, and a digest of it: the same inputs, the same digest, anywhere.
+"""The inputs that decide the content of an image or part, and their digest: the same inputs give the same digest anywhere.
 
-Nothing is listed by hand. The targets and their wiring are those of the bake file (`targets`), stages and the files they
-use are those of the Dockerfile (`dockerfile`); so an input that is added there counts at once. What the caller decides
-(registry, proxies, the commit of a label) is no input, and declared so (`targets.NoInput`); any other value is an error.
+Nobody lists them by hand. Targets and their contexts come from the bake file (`targets`), stages and their files from the
+Dockerfile (`dockerfile`), so an input that is added there counts at once. Values that the caller decides (registry, proxies, the
+commit of a label) are no inputs, and are declared so (`targets.NoInput`). Any other value is an error.
 """
 
 from __future__ import annotations
@@ -23,17 +23,17 @@ from rosml.images.bake.targets import Dependency, Join, NoInput, Overridable, Va
 from rosml.images.image_set.model import Image, ImageSet, Part
 
 TARGET = "target "
-"""How names of inputs begin whose value is the digest of another target: `target ros1-bookworm-core`."""
+"""The beginning of inputs whose value is the digest of another target: `target ros1-bookworm-core`."""
 
 UNPINNED = "not pinned"
-"""The value of a base image without a digest; also of a context that no target gives."""
+"""The value of a base image without a digest, and of a context from no target."""
 
 MISSING = "missing"
-"""The value of a file that is not there."""
+"""The value of a missing file."""
 
 
 class Inputs:
-    """The inputs of all targets of an image set. `root` is the folder of the Dockerfile; each file is read once."""
+    """The inputs of all targets of an image set. `root` is the folder of the Dockerfile. Each file is read once."""
 
     def __init__(self, root: Path, image_set: ImageSet) -> None:
         self.root = root
@@ -47,7 +47,7 @@ class Inputs:
         self._digests: dict[tuple[str, str], str] = {}
 
     def of(self, target: str, architecture: str) -> dict[str, str]:
-        """The inputs of a bake target by readable names; `target x` stands for the inputs of the target x."""
+        """The inputs of a bake target, by readable names. `target x` stands for the inputs of the target x."""
         key = (target, architecture)
         if key not in self._known:
             found = self.targets[target]
@@ -69,7 +69,7 @@ class Inputs:
         return self._known[key]
 
     def of_tests(self, image: Image, architecture: str, names: tuple[str, ...]) -> dict[str, str]:
-        """The inputs of an image's tests, if they are those of these names."""
+        """The inputs of an image's tests with these names."""
         known = self.of(image.test_target, architecture)
         if names == image.tests:
             return known
@@ -85,15 +85,15 @@ class Inputs:
         arguments: Mapping[str, str],
         architecture: str,
     ) -> dict[str, str]:
-        """What decides a stage of the Dockerfile."""
+        """The inputs of a stage of the Dockerfile."""
         if stage not in self._stages:
-            text = f"the Dockerfile has no stage {stage}, which {target} is built from"
+            text = f"the Dockerfile has no stage {stage}, from which {target} is built"
             raise RosmlError(text, "write it there as 'FROM … AS name' on one line")
         above = {"Dockerfile: before the first stage": self._stages[""].digest, ".dockerignore": self._ignored}
         return above | self._stage(stage, contexts, arguments, architecture)
 
     def _of_files(self, inputs: Mapping[str, str], names: Collection[str]) -> dict[str, str]:
-        """Inputs without the files of structure tests that do not belong to those of these names. The builder gets all."""
+        """Inputs with only the files of structure tests that belong to these names. The builder gets all files."""
         inside = f"{structure.FOLDER}/"
         used = self._structure.of(names)
         return {
@@ -109,14 +109,14 @@ class Inputs:
         return StructureTests({path.relative_to(folder).as_posix(): _text(path) for path in paths})
 
     def check(self) -> None:
-        """Checks that what the image set describes can be built, once its locks are there, and would be tested.
+        """Checks that the image set can be built and tested once its locks exist.
 
         Raises:
-            RosmlError: a file that a target is built from, or one of structure tests, is not there.
+            RosmlError: a file from which a target is built, or one of structure tests, is missing.
         """
         if gone := self._gone():
             text = f"{listed(gone)}: not there, and the Dockerfile builds parts or images from it"
-            raise RosmlError(text, "get it back with git checkout, or write it anew")
+            raise RosmlError(text, "restore it with git checkout, or write it again")
         folder = self.root / structure.FOLDER
         tests = dict.fromkeys(name for image in self.image_set.images for name in (*image.tests, *image.shared))
         if untested := [
@@ -127,11 +127,11 @@ class Inputs:
             )
 
     def _gone(self) -> list[str]:
-        """Files and folders that targets are built from and that are not there; but for locks, which are made later, and
-        patterns, which need match nothing."""
+        """Missing files and folders from which targets are built. Locks do not count, as they are made later; nor do patterns, which
+        need not match a file."""
         things: tuple[Image | Part, ...] = (*self.image_set.parts, *self.image_set.images)
         for item in things:
-            self.digests(item)  # which makes those of the targets known that they stand on
+            self.digests(item)  # this also reads the targets below it
         gone = {name for found in self._known.values() for name, value in found.items() if value == MISSING}
         return sorted(name for name in gone - self.image_set.locks if not set("*?[").intersection(name))
 
@@ -143,11 +143,11 @@ class Inputs:
         return self._digests[key]
 
     def digests(self, item: Image | Part) -> dict[str, str]:
-        """The digests of an image or part by architecture."""
+        """The digests of an image or part, by architecture."""
         return {architecture: self.digest(item.target, architecture) for architecture in item.architectures}
 
     def together(self, item: Image | Part) -> str:
-        """The digest of an image or part for all of its architectures."""
+        """The common digest of an image or part for all its architectures."""
         return _digest(self.digests(item))
 
     def _contexts(self, target: str, architecture: str) -> dict[str, dict[str, str]]:
@@ -163,7 +163,7 @@ class Inputs:
     def _stage(
         self, name: str, contexts: Mapping[str, Mapping[str, str]], arguments: Mapping[str, str], architecture: str
     ) -> dict[str, str]:
-        """The inputs of a stage with what it stands on."""
+        """The inputs of a stage, including those of its base."""
         stage = self._stages.get(name)
         if stage is None:
             return {} if name == "scratch" else _base_image(name)
@@ -180,7 +180,7 @@ class Inputs:
         return inputs
 
     def _source(self, source: str) -> dict[str, str]:
-        """Digests of a file, of all files in a folder, or of all that a pattern matches."""
+        """Digests of a file, of all files in a folder, or of all matches of a pattern."""
         if source not in self._files:
             pattern = source.strip("/").removeprefix("./")
             if pattern in ("", "."):
@@ -197,15 +197,15 @@ class Inputs:
 
 
 def _facts(values: Mapping[str, Value], where: str) -> dict[str, str]:
-    """What the image set decides of arguments or labels."""
+    """The arguments or labels that the image set decides."""
     return {name: fact for name, value in values.items() if (fact := _fact(value, f"{where} {name}"))}
 
 
 def _fact(value: Value, where: str) -> str:
-    """What the image set decides of a value; empty for what is no input.
+    """The fact of the image set that decides a value; empty if the value is no input.
 
     Raises:
-        RosmlError: nobody says what decides it: taken for no input, it would change an image unseen.
+        RosmlError: the value is not declared. As no input, it would change an image without a new digest.
     """
     if isinstance(value, str):
         return value
@@ -225,7 +225,7 @@ def _base_image(reference: str) -> dict[str, str]:
 
 
 def _filled(text: str, values: Mapping[str, str]) -> str:
-    """A text of the Dockerfile with its arguments filled in."""
+    """A text of the Dockerfile with values for its arguments."""
     if "$" not in text:
         return text
     try:
@@ -235,21 +235,21 @@ def _filled(text: str, values: Mapping[str, str]) -> str:
 
 
 def _rules(file: Path) -> str:
-    """A digest of a .dockerignore's rules: they decide what reaches the builder."""
+    """A digest of a .dockerignore's rules, which decide what the builder gets."""
     text = file.read_text(encoding="utf-8", errors="replace") if file.is_file() else ""
     rules = [line.strip() for line in text.splitlines() if line.strip() and not line.strip().startswith("#")]
     return hashlib.sha256("\n".join(rules).encode()).hexdigest()
 
 
 def _file(path: Path) -> str:
-    if path.is_symlink():  # which the builder takes as it is
+    if path.is_symlink():  # the builder gets links unchanged
         return f"link to {path.readlink()}"
     digest = hashlib.sha256(path.read_bytes()).hexdigest()
     return f"{digest} executable" if path.stat().st_mode & 0o100 else digest
 
 
 def _text(path: Path) -> str:
-    """What a file says; of a link also where it leads."""
+    """The content of a file; of a link also its target."""
     link = f"{path.readlink()}\n" if path.is_symlink() else ""
     return link + (path.read_text(encoding="utf-8", errors="replace") if path.is_file() else "")
 

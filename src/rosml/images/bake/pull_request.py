@@ -1,4 +1,4 @@
-"""Which images of a change a pull request builds: few, and yet one for everything that changed."""
+"""Chooses the images that a pull request builds: few, which together cover the changes."""
 
 from __future__ import annotations
 
@@ -12,11 +12,13 @@ from rosml.images.image_set.model import Image, ImageSet
 
 @dataclass(frozen=True)
 class Choice:
-    """Targets of images that a change reaches.
+    """The images that a change reaches.
 
     Attributes:
-        built: those that are built. left: those that are not.
-        unlocked: how many more have no lock. elsewhere: how many more are for other architectures alone.
+        built: the targets to build.
+        left: the targets that are left out.
+        unlocked: the number of further images without a lock.
+        elsewhere: the number of further images for other architectures only.
     """
 
     built: tuple[str, ...]
@@ -39,14 +41,14 @@ class Choice:
 def choose(image_set: ImageSet, difference: Difference, architectures: Sequence[str], at_most: int) -> Choice:
     """Chooses images that differ from an earlier version.
 
-    One after the other, that which brings most that no other one has brought: first changes, then distributions,
-    components, frameworks and stacks; of those that bring the same, the smallest.
+    It takes one image after the other: that which covers most new things; first changes, then distributions, components,
+    frameworks and stacks. If several cover the same, it takes the smallest.
 
     Args:
-        image_set: all that the matrix describes.
-        difference: from the earlier version.
-        architectures: those that can be built here.
-        at_most: how many are built.
+        image_set: all images of the matrix.
+        difference: the difference from the earlier version.
+        architectures: architectures that can be built here.
+        at_most: the most images to build.
     """
     reached = [image for image in image_set.images if image.target in {*difference.added, *difference.changed}]
     locked = [image for image in reached if image.locked]
@@ -65,7 +67,8 @@ def choose(image_set: ImageSet, difference: Difference, architectures: Sequence[
 
 
 def _brings(image: Image, difference: Difference) -> tuple[set[object], set[object]]:
-    """Changes that reach an image, and its groups. Labels spell out other inputs, for each image in its own words."""
+    """The changes that reach an image, and its groups. Changed labels count only if nothing else changed: labels repeat other inputs
+    in each image's own words."""
     changes = difference.changed.get(image.target, ())
     plain = [change for change in changes if not change.input.startswith("label ")]
     return set(plain or changes), set(image.groups)

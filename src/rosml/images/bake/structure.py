@@ -1,12 +1,12 @@
-"""Which files of tests/structure the tests of an image are: a change of another one is none of them.
+"""The files of tests/structure that belong to the tests of an image. A change of another file does not concern the image.
 
-They are the YAML files that its list names, what these call, and what that calls in turn. Nothing is listed by hand; it is
-read out of the texts. What stands beside the YAML files (run.sh) belongs to all tests.
+They are the YAML files of its tests, the files that these call, and so on. Nobody lists them by hand: we read the texts. Other files
+beside the YAML files (run.sh) belong to all tests.
 
-In a folder such as `programs`, a file and a folder of one name belong together, with all that is in them: `torch/`, and
-`setuid.sh` with `setuid.txt`. So a program may do what it likes in its own folder. To reach another one, it has to spell the
-path out, `/run/tests/programs/torch/company.py` or `$here/../roscore.sh`. Where a text computes a path, or climbs out of its
-folder in another way, nobody can tell what it calls, and all files count.
+In a folder such as `programs`, a file and a folder with one name belong together, with everything in them: `torch/`, and
+`setuid.sh` with `setuid.txt`. So a program is free in its own folder. To reach another one, it has to write out the path,
+`/run/tests/programs/torch/company.py` or `$here/../roscore.sh`. If a text computes a path, or leaves its folder in another way, we
+cannot tell what it calls, and all files count.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from collections.abc import Collection, Iterator, Mapping
 from posixpath import dirname, normpath
 
 FOLDER = "tests/structure"
-"""Where they are in the checkout. In an image they are at PLACE."""
+"""Their folder in the checkout. In an image they are at PLACE."""
 
 PLACE = "/run/tests"
 
@@ -29,10 +29,10 @@ _CLIMBS = re.compile(r"\bparents\b|parent\W+parent|pardir|%/\*|dirname(?s:.*)dir
 
 
 class StructureTests:
-    """The files of tests/structure, by what they call.
+    """The files of tests/structure and their calls.
 
     Attributes:
-        texts: of all files, by their path in the folder.
+        texts: the texts of all files, by path in the folder.
     """
 
     def __init__(self, texts: Mapping[str, str]) -> None:
@@ -44,7 +44,7 @@ class StructureTests:
         self._called: dict[str, frozenset[str] | None] = {}
 
     def of(self, names: Collection[str]) -> Collection[str]:
-        """The paths of all files that belong to the tests of these names, such as `contract`; all paths if nobody can tell."""
+        """The paths of all files that belong to tests, by names such as `contract`; all paths if we cannot tell."""
         todo = [f"{name}.yaml" for name in names if f"{name}.yaml" in self.texts]
         found = set[str]()
         while todo:
@@ -59,7 +59,7 @@ class StructureTests:
         return shared | {path for unit in found for path in self._members[unit]}
 
     def _calls(self, unit: str) -> frozenset[str] | None:
-        """The units that one refers to; None if nobody can tell."""
+        """The units to which a unit refers; None if we cannot tell."""
         if unit not in self._called:
             found = {called for path in self._members[unit] for called in self._references(path)}
             self._called[unit] = None if None in found else frozenset(called for called in found if called)
@@ -80,21 +80,21 @@ class StructureTests:
         lent = _HERE.search(text) and not any("here=" in self.texts[other] for other in self._members[_unit(path)])
         if lent or (own and _CLIMBS.search(text)):
             yield None
-        if path.count("/") == 1:  # its folder is that of others too
+        if path.count("/") == 1:  # others share its folder
             others = {other: self._named(other, path) for other in self.texts if dirname(other) == dirname(path)}
             yield from (_unit(other) for other, named in others.items() if named.search(text))
             if not all(any(named.search(line) for named in others.values()) for line in own):
                 yield None
 
     def _named(self, other: str, path: str) -> re.Pattern[str]:
-        """How a file names another one in its folder; a Python program may import it."""
+        """A pattern of references to a file in the same folder, including Python's imports."""
         name = other.rpartition("/")[2]
         if path.endswith(".py") and name.endswith(".py"):
             return re.compile(rf"\b{re.escape(name.removesuffix('.py'))}\b")
         return re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w-])")
 
     def _resolved(self, path: str) -> str | None:
-        """The unit of a path; None where there is no such thing, or where it is a folder of several."""
+        """The unit of a path; None if the path does not exist, or is a folder of several units."""
         path = path.rstrip("/.")
         unit = _unit(path)
         if unit in self._members and (path in self.texts or any(item.startswith(f"{path}/") for item in self.texts)):
@@ -103,6 +103,6 @@ class StructureTests:
 
 
 def _unit(path: str) -> str:
-    """What counts as a whole: a file beside the YAML files; below that, a file or folder with all others of its name."""
+    """The unit of a path: a file beside the YAML files; below that, a file or folder with all others of its name."""
     first, *rest = path.split("/")
     return f"{first}/{rest[0].partition('.')[0]}" if rest else first

@@ -1,7 +1,7 @@
-"""An image set -> its bake targets as plain data, for whoever asks what a target depends on.
+"""An image set -> its bake targets as plain data.
 
-`bake_file` writes them out for buildx. tests/unit/images/test_targets.py compares what buildx makes of that with this, for every
-target and whatever the bake file's variables say.
+`bake_file` writes them for buildx. tests/unit/images/test_targets.py compares buildx's reading of that file with these, for every
+target and all variables of the bake file.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ EPOCH = "1767225600"
 """2026-01-01T00:00:00Z: the time of every file and image, so that the same inputs give the same digests."""
 
 PROXIES = ("HTTP_PROXY", "HTTPS_PROXY", "NO_PROXY")
-"""What build steps get of the caller's network."""
+"""The caller's network settings for build steps."""
 
 CONTENTS = "contents"
-"""The target that says what is in its context `described`."""
+"""The target that describes the content of its context `described`."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,8 @@ class Overridable:
     """A fact of the matrix that a variable of the bake file may override.
 
     Attributes:
-        variable: its value counts unless it is empty. fact: what counts otherwise, and decides the inputs.
+        variable: the variable, whose value counts unless it is empty.
+        fact: the value otherwise, which decides the inputs.
     """
 
     variable: str
@@ -40,11 +41,12 @@ class Overridable:
 
 @dataclass(frozen=True)
 class Dependency:
-    """A context that is another target, or its image in the registry where DIGESTS names that.
+    """A context: another target, or its image in the registry if DIGESTS names that.
 
     Attributes:
-        target: what is built if nothing is said.
-        name: the key in DIGESTS; empty where it is always built. repository: where the image is, without the registry.
+        target: the target, which is built by default.
+        name: the key in DIGESTS; empty if the target is always built.
+        repository: the repository of the image, without the registry.
     """
 
     target: str
@@ -54,12 +56,12 @@ class Dependency:
 
 @dataclass(frozen=True)
 class NoInput:
-    """A value that holds no fact of the matrix: the caller of bake decides it, or it follows from what is an input anyway.
+    """A value that is no fact of the matrix: the caller of bake decides it, or it follows from other inputs.
 
     Attributes:
-        what: `variable`: what one says, if anything; `sync date`: when ROS's repository of a distribution was published;
-            `root`: where a part's files are in its context; `base name`, `base digest`: of the image that a variable
-            names; `created`: SOURCE_DATE_EPOCH as a date.
+        what: `variable`: its value, if it is set; `sync date`: the date of ROS's repository of a distribution; `root`: the
+            folder of a part's files in its context; `base name`, `base digest`: of the image that a variable names;
+            `created`: SOURCE_DATE_EPOCH as a date.
         of: the variable, distribution or part.
     """
 
@@ -68,7 +70,7 @@ class NoInput:
 
 
 Value = str | Overridable | NoInput
-"""An argument or label: a fact, or what a variable decides. Whatever else would decide one gets a type of its own here."""
+"""An argument or label: a fact, or a value that a variable decides. If something else shall decide one, give it its own type here."""
 
 Context = Dependency | Overridable
 """A context: another target, or the base image that a variable names."""
@@ -76,13 +78,13 @@ Context = Dependency | Overridable
 
 @dataclass(frozen=True)
 class Join:
-    """What an image joins to a ROS image: parts in their order, and variables of the environment."""
+    """The additions of an image to a ROS image: parts in their order, and environment variables."""
 
     parts: tuple[str, ...]
     environment: Mapping[str, str]
 
     def dockerfile(self) -> str:
-        """The Dockerfile that does it. *_ROOT is where a part's files are in its context."""
+        """The Dockerfile of the join. *_ROOT is the folder of a part's files in its context."""
         lines = ["FROM ros"]
         for part in self.parts:
             root = root_variable(part)
@@ -91,16 +93,17 @@ class Join:
 
 
 def root_variable(part: str) -> str:
-    """The argument that says where a part's files are in its context."""
+    """The argument for the folder of a part's files in its context."""
     return f"{labels.variable(part)}_ROOT"
 
 
 @dataclass(frozen=True)
 class Target:
-    """What buildx is told of a target.
+    """A target for buildx.
 
     Attributes:
-        stage: of the Dockerfile; empty where parts are joined. platforms: all that it can be built for; empty: the builder's own.
+        stage: its stage of the Dockerfile; empty if it joins parts.
+        platforms: all its platforms; empty for the builder's own.
         tags: `repository:tag` without the registry.
     """
 
@@ -115,7 +118,7 @@ class Target:
 
 
 def of(image_set: ImageSet) -> dict[str, Target]:
-    """Every target by its name."""
+    """Every target, by its name."""
     return dict(_targets(image_set))
 
 
@@ -149,7 +152,7 @@ def _common() -> dict[str, Value]:
 
 
 def base_image(matrix: Matrix, os: str) -> str:
-    """The base image of an operating system, as a context."""
+    """The context for the base image of an operating system."""
     system = matrix.operating_systems[os]
     return f"docker-image://{system.image}@{system.digest}"
 
@@ -163,7 +166,7 @@ def _dependency(image: Image) -> Dependency:
 
 
 def _ros(image_set: ImageSet, image: Image) -> Target:
-    """An image without a framework: a component on the one below it, the lowest on the operating system."""
+    """An image without a framework: a component on the one below it; the lowest is on the operating system."""
     matrix = image_set.matrix
     distribution = matrix.distributions[image.distribution]
     parent = image_set.by_target.get(image.parent)
@@ -178,7 +181,7 @@ def _ros(image_set: ImageSet, image: Image) -> Target:
     if facts := apt_arguments(matrix, image.distribution):
         arguments |= {name: Overridable(name, fact) if name in CHANNEL else fact for name, fact in facts.items()}
         arguments["ROS_SYNC_DATE"] = NoInput("sync date", image.distribution)
-    if distribution.wheels:  # the stage takes uv from what assembles parts, which stands on the system's base image
+    if distribution.wheels:  # the stage takes uv from the assembler of parts, which stands on the system's base image
         arguments |= {"ROS_ROW": image.distribution, "PYTHON": image.python}
         contexts["os"] = _system(matrix, image.os)
     stage = "ros-wheels" if distribution.wheels else "ros"
@@ -190,8 +193,8 @@ CHANNEL = ("ROS_CHANNEL", "ROS_SNAPSHOT")
 
 
 def apt_arguments(matrix: Matrix, name: str) -> dict[str, str]:
-    """The facts about the apt repository that the packages of a distribution come from, ROS's own or another; none where they
-    are the operating system's, or wheels."""
+    """The facts about the apt repository of a distribution's packages, ROS's own or another; none if they are the operating
+    system's, or wheels."""
     if archive := matrix.distributions[name].archive:
         return {
             "ROS_ARCHIVE": archive.address,
@@ -216,8 +219,8 @@ def apt_arguments(matrix: Matrix, name: str) -> dict[str, str]:
 
 
 def tools(matrix: Matrix, image: Image) -> str:
-    """The Debian packages that come with a distribution's lowest component: the developers' tools, where it is not only for
-    programs that are built, and what else speaks DDS beside ROS's default."""
+    """The Debian packages that come with a distribution's lowest component: the developers' tools, unless it only runs built
+    programs; and further RMW implementations."""
     distribution = matrix.distributions[image.distribution]
     own = distribution.tools or matrix.operating_systems[distribution.os].tools
     added = [f"ros-{image.ros_distro}-{rmw.replace('_', '-')}" for rmw in distribution.rmw]
@@ -225,7 +228,7 @@ def tools(matrix: Matrix, image: Image) -> str:
 
 
 def unlocked(image: Image) -> str:
-    """What to say of a target that cannot be built yet; empty where it can be."""
+    """The message about a target that cannot be built yet; empty if it can."""
     return "" if image.locked else f"cannot be built yet: no lock; {missing.remedy(image)}"
 
 
@@ -314,7 +317,7 @@ def _part(matrix: Matrix, part: Part) -> Iterator[tuple[str, Target]]:
 
 
 def _expected(image_set: ImageSet, image: Image) -> str:
-    """What tags and labels promise, for the tests in the image, which see `torch` as $EXPECT_TORCH."""
+    """The promises of tags and labels, for the tests in the image, which see `torch` as $EXPECT_TORCH."""
     distribution = image_set.matrix.distributions[image.distribution]
     packages: dict[str, str] = {}
     ros: Image | None = image

@@ -1,1 +1,1 @@
-"""What is published, read from a registry, as a page for people and as JSON. Uses records and below."""
+"""The catalogue: what a registry has published, as a page for people and as JSON. Uses records and below."""

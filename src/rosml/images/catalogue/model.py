@@ -1,7 +1,7 @@
-"""The structure of catalogue.json: what is published, for people's pages and for other people's programs.
+"""The structure of catalogue.json: what is published, for the page and for other people's programs.
 
-`FORMAT` is raised where something that a reader relies on goes away or changes its meaning; a new field does not raise it.
-The descriptions here become catalogue.schema.json.
+If a field that readers rely on goes away or changes its meaning, raise `FORMAT`; a new field does not raise it. The descriptions
+here become catalogue.schema.json.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from rosml.images.matrix.model import DIGEST
 FORMAT = 1
 
 Status = Literal["built", "not built"]
-"""Published here, or not."""
+"""Whether an image is published."""
 
 WORDS: dict[Status, str] = {"built": "built", "not built": "not built yet"}
 """The same for people."""
@@ -49,14 +49,14 @@ class Layer(Fact):
 
     digest: Digest
     compressed: Bytes = Field(description="bytes in the registry")
-    part: str = Field(description="the ROS image or part that brought it; empty where nobody knows")
+    part: str = Field(description="the ROS image or part that brought it; empty if unknown")
 
 
 class Size(Fact):
     """Bytes of something."""
 
     compressed: Bytes = Field(description="in the registry")
-    unpacked: Bytes | None = Field(description="on disk; null where nobody counted")
+    unpacked: Bytes | None = Field(description="on disk; null if unknown")
 
 
 class Tests(Fact):
@@ -70,7 +70,7 @@ class Scan(Fact):
     """What a scan for known vulnerabilities came to."""
 
     outcome: str = Field(description="clean, policy failed or scanner failed")
-    database: str = Field(description="when the database of vulnerabilities was made; empty where nobody knows")
+    database: str = Field(description="when the database of vulnerabilities was made; empty if unknown")
     packages: Count = Field(description="how many packages were held against it")
     findings: dict[str, Count] = Field(description="number of findings by severity, those that are ignored among them")
     failing: tuple[str, ...] = Field(description="advisories that stop the image")
@@ -81,17 +81,17 @@ class Platform(Fact):
 
     platform: str = Field(description="such as linux/amd64")
     digest: Digest = Field(description="of the image manifest")
-    inputs: str = Field(description="digest of all that decides its content; empty where nobody knows")
+    inputs: str = Field(description="digest of all that decides its content; empty if unknown")
     ros_sync: str = Field(
         description="of when ROS's packages are: the repository's date, or a digest of the system's lists; else empty"
     )
     size: Size
     parts: dict[str, Size] = Field(description="what it is the sum of: ROS images by target, parts by name")
     layers: tuple[Count, ...] = Field(description="its layers, lowest first: positions in the catalogue's `layers`")
-    versions: dict[str, str] = Field(description="what was found inside; what the labels say where nobody looked")
+    versions: dict[str, str] = Field(description="the versions found inside; those of the labels if it was not tested")
     found_inside: bool = Field(description="whether the versions were found inside, by the tests")
-    tests: Tests | None = Field(description="null where nobody knows")
-    scan: Scan | None = Field(description="null where there was none")
+    tests: Tests | None = Field(description="null if unknown")
+    scan: Scan | None = Field(description="null if there was none")
 
 
 class Build(Fact):
@@ -117,7 +117,7 @@ class Move(Fact):
     """A run moved the main tag."""
 
     run: str = Field(description="date of the run")
-    old: str = Field(description="where the tag was; empty: nowhere")
+    old: str = Field(description="the digest before; empty if there was none")
     new: str
 
 
@@ -125,7 +125,7 @@ class Tagged(Fact):
     """What images and parts have in common."""
 
     repository: str = Field(description="without the registry")
-    tags: tuple[Tag, ...] = Field(description="the main one first; none where nothing is published")
+    tags: tuple[Tag, ...] = Field(description="the main one first; none if nothing is published")
     builds: tuple[Build, ...] = Field(
         description="the one that the main tag points at first, then others, newest first"
     )
@@ -143,7 +143,7 @@ class Image(Tagged):
     platforms: tuple[str, ...] = Field(description="those that the matrix allows; a build has its own")
     promised: dict[str, str] = Field(description="versions that the matrix gives it")
     status: Status
-    reason: str = Field(description="why it is not published; empty where it is")
+    reason: str = Field(description="why it is not published; empty if it is")
 
 
 class Part(Tagged):
@@ -152,7 +152,7 @@ class Part(Tagged):
     name: str
     kind: str
     stack: str
-    python: str = Field(description="`any` where it is the same for all")
+    python: str = Field(description="`any` if it is the same for all")
     platforms: tuple[str, ...]
 
 
@@ -180,7 +180,7 @@ class Published(Fact):
 
 
 def status(image: Wanted, built: bool) -> tuple[Status, str]:
-    """Whether an image was built, tested and published, as its `built` says; and if not, why."""
+    """Whether an image was built, tested and published (`built`), and if not, why."""
     if built:
         return "built", ""
-    return "not built", missing.reason(image) if image.unlocked else "nobody has built it yet"
+    return "not built", missing.reason(image) if image.unlocked else "it is not built yet"

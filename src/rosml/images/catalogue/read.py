@@ -1,7 +1,7 @@
-"""Reads what is published: the matrix says what to look for, the registry what is there, the records what is known of it.
+"""Reads what is published, from the matrix, the registry and the records.
 
-Nothing is pulled but manifests and configs, each once. What cannot be read is left out and told: one damaged image does
-not keep people from finding the others.
+It pulls only manifests and configs, each once. If an image cannot be read, it is left out with a remark, and people still find the
+others.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ from rosml.registry import documents
 from rosml.registry.place import Place
 
 HISTORY = 10
-"""How many builds of an image without a tag are described at most: the newest. Those with one are all described."""
+"""The most builds without a tag that are described for an image: the newest. All builds with a tag are described."""
 
 _SYNC = f"{PREFIX}ros.sync"
 
@@ -55,7 +55,7 @@ Value = TypeVar("Value")
 
 @dataclass(frozen=True)
 class _Member:
-    """An image manifest, its platform and labels, and what the records say of it: now, or when an index was made of it."""
+    """An image manifest, its platform and labels, and its entry in the records: the present one, or that of its index."""
 
     digest: str
     platform: str
@@ -79,7 +79,7 @@ class _Index:
 
 @dataclass
 class _Found:
-    """What the registry has of an image or part: where its tags are, and everything that they point or pointed at."""
+    """An image or part in the registry: its tags, and all their present and former indexes."""
 
     tags: dict[str, str] = field(default_factory=dict)
     moves: list[Move] = field(default_factory=list)
@@ -91,9 +91,9 @@ class Gatherer:
     """Reads a registry.
 
     Attributes:
-        image_set: what the matrix describes.
-        place: where images are.
-        history: how many builds to describe of an image that no tag points at any more.
+        image_set: the image set of the matrix.
+        place: the registry and the path of its repositories.
+        history: the number of builds without a tag to describe for each image.
         remarks: what was left out, and why.
     """
 
@@ -104,10 +104,11 @@ class Gatherer:
     _current: dict[str, Entry] = field(default_factory=dict)
 
     def gather(self, created: str, only: Sequence[str] = ()) -> Published:
-        """All that is published of the images that are asked for, their ROS images, and parts.
+        """Everything that is published of the wanted images, their ROS images, and parts.
 
         Args:
-            created: the time to write down. only: patterns of targets, or groups; all if empty.
+            created: the time for the catalogue.
+            only: patterns of targets, or groups; all if empty.
 
         Raises:
             RosmlError: the registry does not answer, or there is no such image.
@@ -137,7 +138,7 @@ class Gatherer:
         )
 
     def _with_parents(self, images: Iterable[sets.Image]) -> tuple[sets.Image, ...]:
-        """Images and the ROS images below them, which say whose layers are whose; in the matrix's order."""
+        """Images and the ROS images below them, which tell the owners of layers; in the matrix's order."""
         names: set[str] = set()
         for image in images:
             link: sets.Image | None = image
@@ -160,7 +161,7 @@ class Gatherer:
     # ---- The registry ------------------------------------------------------------------------------------------------
 
     def _find(self, things: Sequence[Thing], known: Mapping[tuple[str, str], Entry]) -> dict[str, _Found]:
-        """What the registry has, by target."""
+        """The images and parts in the registry, by target."""
         repositories = dict.fromkeys(repository_of(thing) for thing in things)
         names = _each(repositories, lambda name: _by_base(self.place.client.tags(self.place.path(name))), "tags")
         found = {thing.target: _Found() for thing in things}
@@ -184,7 +185,7 @@ class Gatherer:
         return found
 
     def _described(self, main: str, tags: Mapping[str, str], indexes: Iterable[_Index | None]) -> list[_Index]:
-        """The present one, then others, newest first: whatever a tag points at, and some that none points at any more."""
+        """The present index, then others, newest first: all with a tag, and some without one."""
         there = [index for index in indexes if index]
         there.sort(key=lambda index: (index.digest == tags.get(main), index.created), reverse=True)
         tagged = set(tags.values())
@@ -193,7 +194,7 @@ class Gatherer:
         return [index for index in there if index.digest in kept]
 
     def _moves(self) -> dict[tuple[str, str], list[Move]]:
-        """How tags moved, by repository and tag, newest first: as records of runs tell."""
+        """The moves of tags in the records of runs, by repository and tag, newest first."""
         book = Records(self.place)
         found: dict[tuple[str, str], list[Move]] = {}
         names = sorted(
@@ -214,7 +215,7 @@ class Gatherer:
             return []
 
     def _index(self, repository: str, digest: str) -> _Index | None:
-        """An index and its images; None where it is gone or damaged.
+        """An index and its images; None if it is gone or damaged.
 
         Raises:
             RosmlError: the registry does not answer.
@@ -222,7 +223,7 @@ class Gatherer:
         path = self.place.path(repository)
         try:
             found = self.place.client.manifest(path, digest)
-            if found is None:  # a build that was removed since
+            if found is None:  # the build was removed
                 return None
             if not found.is_index:
                 raise ValueError("it is no index")
@@ -230,7 +231,7 @@ class Gatherer:
             members = [self._member(path, *item) for item in listed if not item[1].startswith("unknown")]
             return _Index(digest, date_of(found), tuple(members))
         except (ArithmeticError, LookupError, TypeError, ValueError, RosmlError) as error:
-            self.place.client.head(path, digest)  # a registry that does not answer any more is another matter
+            self.place.client.head(path, digest)  # raises if the registry does not answer any more
             self.remarks.append(f"{repository}@{digest} is left out: it cannot be read ({error})")
             return None
 
@@ -241,11 +242,11 @@ class Gatherer:
         config = self.place.client.config(path, found)
         layers = tuple((layer.digest, layer.size) for layer in found.layers)
         entry = self._current.get(digest)
-        if entry is None:  # of one that another has taken the place of since
+        if entry is None:  # another image has replaced it in the records
             entry = Records(self.place).attached(path.removeprefix(self.place.path("")), digest)
         return _Member(digest, platform, layers, config.labels, entry)
 
-    # ---- What it means -----------------------------------------------------------------------------------------------
+    # ---- Facts -------------------------------------------------------------------------------------------------------
 
     def _image(self, image: sets.Image, found: _Found, table: _Table) -> Image:
         main = found.tags.get(tags_of(image)[0], "")
@@ -301,7 +302,7 @@ class Gatherer:
 
 
 class _Table:
-    """Layers, whose they are, and how large parts are unpacked: what is known of one image from others."""
+    """Layers, their owners, and the unpacked sizes of parts: facts about one image from others."""
 
     def __init__(
         self,
@@ -311,7 +312,7 @@ class _Table:
         self.layers: list[Layer] = []
         self._position: dict[str, int] = {}
         self._counted = ["python", *dict.fromkeys(name for part in image_set.matrix.parts for name in part.brings)]
-        # Parts first; then ROS images from the lowest up, so that a layer belongs to the lowest that has it.
+        # Parts first, then ROS images from the lowest up: a layer belongs to the lowest image that has it.
         whole: list[Thing] = [
             *image_set.parts,
             *sorted((i for i in image_set.images if not i.stack), key=_height(image_set)),
@@ -332,9 +333,9 @@ class _Table:
     def _measure(
         self, image_set: sets.ImageSet, indexes: Mapping[str, Sequence[_Index]]
     ) -> Iterator[tuple[tuple[int, ...], int]]:
-        """Unpacked sizes of parts by their layers: what an image has more than all its other parts together.
+        """The unpacked sizes of parts, by their layers: the size of an image without all its other parts.
 
-        Only what was measured is told: a ROS image less the one below it, and a part that is alone beside known ones.
+        It gives only measured sizes: a ROS image without the one below it, and a part if all others in the image are known.
         """
         sizes: dict[tuple[int, ...], int] = {}
         totals = []
@@ -354,7 +355,7 @@ class _Table:
         yield from sizes.items()
 
     def _grouped(self, member: _Member) -> dict[str, tuple[int, ...]]:
-        """The layers of an image by the part that brought them, in their order."""
+        """The layers of an image by their part, in their order."""
         parts: dict[str, tuple[int, ...]] = {}
         for digest, _ in member.layers:
             position = self._position[digest]
@@ -397,7 +398,7 @@ class _Table:
 
 
 class _Scanned(BaseModel):
-    """What an entry of the records says of a scan."""
+    """The scan in an entry of the records."""
 
     model_config = ConfigDict(strict=True)
 
@@ -408,7 +409,7 @@ class _Scanned(BaseModel):
 
 
 def scan_of(entry: Entry) -> Scan | None:
-    """What is known of an image's vulnerabilities; None where it was not scanned, or the entry is damaged."""
+    """The result of an image's scan; None if it was not scanned, or if the entry is damaged."""
     try:
         found = _Scanned.model_validate(dict(entry.scan))
         return Scan(
@@ -423,7 +424,7 @@ def scan_of(entry: Entry) -> Scan | None:
 
 
 def _sharing(images: Iterable[Image], layers: Sequence[Layer]) -> Sharing:
-    """What sharing saves among present builds."""
+    """The bytes that present builds save by sharing layers."""
     platforms = [platform for image in images if image.status == "built" for platform in image.builds[0].platforms]
     used = [position for platform in platforms for position in dict.fromkeys(platform.layers)]
     return Sharing(
@@ -434,7 +435,7 @@ def _sharing(images: Iterable[Image], layers: Sequence[Layer]) -> Sharing:
 
 
 def _parts(image_set: sets.ImageSet, image: sets.Image) -> list[str]:
-    """Whose layers an image has: ROS images from the lowest up, then parts."""
+    """The owners of an image's layers: ROS images from the lowest up, then parts."""
     chain: list[str] = []
     link = image_set.by_target.get(image.parent) if image.stack else image
     while link:
@@ -448,7 +449,7 @@ def _height(image_set: sets.ImageSet) -> Callable[[sets.Image], int]:
 
 
 def _by_base(tags: Iterable[str]) -> dict[str, list[str]]:
-    """The tags of a repository by what they are without a day."""
+    """The tags of a repository, by their names without a day."""
     found: dict[str, list[str]] = {}
     for tag in tags:
         found.setdefault(DATED.sub("", tag), []).append(tag)
@@ -456,7 +457,7 @@ def _by_base(tags: Iterable[str]) -> dict[str, list[str]]:
 
 
 def _tags_there(thing: Thing, there: Mapping[str, list[str]]) -> list[str]:
-    """Those tags of a repository that are an image's: the matrix's, and dated ones of the main tag."""
+    """The tags of an image in its repository: those of the matrix, and dated ones of the main tag."""
     main, *others = tags_of(thing)
     return [*there.get(main, ()), *(tag for tag in others if tag in there.get(tag, ()))]
 
@@ -465,7 +466,7 @@ _ORDER = {"main": 0, "versions": 1, "floating": 2, "dated": 3}
 
 
 def _kind(thing: Thing, tag: str) -> Any:
-    """What a tag is for."""
+    """The kind of a tag."""
     main = tags_of(thing)[0]
     if tag == main:
         return "main"
@@ -481,12 +482,12 @@ def _spelled(run: str) -> str:
 
 
 def _platform(place: documents.Platform | None) -> str:
-    """Under BuildKit's name: `linux/arm64`."""
+    """BuildKit's name of a platform: `linux/arm64`."""
     platform = "/".join(filter(None, (place.os, place.architecture, place.variant))) if place else ""
     return platform.removesuffix("/v8") if platform.startswith("linux/arm64") else platform
 
 
 def _each(keys: Iterable[Key], work: Callable[[Key], Value], title: str) -> dict[Key, Value]:
-    """Asks for several things at a time; a terminal shows how many of them have answered."""
+    """Asks for several things at a time, with a progress bar on a terminal."""
     wanted = list(keys)
     return dict(zip(wanted, side_by_side(work, wanted, title=title), strict=True))

@@ -1,4 +1,4 @@
-"""The tables of images in README.md, rendered from the catalogue between two markers."""
+"""Writes the tables of images into README.md, between two markers."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ END = "<!-- /images -->"
 
 
 def render(readme: str, image_set: ImageSet) -> str:
-    """The README with the tables of this catalogue.
+    """The README with the tables of this image set.
 
     Raises:
         RosmlError: the markers are missing.
@@ -23,14 +23,12 @@ def render(readme: str, image_set: ImageSet) -> str:
     head, begin, rest = readme.partition(BEGIN)
     _, end, tail = rest.partition(END)
     if not begin or not end:
-        raise RosmlError(
-            f"README.md: the markers {BEGIN} and {END} are missing", "put them back where the table belongs"
-        )
+        raise RosmlError(f"README.md: the markers {BEGIN} and {END} are missing", "put them back around the table")
     return f"{head}{BEGIN}\n{tables(image_set)}{END}{tail}"
 
 
 def tables(image_set: ImageSet) -> str:
-    """Images without a lock; distributions with their components; then what images carry, and on which distributions."""
+    """Images without a lock; distributions with their components; then frameworks with their versions and distributions."""
     head = ["distribution", "ROS", "system, Python", "components", "end of life", "images"]
     lines = [*_unlocked(image_set), f"| {' | '.join(head)} |", "| --- " * len(head) + "|"]
     lines += [*_distributions(image_set)]
@@ -40,7 +38,7 @@ def tables(image_set: ImageSet) -> str:
 
 
 def _unlocked(image_set: ImageSet) -> Iterator[str]:
-    """Which images cannot be built from the locks that are there, and what makes those; nothing where all can be."""
+    """The images that lack a lock, and how to make it; nothing if all can be built."""
     rows: dict[str, dict[str, None]] = {}
     lacking = [image for image in image_set.images if not image.locked]
     for image in lacking:
@@ -97,7 +95,7 @@ def _content(image_set: ImageSet, image: Image) -> str:
 
 
 def _abi(image_set: ImageSet, image: Image) -> str:
-    """Says which images' C++ libraries cannot be linked together with ROS's."""
+    """A remark on images whose C++ libraries cannot be linked together with ROS's."""
     matrix = image_set.matrix
     for family in rules.families(matrix, matrix.frameworks[image.framework]):
         if not matrix.releases[family][image.versions[family]].cxx11_abi:

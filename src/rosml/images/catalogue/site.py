@@ -1,7 +1,7 @@
 """Writes the catalogue: catalogue.json for programs, and a page for people that needs no server.
 
-The page's own files are in the folder `page` and are copied as they are. Its data is a script beside them: a browser that opens
-a file lets a page load a script, and no JSON.
+The page's own files are copied from the folder `page`. Its data is a script beside them: from a file, a browser lets a page load a
+script, but no JSON.
 """
 
 from __future__ import annotations
@@ -21,15 +21,15 @@ def text(published: Published) -> str:
 
 
 def script(content: str) -> str:
-    """The same as a script. A text that is parsed is read several times faster than an object that is written out."""
+    """catalogue.json as a script. Browsers read a parsed text several times faster than an object literal."""
     return f"window.catalogue = JSON.parse({json.dumps(content.rstrip())});\n"
 
 
 def write(folder: Path, published: Published) -> list[Path]:
-    """Writes catalogue.json and the page into a folder, all or nothing; gives its files.
+    """Writes catalogue.json and the page into a folder, all or nothing. Returns the files.
 
     Raises:
-        RosmlError: it cannot be written.
+        RosmlError: a file cannot be written.
     """
     content = text(published)
     wanted = {"catalogue.json": content, "data.js": script(content)}

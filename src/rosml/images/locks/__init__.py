@@ -1,1 +1,1 @@
-"""Locks: resolved from what the matrix asks for, and digests of base images. Uses image_set and below."""
+"""Locks, resolved from the requirements of the matrix, and digests of base images. Uses image_set and below."""

@@ -1,7 +1,7 @@
-"""Digests of base images in matrix.yaml, moved to what the images' tags point at now.
+"""Moves the digests of base images in matrix.yaml to those of their tags.
 
-An image is built from the digest that the matrix names, whatever its tag does. So a base image that its makers renewed
-comes in as a change of the matrix, which everything that depends on it counts as an input.
+An image is built from the digest in the matrix, even if the tag moves. So a renewed base image comes in as a change of the matrix,
+which is an input of everything that depends on it.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from rosml.registry.credentials import DOCKER_HUB
 SECTION = "operating_systems"
 
 WITHOUT_HUB = "ROSML_DOCKER_HUB"
-"""The variable that says, with 0, that Docker Hub does not answer: set-up knows it as well."""
+"""The variable with 0 if Docker Hub does not answer, as in setup."""
 
 
 @dataclass(frozen=True)
 class Pin:
-    """A base image that moved: the operating system, the image with its tag, the digest in the matrix, and the one of now."""
+    """A moved base image: the operating system, the image with its tag, the digest in the matrix, and the new one."""
 
     system: str
     image: str
@@ -37,11 +37,11 @@ class Pin:
 
 @dataclass
 class Pins:
-    """What became of the base images.
+    """The digests of all base images.
 
     Attributes:
-        moved: those whose tag points elsewhere.
-        left_out: those of which nobody knows, with the reason.
+        moved: base images whose tag has another digest.
+        left_out: base images that could not be checked, with the reason.
     """
 
     moved: list[Pin] = field(default_factory=list)
@@ -49,11 +49,11 @@ class Pins:
 
 
 def look(matrix: Matrix, registries: Callable[[str], Registry]) -> Pins:
-    """Asks the registries where the tags of all base images point.
+    """Asks the registries for the digests of all base images.
 
     Args:
-        matrix: names the images.
-        registries: gives the client of a host.
+        matrix: the matrix with the images.
+        registries: returns the client of a host.
     """
     found = Pins()
     systems = matrix.operating_systems
@@ -77,7 +77,7 @@ def _current(matrix: Matrix, system: OperatingSystem, registries: Callable[[str]
     """The digest of an image's index now.
 
     Raises:
-        RosmlError: the registry does not answer; or what it has does not do for all architectures.
+        RosmlError: the registry does not answer; or the image lacks an architecture.
     """
     where = references.parse(system.image)
     if where.host == DOCKER_HUB and os.environ.get(WITHOUT_HUB) == "0":
@@ -96,10 +96,11 @@ def _current(matrix: Matrix, system: OperatingSystem, registries: Callable[[str]
 
 
 def rewritten(text: str, document: Document, pins: Iterable[Pin]) -> str:
-    """The text of a matrix with other digests; all else, comments included, as it was.
+    """The text of a matrix with new digests. Everything else stays, including comments.
 
     Args:
-        text: of the file. document: the same, parsed.
+        text: the file's text.
+        document: the parsed file.
     """
     lines = text.splitlines(keepends=True)
     for pin in pins:
@@ -112,10 +113,10 @@ def rewritten(text: str, document: Document, pins: Iterable[Pin]) -> str:
 
 
 def rows(moved: Iterable[Pin]) -> list[tuple[str, str, str, str]]:
-    """For a table: system, image, and the beginnings of the digests."""
+    """Rows for a table: system, image, and the beginnings of the digests."""
     return [(pin.system, pin.image, pin.old[:19], pin.new[:19]) for pin in moved]
 
 
 def reasons(left_out: Mapping[str, str]) -> list[str]:
-    """A line for each base image of which nobody knows."""
+    """A line for each base image that could not be checked."""
     return [f"{name}: its base image stays as it is: {reason}" for name, reason in left_out.items()]

@@ -1,8 +1,8 @@
-"""Which releases people get of packages that they install into images, and what keeps them from newer ones.
+"""The releases that people get of packages that they install into images, and the reasons why they get no newer ones.
 
-Each package is resolved for the Python of an image three times: with what pip and uv keep to there, beside the packages that
-have one version in the image, and by itself. The first two must agree: a constraint that takes an older release, or none, pins
-what need not be pinned. Nothing is installed, and no wheel downloaded.
+Each package is resolved three times for the Python of an image: with the constraints of pip and uv there, beside the packages that
+have one version in the image, and by itself. The first two must agree: if a constraint leads to an older release, or to none, it
+pins more than necessary. Nothing is installed, and no wheel is downloaded.
 """
 
 from __future__ import annotations
@@ -38,23 +38,26 @@ PACKAGES = (
     "ray", "scikit-learn", "scipy", "sentence-transformers", "stable-baselines3", "tensorboard", "timm", "transformers",
     "ultralytics", "vllm", "wandb",
 )  # fmt: skip
-"""What is looked at. An extra may be lost: an older release has it not, and pip and uv only warn."""
+"""The packages to check. An extra may get lost: if an older release lacks it, pip and uv only warn."""
 
 GLIBC = {"bookworm": 36, "trixie": 40, "ubuntu-20.04": 31, "ubuntu-22.04": 35, "ubuntu-24.04": 39, "ubuntu-26.04": 40}
-"""Of which glibc, 2.N, wheels may be on a system; uv knows none above 2.40."""
+"""For each system, the N of the newest glibc 2.N for its wheels. uv knows none above 2.40."""
 
 FILE, PAGE = "locks/installs.json", "docs/installs.md"
-"""Where the answer is kept below the project's root, and the page that shows it between two markers."""
+"""The file with the answer, and the page that shows it between two markers; both below the project's root."""
 
 BEGIN, END = "<!-- installs: written by 'rosml locks --installs' -->\n", "<!-- /installs -->"
 
 
 @dataclass(frozen=True, order=True)
 class Environment:
-    """The Python of images: those of one stack and version of Python are alike in it, but for the frameworks.
+    """The Python of images. Images with the same stack and version of Python differ in it only by the frameworks.
 
     Attributes:
-        framework: as in the matrix; the one with the most parts. stack: its name. python: its version. architecture: the first one that the images have.
+        framework: the framework with the most parts, as in the matrix.
+        stack: the name of the stack.
+        python: the version of Python.
+        architecture: the first architecture of the images.
     """
 
     framework: str
@@ -65,12 +68,15 @@ class Environment:
 
 @dataclass(frozen=True, order=True)
 class Found:
-    """What people get of a package.
+    """The release that people get of a package.
 
     Attributes:
-        package: with its extras. version: empty if it is refused. newest: for this Python by itself; empty if the index has no
-            wheel of it. held_by: constraints that keep it from the newest. extra: whether that release has the extra.
-        beside: what the packages with one version in the image would let people have.
+        package: the package with its extras.
+        version: the version; empty if it is refused.
+        newest: the newest version for this Python by itself; empty if the index has no wheel of it.
+        held_by: constraints that keep it from the newest version.
+        extra: whether that release has the extra.
+        beside: the version beside the packages that have one version in the image.
     """
 
     package: str
@@ -82,7 +88,7 @@ class Found:
 
 
 def environments(image_set: ImageSet) -> list[Environment]:
-    """One for each stack and Python that images with a lock have, oldest Python first: with the most parts that there are."""
+    """An environment for each stack and Python of images with a lock, with the most parts, the oldest Python first."""
     found: dict[tuple[str, str], Environment] = {}
     for image in sorted(image_set.images, key=lambda image: len(image.parts)):
         if image.locked and _slots(image_set, image.framework):
@@ -96,7 +102,7 @@ def _number(python: str) -> int:
 
 
 def _slots(image_set: ImageSet, framework: str) -> list[str]:
-    """The parts of a framework that pip and uv know of."""
+    """The parts of a framework whose packages pip and uv see."""
     return [name for name in image_set.matrix.frameworks[framework].parts if image_set.matrix.part[name].slot]
 
 
@@ -110,7 +116,7 @@ class Index:
     def resolve(
         self, environment: tuple[str, str], wanted: Iterable[str], constraints: Iterable[str] = (), *options: str
     ) -> tuple[str, str]:
-        """What `uv pip compile` writes for a Python and a platform of wheels, empty where nothing fits; and what it says."""
+        """The requirements from `uv pip compile` for a Python and a platform of wheels, empty if nothing fits; and its messages."""
         with tempfile.TemporaryDirectory() as folder:
             base = Path(folder)
             (base / "in.txt").write_text("\n".join(wanted) + "\n")
@@ -122,7 +128,7 @@ class Index:
                 "--constraint",
                 "constraints.txt",
             ]
-            command.remove("--quiet")  # which says nothing of extras that are lost
+            command.remove("--quiet")  # with --quiet, uv does not warn about lost extras
             output = base / ("pylock.toml" if options else "out.txt")
             status, said = self.uv([*command, *options, "in.txt", "--output-file", output.name], base)
             if status == 0:
@@ -132,7 +138,7 @@ class Index:
         return "", said
 
     def metadata(self, environment: tuple[str, str], pins: Mapping[str, str]) -> dict[str, str]:
-        """The metadata of packages in their versions, out of their wheels, of which it reads no more than that."""
+        """The metadata of packages in their versions. It reads no other part of their wheels."""
         wanted = [f"{name}=={version}" for name, version in pins.items()]
         text, said = self.resolve(environment, wanted, (), "--no-deps", "--format", "pylock.toml")
         if not text:
@@ -148,7 +154,7 @@ class Index:
 
 
 class _Remote(io.RawIOBase):
-    """A file of a server, read in pieces."""
+    """A file on a server, read in pieces."""
 
     def __init__(self, client: httpx.Client, url: str, size: int) -> None:
         self._client, self._url, self._size, self._at = client, url, size, 0
@@ -172,7 +178,7 @@ class _Remote(io.RawIOBase):
             return 0
         answer = self._client.get(self._url, headers={"Range": f"bytes={self._at}-{last}"}, follow_redirects=True)
         if answer.status_code != httpx.codes.PARTIAL_CONTENT:
-            raise RosmlError("the index sends no pieces of wheels", "run it where an index does")
+            raise RosmlError("the index sends no pieces of wheels", "run it with an index that does")
         buffer[: len(answer.content)] = answer.content
         self._at += len(answer.content)
         return len(answer.content)
@@ -185,10 +191,12 @@ def look(
     stacks: Sequence[str] = (),
     say: Callable[[str], None] = lambda line: None,
 ) -> dict[Environment, list[Found]]:
-    """What people get in every environment.
+    """The releases that people get in every environment.
 
     Args:
-        root: of the checkout. stacks: only these; all if empty. say: told what was looked at, a line at a time.
+        root: the checkout.
+        stacks: only these stacks; all if empty.
+        say: gets messages, a line each.
 
     Raises:
         RosmlError: uv is missing, or the index does not answer.
@@ -213,9 +221,9 @@ def words(environment: Environment) -> str:
 
 
 def constraints(image_set: ImageSet, root: Path, environment: Environment, index: Index) -> list[str]:
-    """What pip and uv keep to in an environment, as images have it: by the scripts that build them, from locks.
+    """The constraints of pip and uv in an environment, as in images: from locks, by the scripts that build images.
 
-    What is installed in an image needs no index. Of wheels that another index has this takes the version alone.
+    Packages in an image need no index. For wheels from another index, this takes only the version.
     """
     system = image_set.matrix.operating_systems[_system(image_set, environment)]
     script = [str(root / "components/base/constraints.sh")]
@@ -228,12 +236,12 @@ def constraints(image_set: ImageSet, root: Path, environment: Environment, index
 
 
 def _system(image_set: ImageSet, environment: Environment) -> str:
-    """The operating system of an environment: each has a Python of its own."""
+    """The operating system of an environment, by its Python."""
     return next(image.os for image in image_set.images if image.python == environment.python)
 
 
 def _wheels(image_set: ImageSet, environment: Environment) -> tuple[str, str]:
-    """The Python of an environment, and the platform of the wheels that pip takes there."""
+    """The Python of an environment, and the platform of pip's wheels there."""
     oldest = image_set.matrix.architectures[environment.architecture].wheels
     return environment.python, re.sub(
         r"manylinux_2_\d+", f"manylinux_2_{GLIBC[_system(image_set, environment)]}", oldest
@@ -243,12 +251,12 @@ def _wheels(image_set: ImageSet, environment: Environment) -> tuple[str, str]:
 def _slot(
     image_set: ImageSet, root: Path, environment: Environment, part: str, where: tuple[str, str], index: Index
 ) -> str:
-    """What `components/part/packages.py` writes for a part."""
+    """The constraints that `components/part/packages.py` writes for a part."""
     place = (environment.stack, environment.architecture)
     text = _lock(root, *place, environment.python, part)
     pins = versions(text)
     local = {name for name, version in pins.items() if "+" in version}
-    nvidia = {name for name in pins if name.startswith("nvidia-")}  # they ask for one another alone
+    nvidia = {name for name in pins if name.startswith("nvidia-")}  # they only require each other
     asked = index.metadata(where, {name: pins[name] for name in pins.keys() - local - nvidia}) if pins else {}
     for name in local:
         requires = image_set.matrix.releases[name][pins[name].partition("+")[0]].requires
@@ -296,23 +304,23 @@ def of_package(
     text, said = index.resolve(where, [f"{package}=={better}"], constraints)
     mentioned = set(re.findall(r"[a-z0-9][a-z0-9-]*", said))
     held = [line for line in constraints if package_name(line) in mentioned and line not in never]
-    # What is said of the package itself, then of what has one version, then the rest.
+    # First the package's own constraints, then those of packages with one version, then the rest.
     own = [line for line in held if package_name(line) == name]
     pinned = [line for line in held if line in core]
     return replace(found, held_by=() if text else tuple(sorted(set(own or pinned or held))))
 
 
 def _version(text: str, said: str, package: str) -> tuple[str, bool]:
-    """What a package resolved to, and whether that release has its extras."""
+    """The resolved version of a package, and whether that release has its extras."""
     found = versions(re.sub(r"\[[^]]*\]", "", text)).get(package_name(package), "")
     return found, "does not have an extra named" not in said
 
 
 def too_old(found: Mapping[Environment, Sequence[Found]]) -> list[str]:
-    """Where constraints take another release than the packages with one version in the image, in words."""
+    """Sentences about packages for which constraints take another release than the packages with one version in the image."""
     return [
         f"{words(environment)}: {item.package} {item.version or 'is refused'}, and {item.beside or 'none'} would go:"
-        f" {', '.join(item.held_by) or 'nobody knows what holds it'}"
+        f" {', '.join(item.held_by) or 'unknown what holds it'}"
         for environment, items in found.items()
         for item in items
         if item.version != item.beside
@@ -320,7 +328,7 @@ def too_old(found: Mapping[Environment, Sequence[Found]]) -> list[str]:
 
 
 def to_json(found: Mapping[Environment, Sequence[Found]]) -> str:
-    """What `FILE` has: the same answers give the same bytes."""
+    """The content of `FILE`. The same answers give the same bytes."""
     rows = [
         {**asdict(environment), "packages": [asdict(item) for item in items]} for environment, items in found.items()
     ]
@@ -328,7 +336,7 @@ def to_json(found: Mapping[Environment, Sequence[Found]]) -> str:
 
 
 def render(page: str, found: Mapping[Environment, Sequence[Found]]) -> str:
-    """The page with its table as it is now.
+    """The page with an up-to-date table.
 
     Raises:
         RosmlError: markers are missing.
@@ -341,7 +349,7 @@ def render(page: str, found: Mapping[Environment, Sequence[Found]]) -> str:
 
 
 def _table(found: Mapping[Environment, Sequence[Found]]) -> Iterable[str]:
-    """The packages that are the newest everywhere; then what people get of others, newest first."""
+    """First the packages that are the newest everywhere, then the releases of others, newest first."""
     rows: dict[str, dict[tuple[str, str], list[Environment]]] = {package: {} for package in PACKAGES}
     for environment, items in found.items():
         for item in items:

@@ -1,16 +1,16 @@
-"""Hash-pinned locks: resolve a stack once, split the result into parts.
+"""Hash-pinned locks: resolves a stack once, and splits the result into parts.
 
-A stack is resolved as a whole, so that its releases, CUDA and numpy agree, and written as one requirements file per part.
-What a part holds follows from the dependency graph, and from what its entry in matrix.yaml says:
+A stack is resolved as a whole, so that its releases, CUDA and numpy agree, and written as one requirements file per part. The
+packages of a part follow from the dependency graph and its entry in matrix.yaml:
 
-* a part of the name of a release holds what only that release needs
-* one that `takes` packages holds these, whatever needs them: NVIDIA's libraries
-* one that `adds` packages holds them although no release asks for them: C++ headers of CUDA
-* one that `repeats` packages of its release holds them once more
-* the `shared` one holds numpy, and what several releases need
+* a part with the name of a release has the packages that only this release needs
+* a part that `takes` packages has these, whatever needs them: NVIDIA's libraries
+* a part that `adds` packages has them although no release asks for them: C++ headers of CUDA
+* a part that `repeats` packages of its release has them once more
+* the `shared` part has numpy and the packages that several releases need
 
-A distribution whose ROS comes from wheels is resolved like a stack; its one part, ``ros``, is all of it but what the
-operating system has.
+A distribution whose ROS comes from wheels is resolved like a stack. Its only part, ``ros``, has everything that the operating
+system lacks.
 """
 
 from __future__ import annotations
@@ -47,8 +47,8 @@ class Elsewhere:
 
     Attributes:
         requirement: the wheel with its local version, e.g. ``torch==2.10.0+cpu``.
-        digest: its published sha256; empty where that index has to be asked.
-        requires: the wheel's requirements, which are on the Python package index.
+        digest: its published sha256; empty if we have to ask that index.
+        requires: the wheel's requirements, which the Python package index has.
     """
 
     requirement: str
@@ -58,25 +58,25 @@ class Elsewhere:
 
 @dataclass(frozen=True)
 class Request:
-    """What to resolve: one stack, or the wheels of a distribution, for one Python version on one architecture.
+    """A request: a stack, or the wheels of a distribution, for one Python version on one architecture.
 
     Attributes:
-        stack: name of the stack, e.g. ``cu128``, or of the distribution.
+        stack: the name of the stack, e.g. ``cu128``, or of the distribution.
         architecture: ``amd64`` or ``arm64``.
-        python: version of the interpreter, e.g. ``3.11``.
+        python: the version of Python, e.g. ``3.11``.
         wheels: uv's name of the wheel platform, e.g. ``x86_64-manylinux_2_28``.
-        roots: requirement of each framework, e.g. ``{"torch": "torch==2.10.0"}``; of ROS, each package's own.
-        ros: whether it is a distribution's.
-        numpy: version specifier that keeps the ABI of the operating system's own numpy, e.g. ``<2``.
+        roots: the requirement of each framework, e.g. ``{"torch": "torch==2.10.0"}``; for ROS, each package's own.
+        ros: whether it is for a distribution.
+        numpy: the version specifier that keeps the ABI of the operating system's own numpy, e.g. ``<2``.
         constraints: further requirements of the stack.
-        added: requirements of packages that parts hold although no framework asks for them.
-        provided: packages the operating system has and the part must not carry, with their versions.
+        added: requirements of packages that parts have although no framework asks for them.
+        provided: packages of the operating system that the part must not have, with their versions.
         cuda: the stack's versions of ``cuda``, ``cudnn`` and ``nccl``; empty for a stack without CUDA.
         elsewhere: frameworks whose wheels only PyTorch's own index has.
-        parts: what the packages are dealt out to; none of ROS.
-        beside: requirements of what goes with each framework.
-        adapted: what the metadata of each framework asks for in the place of what its wheel's does, as lines of locks.
-        overrides: the same, as requirements.
+        parts: the parts that get the packages; none for ROS.
+        beside: requirements of the packages that go with each framework.
+        adapted: requirements of each framework that replace its wheel's, as lines of locks.
+        overrides: the same as requirements.
     """
 
     stack: str
@@ -98,7 +98,7 @@ class Request:
 
     @property
     def asks_pytorch(self) -> bool:
-        """Whether PyTorch's own index has to be asked: the digest of a wheel is not known."""
+        """Whether we have to ask PyTorch's own index, because the digest of a wheel is unknown."""
         return any(not wheel.digest for wheel in self.elsewhere.values())
 
     def __str__(self) -> str:
@@ -108,7 +108,7 @@ class Request:
 
 @dataclass(frozen=True)
 class Pin:
-    """One locked package: its version, the hashes of its files, and the packages that asked for it."""
+    """A locked package: its version, the hashes of its files, and the packages that require it."""
 
     name: str
     version: str
@@ -117,11 +117,11 @@ class Pin:
 
 
 def requests(image_set: ImageSet) -> Iterator[Request]:
-    """Every resolution that the parts of an image set need: one per stack, Python version and architecture; one per
-    framework where those of a stack contradict each other."""
+    """Every resolution for the parts of an image set: one per stack, Python version and architecture; one per framework if those of
+    a stack contradict each other."""
     matrix = image_set.matrix
     seen: set[tuple[str, str, str]] = set()
-    # What no part holds has no wheel there, and would make the whole stack unresolvable.
+    # Frameworks without a part have no wheel there, and would make the whole stack unresolvable.
     held = {
         (part.stack, architecture, part.python, part.kind)
         for part in image_set.parts
@@ -129,7 +129,7 @@ def requests(image_set: ImageSet) -> Iterator[Request]:
     }
     for part in image_set.parts:
         if part.python == ANY_PYTHON:
-            continue  # comes out of the resolution for any Python version
+            continue  # comes from the resolutions for all Python versions
         system = matrix.operating_systems[part.os]
         stack = matrix.stacks[part.stack]
         for architecture in part.architectures:
@@ -199,7 +199,7 @@ def _ros_requests(image_set: ImageSet) -> Iterator[Request]:
 
 
 def _elsewhere(matrix: Matrix, stack: str, architecture: str, python: str, family: str) -> Elsewhere | None:
-    """A framework's wheel on PyTorch's own index, if it is there that a part's wheel comes from."""
+    """A framework's wheel on PyTorch's own index, if the part's wheel comes from there."""
     facts = matrix.stacks[stack]
     release = matrix.releases[family][facts.releases[family]]
     digests = release.elsewhere.get(stack, {}).get(architecture)
@@ -210,7 +210,7 @@ def _elsewhere(matrix: Matrix, stack: str, architecture: str, python: str, famil
 
 
 class Uv:
-    """Runs uv, in several threads at a time; all of them can be ended from another one."""
+    """Runs uv in several threads at a time. Another thread can end all of them."""
 
     def __init__(self, command: str = "uv") -> None:
         self.command = command
@@ -219,10 +219,10 @@ class Uv:
         self._lock = threading.Lock()
 
     def __call__(self, arguments: Sequence[str], folder: Path) -> tuple[int, str]:
-        """Runs it in a folder; returns its exit status and what it said on stderr.
+        """Runs uv in a folder. Returns its exit status and its standard error.
 
         Raises:
-            RosmlError: it is not installed, or `end` was called.
+            RosmlError: uv is not installed, or `end` was called.
         """
         pipe = subprocess.PIPE
         with self._lock:
@@ -243,7 +243,7 @@ class Uv:
         return process.returncode, said
 
     def end(self) -> None:
-        """Ends those that run, and starts no more: uv waits minutes for an index that does not answer."""
+        """Ends all calls, and starts no more: uv waits minutes for an index that does not answer."""
         with self._lock:
             self._ended = True
             for process in self._running:
@@ -254,10 +254,10 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
     """Resolves a request with ``uv pip compile``.
 
     Args:
-        request: what to resolve.
-        uv: what to resolve with.
-        upgrade: take the newest versions that fit; otherwise keep those of ``previous`` where they still fit.
-        previous: requirements of an earlier lock.
+        request: the request.
+        uv: runs uv.
+        upgrade: take the newest versions that fit; otherwise keep those of ``previous`` if they still fit.
+        previous: the requirements of an earlier lock.
 
     Raises:
         Unreachable: only PyTorch's own index knows a wheel, and it does not answer.
@@ -266,7 +266,7 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
     if request.asks_pytorch:
         wanted = [request.elsewhere[family].requirement if family in request.elsewhere else requirement
                   for family, requirement in request.roots.items()]  # fmt: skip
-    else:  # what is needed of that index is known: its wheel is named by its digest, the rest is on the usual one
+    else:  # we know the wheel on that index by its digest; all others are on the usual index
         wanted = []
         for family, requirement in request.roots.items():
             wanted += request.elsewhere[family].requires if family in request.elsewhere else [requirement]
@@ -274,7 +274,7 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
     with tempfile.TemporaryDirectory() as folder:
         base = Path(folder)
         (base / "in.txt").write_text("\n".join([*wanted, *request.added, f"numpy{request.numpy}"]) + "\n")
-        # What the system has is a constraint, not an override: a release that asks for more would not work there, unless
+        # The system's packages are constraints, not overrides: a release that asks for more would not work there, unless
         # matrix.yaml says that it does (adapted).
         # But ROS's wheels need some of it that has no wheel (empy): no Python is below 3, so it is left out, and
         # `pip check` in the image judges.
@@ -316,17 +316,17 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
 
 
 def compile_command(python: str, wheels: str) -> list[str]:
-    """What every resolution for a version of Python and a platform of wheels begins with.
+    """The beginning of every resolution's command, for a version of Python and a platform of wheels.
 
-    With this process' own interpreter, of whatever version: nothing is built with it. Otherwise uv downloads one of each
-    version that is asked for, or tries to for ten seconds each time.
+    It names this process' own interpreter, of any version, as nothing is built with it. Otherwise uv downloads an interpreter of each
+    version, or tries to for ten seconds each time.
     """
     quiet = ["pip", "compile", "--quiet", "--no-config", "--python", sys.executable, "--only-binary", ":all:"]
     return [*quiet, "--python-version", python, "--python-platform", wheels]
 
 
 def _environment() -> dict[str, str]:
-    """The user's environment without settings of uv that would change what it resolves to; indexes and caches stay."""
+    """The user's environment without settings of uv that would change the result; indexes and caches stay."""
     changing = (
         "UV_RESOLUTION",
         "UV_PRERELEASE",
@@ -347,12 +347,12 @@ class Unreachable(RosmlError):
 
 
 def _no_answer(stderr: str) -> bool:
-    """Whether uv failed because an index did not answer, as opposed to one that did and had nothing."""
+    """Whether uv failed because an index did not answer, and not because the index had nothing."""
     return any(sign in stderr for sign in ("Failed to fetch", "Request failed", "error sending request", "dns error"))
 
 
 def _with_known_wheels(request: Request, pins: list[Pin]) -> list[Pin]:
-    """Adds the wheels whose digests are known, above what they require."""
+    """Adds the wheels with known digests, above their requirements."""
     for wheel in request.elsewhere.values():
         name, version = package_name(wheel.requirement), wheel.requirement.split("==")[1]
         required = {package_name(requirement) for requirement in wheel.requires}
@@ -388,7 +388,7 @@ def parse(requirements: str) -> list[Pin]:
 
 
 def closure(root: str, pins: Iterable[Pin]) -> frozenset[str]:
-    """Names of all packages that ``root`` needs, itself included."""
+    """The names of all packages that ``root`` needs, including itself."""
     children: dict[str, set[str]] = {}
     for pin in pins:
         for parent in pin.wanted_by:
@@ -409,11 +409,12 @@ def split(
     parts: Sequence[PartEntry],
     beside: Mapping[str, Sequence[str]] | None = None,
 ) -> dict[str, list[Pin]]:
-    """Assigns every package to a part, and those that parts repeat to these as well.
+    """Assigns every package to a part, and repeated ones to several.
 
     Args:
-        roots: what is released, to the requirement that asks for it. parts: those of the matrix.
-        beside: what is released, to the requirements of what goes with it.
+        roots: the requirement of each release.
+        parts: the parts of the matrix.
+        beside: the requirements of the packages that go with each release.
     """
     wanted = {family: [requirement, *(beside or {}).get(family, ())] for family, requirement in roots.items()}
     needs = {
@@ -435,7 +436,7 @@ def split(
 
 
 def shared_part(parts: Sequence[PartEntry]) -> str:
-    """The part that holds what several releases need."""
+    """The part with the packages that several releases need."""
     return next(part.name for part in parts if part.shared)
 
 
@@ -444,7 +445,7 @@ def _among(pin: Pin, patterns: Sequence[str]) -> bool:
 
 
 def render(request: Request, part: str, pins: list[Pin]) -> str:
-    """The text of a part's lock. It names no index and no date: the same resolution gives the same bytes."""
+    """The text of a part's lock. It has no index and no date, so the same resolution gives the same bytes."""
     lines = [
         names.wheels_head(request.stack, request.architecture, request.python)
         if request.ros
@@ -459,7 +460,7 @@ def render(request: Request, part: str, pins: list[Pin]) -> str:
 
 @dataclass(frozen=True)
 class Locks:
-    """What locking came to: the text of every lock by path, and what had to be left out, with the reason."""
+    """The result: the text of every lock, by path, and what had to be left out, with the reason."""
 
     texts: Mapping[str, str]
     left_out: Mapping[str, str]
@@ -475,20 +476,19 @@ def lock(
 ) -> Locks:
     """Resolves everything; writes nothing.
 
-    What only PyTorch's own index knows is left out where that does not answer. Locks that were made where it did stay
-    as they are, with all that was resolved with them; otherwise the rest of the stack is locked without it.
+    If PyTorch's own index does not answer, wheels that only that index has are left out. If they have locks from an earlier call,
+    these stay, with everything that was resolved with them; otherwise the rest of the stack is locked without them.
 
     Args:
-        image_set: all that the matrix describes.
-        root: the project's root, where earlier locks are.
-        uv: the command to resolve with.
-        upgrade: move to the newest versions that fit; otherwise an earlier lock's versions stay where they fit.
-        say: told what was resolved, a line at a time: all of it takes minutes.
-        stacks: only these; all if empty.
+        image_set: the image set.
+        root: the project's root, which has the earlier locks.
+        uv: the command of uv.
+        upgrade: take the newest versions that fit; otherwise an earlier lock's versions stay if they fit.
+        say: gets messages, a line each: the whole work takes minutes.
+        stacks: only these stacks; all if empty.
 
     Raises:
-        RosmlError: something does not resolve, or two Python versions of a stack would need different versions of a
-            part that is the same for both.
+        RosmlError: something does not resolve, or two Python versions of a stack need different versions of a common part.
     """
     wanted = [request for request in requests(image_set) if not stacks or request.stack in stacks]
     run = Uv(uv)
@@ -497,7 +497,7 @@ def lock(
         try:
             for number, future in enumerate(progress_bar.over(as_completed(futures), "locks", len(futures)), 1):
                 say(f"[{number} of {len(wanted)}] {future.result().request}: resolved")
-        except BaseException:  # also Ctrl-C: nothing of it is worth waiting for
+        except BaseException:  # also Ctrl-C: do not wait for the others
             pool.shutdown(wait=False, cancel_futures=True)
             run.end()
             raise
@@ -517,12 +517,12 @@ def lock(
 
 
 WORKERS = 8
-"""Resolutions at a time."""
+"""How many resolutions run at a time."""
 
 
 @dataclass(frozen=True)
 class _Outcome:
-    """What a request came to: pins, locks that stay as they are, and what was left out, with the reason."""
+    """The result of a request: pins, locks that stay as they are, and what was left out, with the reason."""
 
     request: Request
     pins: list[Pin] = field(default_factory=list)
@@ -536,7 +536,7 @@ def _outcome(request: Request, root: Path, uv: Uv, upgrade: bool) -> _Outcome:
         for python in (request.python, ANY_PYTHON)
         for file in sorted((root / "locks" / request.stack / request.architecture / python).glob("*.txt"))
     }
-    # Versions are what an earlier lock is asked for. Its hashes come anew from the index: a false one would stay for ever.
+    # An earlier lock gives only versions. Hashes come from the index again, as a wrong one would stay for ever.
     previous = "".join(f"{pin.name}=={pin.version}\n" for text in earlier.values() for pin in parse(text))
     left_out: dict[str, str] = {}
     try:
@@ -553,7 +553,7 @@ def _outcome(request: Request, root: Path, uv: Uv, upgrade: bool) -> _Outcome:
 
 
 def _parts(outcome: _Outcome) -> dict[str, list[Pin]]:
-    """What a request came to by part. The operating system has the numpy of its own packages."""
+    """The pins of a request, by part. ROS gets no numpy, as the operating system has it."""
     if outcome.request.ros:
         return {names.ROS: [pin for pin in outcome.pins if pin.name != "numpy"]}
     return split(outcome.pins, outcome.request.roots, outcome.request.parts, outcome.request.beside)
@@ -564,15 +564,15 @@ def _path(request: Request, part: str) -> str:
 
 
 def _python(request: Request, part: str) -> str:
-    """The Python version of a part's lock; some parts are the same for all."""
+    """The Python version of a part's lock; some parts fit every Python."""
     return ANY_PYTHON if any(item.name == part and item.any_python for item in request.parts) else request.python
 
 
 def _merge(path: str, known: dict[str, Pin], found: list[Pin]) -> None:
-    """Joins what two resolutions hold of a part that they share: CUDA for all Pythons, numpy where frameworks are apart.
+    """Merges the pins of two resolutions for a common part: CUDA for all Pythons, numpy if frameworks are resolved apart.
 
     Raises:
-        RosmlError: they would need different versions of a package.
+        RosmlError: they need different versions of a package.
     """
     for pin in found:
         other = known.setdefault(pin.name, pin)
@@ -587,7 +587,7 @@ def require_one_cuda(request: Request, pins: list[Pin]) -> None:
     """Checks that NVIDIA's packages are those of the stack: one CUDA, the promised one.
 
     Raises:
-        RosmlError: another CUDA generation, or a version other than the stack's facts say.
+        RosmlError: a package is of another CUDA generation, or has another version than the stack's facts.
     """
     nvidia = {pin.name: pin.version for pin in pins if pin.name.startswith("nvidia-")}
     major = request.cuda.get("cuda", "").split(".")[0]
@@ -611,7 +611,7 @@ def _of_generation(name: str, major: str) -> bool:
 
 
 class Move(NamedTuple):
-    """A package that moved in a stack from one version to another; empty where it was, or is, not there."""
+    """A package that moved in a stack from one version to another. A version is empty if the package is new or gone."""
 
     stack: str
     package: str
@@ -620,7 +620,7 @@ class Move(NamedTuple):
 
 
 def moves(old: Mapping[str, str], new: Mapping[str, str]) -> Counter[Move]:
-    """What moved between texts of locks, by path, and in how many of them."""
+    """The moves between texts of locks, by path, each with the number of locks."""
     counted: Counter[Move] = Counter()
     for path, text in new.items():
         before, after = versions(old.get(path, "")), versions(text)

@@ -1,7 +1,7 @@
-"""What the package index has that a stack has not: which release, since when, and what holds it.
+"""Newer releases on the package index than in a stack: their dates, and the reasons why the stack cannot have them.
 
-uv is asked for the newest release that has a wheel for a stack's Python and architecture; then whether the stack still
-resolves with it, with one CUDA, the stack's own.
+We ask uv for the newest release with a wheel for a stack's Python and architecture, then whether the stack still resolves with it and
+with its own CUDA.
 """
 
 from __future__ import annotations
@@ -24,14 +24,17 @@ from rosml.images.locks.resolve import WORKERS, Request, Uv, compile_command, re
 
 @dataclass(frozen=True, order=True)
 class Newer:
-    """A release that a stack has not.
+    """A newer release than a stack's.
 
     Attributes:
-        stack: its name. package: as the index calls it. ours: version that the matrix names.
-        newest: version on the index. since: day of its wheel, such as 2026-10-28; empty where the index does not say.
-        held_by: why the stack cannot have it; empty where nothing holds it.
+        stack: the name of the stack.
+        package: the package's name on the index.
+        ours: the version in the matrix.
+        newest: the version on the index.
+        since: the day of its wheel, such as 2026-10-28; empty if the index does not tell.
+        held_by: the reason why the stack cannot have it; empty if it can.
         elsewhere: stacks of the same accelerator that have it.
-        pythons: versions of Python that this is true of.
+        pythons: the versions of Python for which this is true.
     """
 
     stack: str
@@ -50,13 +53,13 @@ def look(
     stacks: Collection[str] = (),
     say: Callable[[str], None] = lambda line: None,
 ) -> list[Newer]:
-    """Everything that the index has newer than the matrix, by stack and package.
+    """All newer releases than those of the matrix, by stack and package.
 
-    Of each stack and Python one architecture is looked at, the first whose wheels are all on the default index.
+    For each stack and Python it checks one architecture, the first whose wheels are all on the default index.
 
     Args:
-        stacks: only these; all if empty.
-        say: told what was looked at, a line at a time.
+        stacks: only these stacks; all if empty.
+        say: gets messages, a line each.
 
     Raises:
         RosmlError: uv is missing, or the index does not answer.
@@ -79,7 +82,7 @@ def look(
 
 
 def _merged(found: Iterable[Newer]) -> list[Newer]:
-    """The same of several Pythons, once."""
+    """The releases with equal ones of several Pythons merged."""
     pythons: dict[Newer, list[str]] = {}
     for item in found:
         pythons.setdefault(replace(item, pythons=()), []).extend(item.pythons)
@@ -112,7 +115,9 @@ def _newest(request: Request, packages: Iterable[str], uv: Uv) -> Mapping[str, t
         command = [*compile_command(request.python, request.wheels), "--no-deps", "--format", "pylock.toml"]
         status, said = uv([*command, "in.txt", "--output-file", "pylock.toml"], base)
         if status != 0:
-            raise RosmlError(f"{request}: nobody says what is newest:\n{said.strip()}", "check that the index answers")
+            raise RosmlError(
+                f"{request}: the newest releases are unknown:\n{said.strip()}", "check that the index answers"
+            )
         try:
             found = tomllib.loads((base / "pylock.toml").read_text(encoding="utf-8"))["packages"]
             return {item["name"]: (item["version"].partition("+")[0], _day(item)) for item in found}
@@ -121,14 +126,14 @@ def _newest(request: Request, packages: Iterable[str], uv: Uv) -> Mapping[str, t
 
 
 def _day(package: Mapping[str, list[Mapping[str, object]]]) -> str:
-    """The day on which the oldest wheel of a package was there."""
+    """The day of a package's oldest wheel."""
     times = [str(wheel["upload-time"]) for wheel in package.get("wheels", ()) if "upload-time" in wheel]
     return min(times)[:10] if times else ""
 
 
 def _with(image_set: ImageSet, request: Request, family: str, requirement: str, version: str) -> Request:
-    """A request with another version of a package; a release goes alone, for what goes with it has to follow it. What the
-    matrix knows of that release counts."""
+    """A request with another version of a package. A release goes without its companion packages, which have to follow it. The facts of
+    that release in the matrix count."""
     newer = f"{requirement.partition('==')[0]}=={version}"
     if requirement == request.roots[family]:
         known = image_set.matrix.releases[family].get(version)
@@ -144,7 +149,7 @@ def _with(image_set: ImageSet, request: Request, family: str, requirement: str, 
 
 
 def _held(request: Request, uv: Uv) -> str:
-    """Why a request cannot be fulfilled, in one line; empty where it can."""
+    """Why a request does not resolve, in one line; empty if it does."""
     try:
         require_one_cuda(request, resolve(request, uv))
     except RosmlError as error:

@@ -268,7 +268,7 @@ class Release(Facts):
     wheels: dict[Name, Names] = Field(description="stack -> architectures with wheels for that stack's accelerator")
     elsewhere: dict[Name, dict[Name, dict[Python, Digest]]] = Field(
         default={},
-        description="stack -> architecture -> Python -> published digest of the wheel, where only PyTorch's own index"
+        description="stack -> architecture -> Python -> published digest of the wheel, if only PyTorch's own index"
         " has wheels; a Python without a digest has no lock before `rosml locks` could ask that index",
     )
     beside: dict[Name, Version] = Field(
@@ -278,8 +278,8 @@ class Release(Facts):
     )
     adapted: dict[Word, Annotated[str, Field(pattern=SPECIFIER)]] = Field(
         default={},
-        description="package -> what the part's metadata asks of it, in the place of what the wheel's does: where a"
-        " release asks for more than it was found to need, and no part may carry it",
+        description="package -> the requirement in the part's metadata, instead of the wheel's: for a release that asks for"
+        " more than it was found to need, if no part may carry it",
     )
     gpus: dict[Name, Annotated[tuple[Word, ...], Field(min_length=1)]] = Field(
         default={},
@@ -294,7 +294,7 @@ class Release(Facts):
     )
 
     def architectures(self, stack: str) -> tuple[str, ...]:
-        """Architectures with wheels for a stack, on whatever index."""
+        """Architectures with wheels for a stack, on any index."""
         return tuple(dict.fromkeys([*self.wheels.get(stack, ()), *self.elsewhere.get(stack, ())]))
 
     def company(self, stack: str) -> dict[str, str]:
@@ -363,7 +363,7 @@ class Distribution(Facts):
         default=None, description="packages of a component; {component}, {metapackage} and {ros_distro} are filled in"
     )
     wheels: tuple[Pinned, ...] = Field(
-        default=(), description="Python packages that ROS 2 itself comes from, in the place of Debian packages"
+        default=(), description="Python packages of ROS 2 itself, instead of Debian packages"
     )
     tools: Packages | None = Field(
         default=None, description="Debian packages that come first; the developers' tools of its system if left out"
@@ -383,7 +383,7 @@ class Distribution(Facts):
     apt: Apt | None = Field(
         default=None, description="ROS's own apt repository, for packages that are not the system's"
     )
-    archive: Archive | None = Field(default=None, description="another apt archive, in the place of ROS's own")
+    archive: Archive | None = Field(default=None, description="another apt archive instead of ROS's own")
     rmw: tuple[Rmw, ...] = Field(
         default=(), description="RMW implementations of ROS 2 beside the default one; RMW_IMPLEMENTATION chooses one"
     )

@@ -1,10 +1,10 @@
-"""Scans images for known vulnerabilities, part by part, and judges what is found by the policy.
+"""Scans images for known vulnerabilities, part by part, and judges the findings by the policy.
 
-An image is a ROS image and parts. Each of these has an SBOM beside it in the registry, from the build that made it; each
-night every SBOM is held against one state of the database, once, however many images have that part. So hundreds of images
-cost some dozens of scans of small files, and no layer is pulled.
+An image is a ROS image and parts. Each of these has an SBOM beside it in the registry, from its build. Each night, every SBOM is
+compared once with one state of the database, however many images have that part. So hundreds of images take some dozens of scans
+of small files, and no layer is pulled.
 
-Three outcomes are kept apart: the image is clean, the policy stops it, or the scanner failed and nothing is known.
+There are three outcomes: the image is clean, the policy stops it, or the scanner failed and nothing is known.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ from rosml.images.scan.trivy import ANOTHER, SCANNER_FAILED, Database, Report, S
 Known = TypeVar("Known")
 
 POLICY_FAILED = 3
-"""Exit code where the policy stops an image."""
+"""The exit code if the policy stops an image."""
 
 
 class Outcome(StrEnum):
-    """What a scan came to."""
+    """The outcome of a scan."""
 
     CLEAN = "clean"
     POLICY_FAILED = "policy failed"
@@ -46,7 +46,7 @@ class Part:
 
     Attributes:
         name: the bake target of the ROS image, or the part's name.
-        registry, repository, digest: where its image manifest is.
+        registry, repository, digest: the place of its image manifest.
         ros: whether it is a ROS image, which has an operating system.
     """
 
@@ -58,7 +58,7 @@ class Part:
 
     @property
     def reference(self) -> str:
-        """What to pull."""
+        """Its reference, by digest."""
         return f"{self.registry}/{self.repository}@{self.digest}"
 
 
@@ -67,9 +67,9 @@ class Image:
     """An image for one platform.
 
     Attributes:
-        target: its bake target, which ignore entries speak of.
-        architecture: which of its platforms this is.
-        parts: what it is the sum of: the ROS image, then its parts.
+        target: its bake target, which ignore entries match.
+        architecture: the architecture of this platform.
+        parts: the ROS image, then its parts.
     """
 
     target: str
@@ -84,11 +84,14 @@ class Finding:
     Attributes:
         id: the advisory.
         severity: of `policy.SEVERITIES`.
-        package, installed, fixed: the package and its versions; `fixed` is empty where no newer one mends it.
-        part: name of the part.
-        kind: of package, in trivy's words: debian, ubuntu, python-pkg.
-        title, url: what it is about, and where more is said.
-        ignored: the reason why the policy ignores it; empty where it does not.
+        package: the package.
+        installed: its version.
+        fixed: the version that fixes it; empty if there is none.
+        part: the name of the part.
+        kind: the kind of package, in trivy's words: debian, ubuntu, python-pkg.
+        title: its title.
+        url: a page about it.
+        ignored: the reason why the policy ignores it; empty if it does not.
         fails: whether it stops the image.
     """
 
@@ -106,18 +109,18 @@ class Finding:
 
     @property
     def order(self) -> tuple[Any, ...]:
-        """The worst first, what can be mended before what cannot."""
+        """The worst first; findings with a fix before those without."""
         return (SEVERITIES.index(self.severity), not self.fixed, self.part, self.package, self.id)
 
 
 @dataclass(frozen=True)
 class PartReport:
-    """What is known of a part.
+    """The findings about a part.
 
     Attributes:
-        packages: how many packages the scanner looked at.
+        packages: the number of packages that the scanner checked.
         findings: their vulnerabilities.
-        notes: what a reader should know, such as an operating system without further advisories.
+        notes: remarks for readers, such as an operating system without further advisories.
     """
 
     packages: int
@@ -127,18 +130,18 @@ class PartReport:
 
 @dataclass(frozen=True)
 class Scanned:
-    """What scanning an image came to.
+    """The result of scanning an image.
 
     Attributes:
         target, architecture: the image.
-        outcome: one of three.
-        reason: why it is so, in a sentence.
-        findings: all of them, the worst first.
-        packages: how many packages were looked at.
-        parts: name and digest of each part.
-        notes: what a reader should know beside the findings.
-        matched: indexes of the policy's ignore entries that spoke of a finding.
-        database: the state of the database; none where there was none.
+        outcome: one of the three outcomes.
+        reason: its reason, in a sentence.
+        findings: all findings, the worst first.
+        packages: the number of checked packages.
+        parts: the name and the digest of each part.
+        notes: remarks for readers beside the findings.
+        matched: indexes of the policy's ignore entries that matched a finding.
+        database: the state of the database; None if there was none.
     """
 
     target: str
@@ -154,7 +157,7 @@ class Scanned:
 
     @property
     def failing(self) -> tuple[Finding, ...]:
-        """What stops the image."""
+        """The findings that stop the image."""
         return tuple(finding for finding in self.findings if finding.fails)
 
     def to_json(self) -> dict[str, Any]:
@@ -164,11 +167,11 @@ class Scanned:
 
 @dataclass(frozen=True)
 class Run:
-    """What scanning many images came to.
+    """The result of scanning many images.
 
     Attributes:
-        images: one by one; whether an image gets its tags is its own outcome alone.
-        problems: of the policy's own entries, as `file:line:column: …`; they fail the run, and no image.
+        images: the result of each image. Only an image's own outcome decides whether it gets its tags.
+        problems: problems of the policy's own entries, as `file:line:column: …`. They fail the run, but no image.
     """
 
     images: tuple[Scanned, ...]
@@ -176,7 +179,7 @@ class Run:
 
     @property
     def outcome(self) -> Outcome:
-        """The run's: a scanner that failed counts most, because then not everything is known."""
+        """The outcome of the run. If the scanner failed, that counts most, because something is unknown."""
         found = {image.outcome for image in self.images}
         if Outcome.SCANNER_FAILED in found:
             return Outcome.SCANNER_FAILED
@@ -193,25 +196,25 @@ class Run:
 
 
 class Scanner:
-    """Knows every part that it was asked about: shared ones are scanned once, and fail once."""
+    """Scans parts and remembers them: a shared part is scanned once, and fails once."""
 
     def __init__(self, trivy: Trivy, shelf: Shelf, database: Database, say: Callable[[str], None] = lambda line: None):
         """Scans with one state of the database, from the first part to the last.
 
         Args:
             trivy: the program.
-            shelf: has the SBOMs.
-            database: the state that all parts are held against.
-            say: told what is going on, a line at a time.
+            shelf: the SBOMs.
+            database: the state with which all parts are compared.
+            say: gets messages, a line each.
         """
         self.trivy, self.shelf, self.database, self.say = trivy, shelf, database, say
         self._reports: dict[str, PartReport | ScannerFailed] = {}
 
     def report(self, part: Part) -> PartReport:
-        """What the database knows of a part.
+        """The database's findings about a part.
 
         Raises:
-            ScannerFailed: nobody knows.
+            ScannerFailed: the scanner failed.
         """
         return _once(self._reports, part.digest, lambda: self._report(part))
 
@@ -226,7 +229,7 @@ class Scanner:
         if lacking := self.trivy.lacks(sbom.sources):
             raise ScannerFailed(
                 f"{part.name}: the database knows nothing of {listed(lacking)}",
-                "see whether its publisher covers that system",
+                "check whether its publisher covers that system",
             )
         found = part_report(report, part)
         if found.packages != len(sbom.packages):
@@ -238,10 +241,10 @@ class Scanner:
 
 
 def part_report(report: Report, part: Part) -> PartReport:
-    """What trivy's report says of a part.
+    """The findings in trivy's report about a part.
 
     Raises:
-        ScannerFailed: it has a severity that is not known.
+        ScannerFailed: it has an unknown severity.
     """
     packages, findings, notes = 0, set(), []
     for result in report.Results or []:
@@ -273,12 +276,12 @@ def part_report(report: Report, part: Part) -> PartReport:
 
 
 def scan(image: Image, rules: Rules, scanner: Scanner, today: date) -> Scanned:
-    """Scans an image. Never raises because of the image: what goes wrong is its outcome.
+    """Scans an image. If that fails, it raises nothing: the failure is the outcome.
 
     Args:
         image: the image.
         rules: the policy.
-        scanner: with the database that the whole run uses.
+        scanner: the scanner, with the database of the whole run.
         today: the run's date, by which ignore entries expire.
     """
     reports, reasons = [], []
@@ -343,19 +346,18 @@ def scan_images(
     say: Callable[[str], None] = lambda line: None,
     keep: Callable[[Scanned], None] = lambda image: None,
 ) -> Run:
-    """Scans images with the database that is there; one that fails does not stop the others.
+    """Scans images with the present database. If one fails, the others still go on.
 
     Args:
-        images: in the order in which they are told.
+        images: the images, in the order of the report.
         rules: the policy.
         trivy: the program, with its database.
-        shelf: has the SBOMs.
-        now: the run's time, in UTC: by its date ignore entries expire, by it the database is too old or not.
-        whole: whether these are all images that there are, so that ignore entries that are in none of them can be told.
-        targets: of all images of the matrix, so that ignore entries that are for none of them can be told.
-        say: told what is going on, a line at a time.
-        keep: gets each image as soon as it was scanned; once more, as one whose scan failed, if the database turns out to
-            have changed by the end.
+        shelf: the SBOMs.
+        now: the run's time, in UTC. It decides which ignore entries have expired, and whether the database is too old.
+        whole: whether these are all images, so that we can name ignore entries that match none of them.
+        targets: the targets of all images of the matrix, so that we can name ignore entries that are for none of them.
+        say: gets messages, a line each.
+        keep: gets each image once it is scanned. If the database has changed by the end, it gets each again, as a failed scan.
     """
     now = now.astimezone(UTC)
     found: list[Scanned] = []
@@ -377,8 +379,7 @@ def scan_images(
 def unscanned(
     images: Sequence[Image], error: ScannerFailed, keep: Callable[[Scanned], None] = lambda image: None
 ) -> list[Scanned]:
-    """What is said of images where the scanner could not even begin: it is not installed, or has no database. `keep` gets
-    each of them."""
+    """The results of images if the scanner could not begin: it is not installed, or has no database. `keep` gets each of them."""
     failed = (Outcome.SCANNER_FAILED, error.message)
     found = [Scanned(image.target, image.architecture, *failed, parts=_digests(image)) for image in images]
     for image in found:
@@ -387,15 +388,15 @@ def unscanned(
 
 
 def summarise(images: Iterable[Scanned], rules: Rules, today: date, whole: bool, targets: Collection[str] = ()) -> Run:
-    """A run of images, with what is wrong with the policy's own entries.
+    """The result of a run, with the problems of the policy's own entries.
 
     Args:
-        images: all that the run scanned.
-        rules: the policy that they were judged by.
+        images: all scanned images.
+        rules: the policy.
         today: the run's date.
-        whole: whether these are all images that there are. An ignore entry is judged by them if it is for one of them: those
-            of the matrix that were never built are not among them.
-        targets: of all images of the matrix.
+        whole: whether these are all images. Images of the matrix that were never built are not among them, so they judge an ignore
+            entry only if it is for one of them.
+        targets: the targets of all images of the matrix.
     """
     found = tuple(images)
     expired = rules.expired(today)
@@ -407,7 +408,7 @@ def summarise(images: Iterable[Scanned], rules: Rules, today: date, whole: bool,
             for index, entry in enumerate(rules.policy.ignore)
             if index not in expired
             and any(entry.is_for(image.target) for image in found)
-            # It may be in an image of which nothing is known.
+            # It may match an image whose scan failed.
             and not any(image.outcome is Outcome.SCANNER_FAILED and entry.is_for(image.target) for image in found)
         ]
         problems += rules.unmatched(matched, judged)
@@ -420,7 +421,7 @@ def _digests(image: Image) -> dict[str, str]:
 
 
 def _once(known: dict[str, Known | ScannerFailed], key: str, work: Callable[[], Known]) -> Known:
-    """What work gives or raises, done once for a key."""
+    """Does work once for a key. Returns its result or raises its error."""
     if key not in known:
         try:
             known[key] = work()

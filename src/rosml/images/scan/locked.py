@@ -1,4 +1,4 @@
-"""Locks held against the policy, as the SBOMs of images are each night: what a scan will refuse is seen when it is locked."""
+"""Judges locks by the policy, like the SBOMs of images each night: you see what a scan will refuse when you make the lock."""
 
 from __future__ import annotations
 
@@ -23,8 +23,10 @@ class Refused:
     """A locked package that keeps images from their tags.
 
     Attributes:
-        id, severity: of the advisory. fixed: the version that mends it; empty if there is none.
-        locks: those that pin the version. images: targets that the scan will stop, in the order of the matrix.
+        id, severity: the advisory and its severity.
+        fixed: the version that fixes it; empty if there is none.
+        locks: the locks that pin the version.
+        images: the targets that the scan will stop, in the order of the matrix.
     """
 
     package: str
@@ -48,13 +50,13 @@ class Refused:
 
 
 class Locks(Shelf):
-    """What locks pin, in the place of SBOMs that are kept: the digest of a part is the path of its lock."""
+    """The pins of locks instead of SBOMs in a registry. The digest of a part is the path of its lock."""
 
     def __init__(self, texts: Mapping[str, str]) -> None:
         self.texts = texts
 
     def load(self, repository: str, digest: str) -> Sbom:
-        """What a lock pins, as an SBOM."""
+        """The pins of a lock as an SBOM."""
         pinned = lock_file.versions(self.texts[digest]).items()
         wheels = [packages.Python(name=name, version=version) for name, version in pinned]
         found = packages.Packages(system=packages.System(name="", version=""), apt=[], python=wheels, ros=[])
@@ -69,14 +71,16 @@ def refused(
     now: datetime,
     say: Callable[[str], None] = lambda line: None,
 ) -> list[Refused]:
-    """What of locks the policy does not allow, with a database that is young enough; it is fetched if there is none.
+    """The packages in locks that the policy does not allow. Fetches the database if there is none that is young enough.
 
     Args:
-        image_set: says which images are made of a lock. texts: of locks, by path.
-        now: by which entries of the policy expire. say: told what is going on, a line at a time.
+        image_set: the images that are made of the locks.
+        texts: the texts of the locks, by path.
+        now: the time, by which entries of the policy expire.
+        say: gets messages, a line each.
 
     Raises:
-        ScannerFailed: nobody knows.
+        ScannerFailed: the scanner failed.
     """
     try:
         trivy.database().require_fresh(rules.policy.database, now)

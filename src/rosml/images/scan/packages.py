@@ -1,4 +1,4 @@
-"""What a build says of an image's packages, as an SBOM in CycloneDX 1.5."""
+"""Makes an SBOM in CycloneDX 1.5 from a build's report about an image's packages."""
 
 from __future__ import annotations
 
@@ -61,10 +61,10 @@ class Packages(_Model):
 
 
 def read(data: bytes) -> Packages:
-    """What components/containerize/contents.py wrote.
+    """Reads the file of components/containerize/contents.py.
 
     Raises:
-        RosmlError: it is damaged.
+        RosmlError: the file is damaged.
     """
     try:
         return Packages.model_validate_json(data)
@@ -75,13 +75,13 @@ def read(data: bytes) -> Packages:
 def cyclonedx(found: Packages, reference: str, of_ros: Callable[[str], Mapping[str, Any]] = lambda name: {}) -> bytes:
     """The SBOM. The same packages give the same bytes.
 
-    Versions and sources of Debian packages are written as package URLs, and in properties as trivy writes them:
+    Versions and sources of Debian packages are in package URLs, and in properties with trivy's names:
     https://github.com/package-url/purl-spec/blob/main/types-doc/deb-definition.md
 
     Args:
         found: the packages.
-        reference: of the image, by its digest.
-        of_ros: what else there is to tell of a ROS package, by its name.
+        reference: the image, by its digest.
+        of_ros: further fields of a ROS package, by its name.
     """
     document = {
         "$schema": "http://cyclonedx.org/schema/bom-1.5.schema.json",

@@ -1,4 +1,4 @@
-"""scan.yaml: which known vulnerabilities keep an image from its tags, and which are ignored, why, and until when."""
+"""scan.yaml: the policy about which known vulnerabilities keep an image from its tags, and which are ignored, why, and until when."""
 
 from __future__ import annotations
 
@@ -52,11 +52,11 @@ class Ignored(Facts):
     expires: date = Field(description="the last day on which it is ignored")
 
     def covers(self, target: str, advisory: str, package: str) -> bool:
-        """Whether it speaks of a vulnerability of a package in an image."""
+        """Whether it matches a vulnerability of a package in an image."""
         return self.id == advisory and self.package in (None, package) and self.is_for(target)
 
     def is_for(self, target: str) -> bool:
-        """Whether it speaks of an image."""
+        """Whether it matches an image."""
         return fnmatchcase(target, self.targets)
 
 
@@ -65,7 +65,7 @@ class DatabaseRules(Facts):
 
     repositories: Annotated[
         tuple[Annotated[str, Field(pattern=REPOSITORY, max_length=200)], ...], Field(min_length=1)
-    ] = Field(description="repositories of trivy's database; the next one is asked where one does not answer")
+    ] = Field(description="repositories of trivy's database; if one does not answer, the next one is asked")
     max_age_hours: Annotated[int, Field(ge=1, le=24 * 365)] = Field(
         description="a database that was made earlier than that is too old to vouch for anything"
     )
@@ -79,7 +79,7 @@ class Policy(Facts):
     unknown: Literal["fail", "list"] = Field(
         default="fail", description="whether a vulnerability that nobody has rated stops an image, or is only listed"
     )
-    fixable_only: bool = Field(description="whether only what a newer package mends stops an image")
+    fixable_only: bool = Field(description="whether only vulnerabilities that a newer package fixes stop an image")
     database: DatabaseRules
     ignore: tuple[Ignored, ...] = Field(default=(), description="what does not stop images, though it is found")
 
@@ -93,15 +93,15 @@ class Rules:
     """A policy with its places in the file.
 
     Attributes:
-        policy: what the file says.
-        document: where it says so.
+        policy: the policy.
+        document: the file, with the place of each value.
     """
 
     policy: Policy
     document: source.Document
 
     def expired(self, today: date) -> dict[int, Problem]:
-        """The entries of `ignore` whose time is over, and what to say of each."""
+        """The expired entries of `ignore`, by index, each with its message."""
         return {
             index: self._problem(
                 index,
@@ -112,17 +112,17 @@ class Rules:
         }
 
     def in_force(self, today: date) -> Policy:
-        """The policy without the entries of `ignore` whose time is over."""
+        """The policy without expired entries of `ignore`."""
         expired = self.expired(today)
         entries = tuple(entry for index, entry in enumerate(self.policy.ignore) if index not in expired)
         return self.policy.model_copy(update={"ignore": entries})
 
     def unmatched(self, matched: Iterable[int], judged: Iterable[int]) -> list[Problem]:
-        """What to say of entries that ignored nothing.
+        """Problems of entries that matched nothing.
 
         Args:
-            matched: indexes of those that did.
-            judged: of those of whose images all were scanned.
+            matched: indexes of entries that matched something.
+            judged: indexes of entries whose images were all scanned.
         """
         return [
             self._problem(index, f"{self.policy.ignore[index].id} is in no image that the entry is for; remove it")
@@ -130,10 +130,10 @@ class Rules:
         ]
 
     def for_nobody(self, targets: Collection[str]) -> list[Problem]:
-        """What to say of entries whose pattern fits none of the targets, which are all that there are."""
+        """Problems of entries whose pattern matches none of all targets."""
         return [
             self._problem(
-                index, f"{entry.targets!r} fits no image of the matrix; mend the pattern, or remove the entry"
+                index, f"{entry.targets!r} matches no image of the matrix; correct the pattern, or remove the entry"
             )
             for index, entry in enumerate(self.policy.ignore)
             if not any(map(entry.is_for, targets))
@@ -148,7 +148,7 @@ def load(file: Path) -> Rules:
 
     Raises:
         RosmlError: the file is missing or unreadable (exit code 2).
-        InputError: with every problem that it has.
+        InputError: with every problem of the file.
     """
     return parsed(source.read(file, "--policy"))
 

@@ -1,7 +1,7 @@
-"""What a scan found, as a file for a job that may write into the registry.
+"""The results of a scan, as a file for a job that may write into the registry.
 
-The scanner is a large program that reads whatever is in the images and fetches a database; it gets no right to publish.
-What its job hands over is data: an outcome for each image.
+The scanner is a large program that reads the images' contents and fetches a database, so it gets no right to publish. Its job hands
+over only data: an outcome for each image.
 """
 
 from __future__ import annotations
@@ -16,20 +16,21 @@ from rosml.base import files
 from rosml.images.records.store import Entry
 
 FORMAT = 1
-"""Version of the file's format."""
+"""The version of the file's format."""
 
 
 PAUSE_SECONDS = 30.0
-"""Between two times that the file is written while the scan goes on."""
+"""Seconds between two writes of the file during a scan."""
 
 
 @dataclass
 class Results:
-    """What is handed over: facts of entries of the records.
+    """Facts for entries of the records.
 
     Attributes:
-        file: where it goes. date: of the run.
-        entries: by target and architecture.
+        file: the file to write.
+        date: the run's date.
+        entries: the facts, by target and architecture.
     """
 
     file: Path
@@ -38,8 +39,7 @@ class Results:
     _written: float = float("-inf")
 
     def add(self, entry: Entry) -> None:
-        """Adds what a scan found out about an image, and writes the file from time to time: a scan that is killed leaves the
-        images that it had got to."""
+        """Adds the result of an image, and writes the file from time to time: if a scan is killed, its finished images are kept."""
         facts = entry.to_json()
         names = ("target", "architecture", "digest", "scanned", "scan")
         self.entries[entry.target, entry.architecture] = {name: facts[name] for name in names if name in facts}

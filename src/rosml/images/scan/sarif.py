@@ -1,4 +1,4 @@
-"""What a scan found, for people (a table) and for programs that show findings (SARIF)."""
+"""Findings of a scan, for people (a table) and for programs that show findings (SARIF)."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ from rosml.images.scan.judge import Finding, Outcome, Run, Scanned
 COLUMNS = ("severity", "advisory", "package", "installed", "fixed in", "part", "")
 
 LEVELS = {"critical": "error", "high": "error", "medium": "warning"}
-"""SARIF's levels; note for the rest."""
+"""SARIF's levels; others have the level note."""
 
 SCORES = {"critical": "9.5", "high": "8.0", "medium": "5.5", "low": "2.0", "unknown": "0.0"}
-"""The middle of what a severity stands for: viewers of SARIF sort by a number."""
+"""The middle of each severity's range: viewers of SARIF sort by a number."""
 
 
 def sarif(scanned: Scanned) -> dict[str, Any]:
     """An image's findings as SARIF 2.1.0: one run, whose name keeps images and architectures apart.
 
-    A scanner that failed is told as a failed invocation, so that an empty list of results is not taken for good news.
+    If the scanner failed, the invocation is marked as failed, so that nobody takes an empty list of results for good news.
     """
     failed = scanned.outcome is Outcome.SCANNER_FAILED
-    rules = {finding.id: finding for finding in reversed(scanned.findings)}  # the worst of each stays
+    rules = {finding.id: finding for finding in reversed(scanned.findings)}  # the worst of each counts
     return {
         "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
         "version": "2.1.0",
@@ -66,7 +66,7 @@ def write(folder: Path, run: Run) -> list[Path]:
     """Writes a run's reports: `<target>.<architecture>.sarif` for each image, and `scan.json` for all of them.
 
     Raises:
-        RosmlError: one cannot be written.
+        RosmlError: a report cannot be written.
     """
     folder.mkdir(parents=True, exist_ok=True)
     reports: dict[str, Any] = {f"{image.target}.{image.architecture}.sarif": sarif(image) for image in run.images}
@@ -92,7 +92,7 @@ def _result(scanned: Scanned, finding: Finding) -> dict[str, Any]:
         "ruleId": finding.id,
         "level": LEVELS.get(finding.severity, "note"),
         "message": {"text": text},
-        # There is no file of the checkout to point at: the part stands for it.
+        # No file of the checkout has the finding: the part stands for it.
         "locations": [{"physicalLocation": {"artifactLocation": {"uri": f"{finding.part}/{finding.package}"}}}],
         "partialFingerprints": {"rosml/v1": hashlib.sha256(key.encode()).hexdigest()},
         "properties": {"fails": finding.fails, "installed": finding.installed, "fixed": finding.fixed},
@@ -105,7 +105,7 @@ def _result(scanned: Scanned, finding: Finding) -> dict[str, Any]:
 
 
 def finding_rows(findings: Sequence[Finding]) -> Iterator[tuple[str, ...]]:
-    """A row for each finding, as `COLUMNS` says."""
+    """A row for each finding, with the cells of `COLUMNS`."""
     for finding in findings:
         verdict = "stops the image" if finding.fails else f"ignored: {finding.ignored}" if finding.ignored else ""
         yield (

@@ -1,4 +1,4 @@
-"""What is in an image, as CycloneDX: read once, and kept in the registry beside the image."""
+"""SBOMs in CycloneDX, which the registry keeps beside images."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from rosml.images.scan.trivy import ScannerFailed
 from rosml.registry.client import Registry
 
 MEDIA_TYPE = "application/vnd.cyclonedx+json"
-"""Also the type of the artifact, by which trivy and others find it beside an image."""
+"""The media type, also of the artifact, by which trivy and others find it beside an image."""
 
 FORMAT = {"io.rosml.sbom.format": "1"}
 """The annotation of our SBOMs. With another number all images get a new one, although their digests stay the same."""
 
 COVERED = "io.rosml.sbom."
-"""How annotations of an image in its index begin that name the SBOMs of what the image is made of, each by repository and
+"""The beginning of an image's annotations in its index that name the SBOMs of its ROS image and parts, by repository and
 digest."""
 
 OF_A_SYSTEM = re.compile(r"pkg:(?:deb|rpm|apk)/([^/]+)/")
-"""The package URL of an operating system's package; its group is that system."""
+"""The package URL of an operating system's package. The group is the system."""
 
 
 REMEDY = "build it again: rosml publish build --force --only NAME"
@@ -37,7 +37,7 @@ class _Said(BaseModel):
 
 
 class Component(_Said):
-    """One thing in an SBOM: a package, or an operating system."""
+    """A component in an SBOM: a package, or an operating system."""
 
     ref: str = Field(alias="bom-ref")
     type: str
@@ -47,19 +47,19 @@ class Component(_Said):
 
 
 class Subject(_Said):
-    """What an SBOM is of."""
+    """The subject of an SBOM."""
 
     name: str = ""
 
 
 class About(_Said):
-    """What an SBOM says of itself."""
+    """The metadata of an SBOM."""
 
     component: Subject | None = None
 
 
 class Document(_Said):
-    """What is read of an SBOM."""
+    """The part of an SBOM that we read."""
 
     bomFormat: Literal["CycloneDX"]
     metadata: About | None = None
@@ -67,7 +67,7 @@ class Document(_Said):
 
 
 LARGEST = 256 << 20
-"""Bytes that an SBOM may have; those of parts have some MB."""
+"""The most bytes of an SBOM. Those of parts have some MB."""
 
 
 @dataclass(frozen=True)
@@ -75,13 +75,13 @@ class Sbom:
     """An SBOM.
 
     Attributes:
-        content: the bytes that are kept.
+        content: its bytes in the registry.
     """
 
     content: bytes
 
     def is_of(self, digest: str) -> bool:
-        """Whether it says that it is of an image.
+        """Whether its subject is an image.
 
         Raises:
             ScannerFailed: it is no CycloneDX.
@@ -106,8 +106,8 @@ class Sbom:
 
     @property
     def packages(self) -> list[Component]:
-        """Its packages, without those of another operating system: a wheel's SBOM names the packages that its libraries were
-        copied from, which no advisory of this system speaks of."""
+        """Its packages, without those of another operating system: a wheel's SBOM names the packages from which its libraries were
+        copied. No advisory of this system covers these."""
         family = self.system.partition(" ")[0]
         libraries = [item for item in self.document.components if item.type == "library"]
         origins = [OF_A_SYSTEM.match(item.purl) for item in libraries]
@@ -115,24 +115,25 @@ class Sbom:
 
     @property
     def system(self) -> str:
-        """Its operating system, such as `debian 12.12`; empty where it has none. One without a version is none of its own: a
-        wheel's SBOM says where the libraries in it came from."""
+        """Its operating system, such as `debian 12.12`; empty if it has none. A system without a version does not count: it is from a
+        wheel's SBOM, and tells where the wheel's libraries came from."""
         found = [item for item in self.document.components if item.type == "operating-system" and item.version]
         return f"{found[0].name} {found[0].version}" if found else ""
 
     @property
     def sources(self) -> list[str]:
-        """Names of the advisories' sources, as trivy's database calls them, that its packages need."""
+        """The sources of advisories that its packages need, by their names in trivy's database."""
         family, _, version = self.system.partition(" ")
         release = version.partition(".")[0] if family == "debian" else version
         wheels = any(item.purl.startswith("pkg:pypi/") for item in self.packages)
         return [*([f"{family} {release}"] if family else []), *(["pip::"] if wheels else [])]
 
     def require(self, name: str, ros: bool) -> None:
-        """Checks that it can be all that is in a part: an SBOM that misses most would look like a clean image.
+        """Checks that it can be complete: an SBOM that lacks most packages would look like a clean image.
 
         Args:
-            name: of the part, for messages. ros: whether it is a ROS image; any other part is made of wheels.
+            name: the part's name, for messages.
+            ros: whether it is a ROS image; any other part is made of wheels.
 
         Raises:
             ScannerFailed: it lacks the operating system, or its packages.
@@ -140,29 +141,29 @@ class Sbom:
         if not ros and not self.packages:
             raise ScannerFailed(
                 f"{name}: its SBOM names no package, and a part is made of wheels",
-                "see whether the part has the dist-info of its wheels",
+                "check whether the part has the dist-info of its wheels",
             )
         debian = sum(item.purl.startswith("pkg:deb/") for item in self.packages)
         if ros and not (self.system and debian):
             raise ScannerFailed(
                 f"{name}: its SBOM names {'no operating system' if not self.system else 'no Debian package'}",
-                "see whether the image has /usr/lib/os-release and /var/lib/dpkg/status",
+                "check whether the image has /usr/lib/os-release and /var/lib/dpkg/status",
             )
 
 
 class Shelf:
-    """SBOMs in the registry, each attached to the manifest that it is of, by the build that made that one.
+    """SBOMs in the registry. A build attaches each to the manifest that it made.
 
-    Anybody who may push into a repository can attach something that says it is an SBOM. So a shelf does not ask what is
-    attached: it takes the artifact alone that the publisher's records name by its digest.
+    Everybody who may push into a repository can attach a false SBOM. So a shelf ignores what is attached, and takes only the artifact
+    that the publisher's records name by digest.
     """
 
     def __init__(self, client: Registry, recorded: Mapping[str, str]) -> None:
         """Reads SBOMs from a registry.
 
         Args:
-            client: of that registry.
-            recorded: digests of artifacts with SBOMs, by the digest of the manifest that each is of, as the records say.
+            client: the registry's client.
+            recorded: from the records: digests of artifacts with SBOMs, by the digests of their manifests.
         """
         self.client, self.recorded = client, recorded
 
@@ -171,7 +172,7 @@ class Shelf:
 
         Raises:
             RosmlError: the registry fails.
-            ScannerFailed: the records name none, or what they name is not there, is none of ours, or is of another image.
+            ScannerFailed: the records name none, or the one that they name is missing, not ours, or of another image.
         """
         artifact = self.recorded.get(digest)
         manifest = self.client.manifest(repository, artifact) if artifact else None

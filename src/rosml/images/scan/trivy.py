@@ -1,4 +1,4 @@
-"""The scanner: the pinned trivy, its database, and what its failures become."""
+"""The scanner: the pinned trivy, its database, and its failures."""
 
 from __future__ import annotations
 
@@ -24,26 +24,26 @@ from rosml.base.programs import pinned_version
 from rosml.images.scan.policy import DatabaseRules
 
 SCANNER_FAILED = 4
-"""Exit code where nobody knows what is in an image: never to be mistaken for findings."""
+"""The exit code if the scanner failed, as opposed to findings."""
 
 INSTALL = "run 'rosml setup scanner'"
 VERSION_SECONDS = 30.0
 SCAN_SECONDS = 600.0
 FETCH_SECONDS = 900.0
 DATABASE_FORMAT = 2
-"""Version of the database's format that the pinned trivy reads; also the tag of it in trivy's own repositories."""
+"""The version of the database's format that the pinned trivy reads; also its tag in trivy's own repositories."""
 REPORT_FORMAT = 2
-"""Version of the JSON reports that the pinned trivy writes."""
+"""The version of the pinned trivy's JSON reports."""
 ATTEMPTS = 3
 PAUSE_SECONDS = 5.0
-"""Before the second attempt; twice that before the third."""
+"""Seconds before the second attempt; before the third one, twice as many."""
 
 OUR_OWN = ("TRIVY_USERNAME", "TRIVY_PASSWORD", "TRIVY_REGISTRY_TOKEN", "TRIVY_INSECURE", "TRIVY_NON_SSL")
-"""Settings of the user's that trivy gets to see: how to reach a registry. All others could change what it finds."""
+"""The user's settings that trivy gets: how to reach a registry. All others could change its findings."""
 
 
 class ScannerFailed(RosmlError):
-    """The scanner could not do its work: nothing is known, neither good nor bad."""
+    """The scanner could not do its work, so nothing is known, neither good nor bad."""
 
     def __init__(self, message: str, remedy: str = "") -> None:
         super().__init__(message, remedy, exit_code=SCANNER_FAILED)
@@ -54,9 +54,9 @@ class Database:
     """One state of trivy's database.
 
     Attributes:
-        updated: when it was made.
-        digest: sha256 of the file, the same for all who scan with this state.
-        source: repository that it came from, with the digest there where that is known.
+        updated: the time at which it was made.
+        digest: the sha256 of the file, which is the same for all scans with this state.
+        source: its repository, with the digest there if known.
     """
 
     updated: str
@@ -71,14 +71,14 @@ class Database:
         """Checks that it is young enough.
 
         Raises:
-            ScannerFailed: it is not, or it was made in the future.
+            ScannerFailed: it is too old, or was made in the future.
         """
         age = now - _moment(self.updated)
         if age > timedelta(hours=rules.max_age_hours):
             raise ScannerFailed(
                 f"the database of vulnerabilities was made {_hours(age)} ago ({self.updated}); "
                 f"the policy allows {rules.max_age_hours} hours",
-                "fetch it anew; where its repositories have no newer one, see database.repositories in the policy",
+                "fetch it again; if its repositories have no newer one, see database.repositories in the policy",
             )
         if age < timedelta(hours=-1):
             raise ScannerFailed(
@@ -87,7 +87,7 @@ class Database:
 
 
 class _Said(BaseModel):
-    """What trivy writes, by its own names."""
+    """Data from trivy, by its own names."""
 
     model_config = ConfigDict(frozen=True, strict=True)
 
@@ -105,7 +105,7 @@ class Vulnerability(_Said):
 
 
 class Result(_Said):
-    """What trivy says of packages of one kind."""
+    """Trivy's result for packages of one kind."""
 
     Type: str = ""
     Packages: list[Any] | None = None
@@ -113,7 +113,7 @@ class Result(_Said):
 
 
 class System(_Said):
-    """The operating system; EOSL: it gets no advisories any more."""
+    """The operating system. EOSL: it gets no more advisories."""
 
     Family: str = ""
     Name: str = ""
@@ -121,7 +121,7 @@ class System(_Said):
 
 
 class About(_Said):
-    """What trivy says of the whole."""
+    """Trivy's facts about the whole."""
 
     OS: System | None = None
 
@@ -135,14 +135,14 @@ class Report(_Said):
 
 
 class _Database(_Said):
-    """What trivy's database says of itself."""
+    """The metadata of trivy's database."""
 
     Version: int = 0
     UpdatedAt: str
 
 
 WRITTEN_BYTES = 512 << 20
-"""Bytes that trivy may write; SBOMs and reports have some MB."""
+"""The most bytes that trivy may write. SBOMs and reports have some MB."""
 
 ANOTHER = "run it again with another trivy"
 
@@ -152,12 +152,12 @@ class Trivy:
     """The program, and the folder with its database.
 
     Attributes:
-        program: path of trivy.
+        program: the path of trivy.
         version: its version, which is the pinned one.
-        folder: its cache; the database is below `db`.
-        environment: what calls of it inherit.
+        folder: its cache, with the database below `db`.
+        environment: the variables that its calls inherit.
         scan_seconds: how long a scan may take.
-        pause: before the second attempt to fetch the database.
+        pause: seconds before the second attempt to fetch the database.
     """
 
     program: str
@@ -169,15 +169,15 @@ class Trivy:
 
     @classmethod
     def find(cls, root: Path, folder: Path | None = None, environment: Mapping[str, str] = os.environ) -> Trivy:
-        """The scanner that `rosml setup scanner` left in a checkout.
+        """The scanner of a checkout, from `rosml setup scanner`.
 
         Args:
             root: the checkout.
-            folder: for the database; `.state/trivy` by default.
-            environment: what calls of it inherit.
+            folder: the folder for the database; `.state/trivy` by default.
+            environment: the variables that its calls inherit.
 
         Raises:
-            ScannerFailed: there is none, or it is not of the pinned version.
+            ScannerFailed: there is none, or it has not the pinned version.
         """
         try:
             program = str(untrusted.json_value((root / ".state" / "scanner.json").read_bytes())["trivy"])
@@ -198,14 +198,14 @@ class Trivy:
 
     # ---- work -----------------------------------------------------------------------------------------------------
     def scan(self, sbom: bytes, what: str) -> Report:
-        """What the database knows of an SBOM's packages: trivy's own report, with all packages that it looked at.
+        """Trivy's report about an SBOM's packages, with all packages that it checked.
 
         Args:
             sbom: CycloneDX.
-            what: it is of, for messages.
+            what: the SBOM's subject, for messages.
 
         Raises:
-            ScannerFailed: trivy failed, there is no database, or what it wrote is no report.
+            ScannerFailed: trivy failed or wrote no report, or there is no database.
         """
         with tempfile.TemporaryDirectory(prefix="rosml-scan-") as folder:
             file = Path(folder) / "sbom.cdx.json"
@@ -220,15 +220,15 @@ class Trivy:
 
     # ---- the database ---------------------------------------------------------------------------------------------
     def fetch(self, rules: DatabaseRules, pinned: str = "", say: Callable[[str], None] = lambda line: None) -> Database:
-        """Fetches the database, from the first repository that has it: once per run and machine.
+        """Fetches the database from the first repository that has it. Call it once per run and machine.
 
         Args:
-            rules: name the repositories.
-            pinned: the one state that all shards of a run use, as `resolve` gave it; empty: what the tags point at.
-            say: told what is going on, a line at a time.
+            rules: the rules with the repositories.
+            pinned: the common state of all shards of a run, from `resolve`; if empty, the state of the tags.
+            say: gets messages, a line each.
 
         Raises:
-            ScannerFailed: no repository gave it, or what they gave cannot be read.
+            ScannerFailed: no repository gave it, or it cannot be read.
         """
         reasons: list[str] = []
         for attempt in range(ATTEMPTS):
@@ -255,10 +255,10 @@ class Trivy:
         )
 
     def database(self) -> Database:
-        """The database that is there.
+        """The present database.
 
         Raises:
-            ScannerFailed: there is none, or it is damaged or of another format.
+            ScannerFailed: there is none, or it is damaged or has another format.
         """
         folder = self.folder / "db"
         try:
@@ -269,7 +269,7 @@ class Trivy:
         except FileNotFoundError:
             raise ScannerFailed(f"there is no database of vulnerabilities in {folder}", "fetch it first") from None
         except (OSError, OverflowError, ValueError):
-            raise ScannerFailed(f"the database of vulnerabilities in {folder} is damaged", "fetch it anew") from None
+            raise ScannerFailed(f"the database of vulnerabilities in {folder} is damaged", "fetch it again") from None
         if facts.Version != DATABASE_FORMAT:
             raise ScannerFailed(
                 f"the database of vulnerabilities has format {facts.Version}, and trivy reads {DATABASE_FORMAT}",
@@ -279,10 +279,9 @@ class Trivy:
         return Database(updated, digest, source.read_text() if source.exists() else "")
 
     def lacks(self, sources: Iterable[str]) -> list[str]:
-        """Of names of advisories' sources, such as `debian 12`, those that the database cannot have.
+        """The sources of advisories, such as `debian 12`, that the database lacks.
 
-        Trivy finds nothing in what its database knows nothing of, and says nothing of it. The names of its sources stand
-        in the file as they are.
+        If its database lacks a source, trivy finds nothing and does not say why. The names of sources are plain text in the file.
         """
         with (self.folder / "db" / "trivy.db").open("rb") as stream:
             if not os.fstat(stream.fileno()).st_size:
@@ -292,16 +291,16 @@ class Trivy:
 
     # ---- calls ----------------------------------------------------------------------------------------------------
     def run(self, *arguments: str, seconds: float) -> str:
-        """Calls trivy; gives what it prints.
+        """Calls trivy. Returns its output.
 
         Raises:
-            ScannerFailed: it cannot be run, hangs, or ends with anything but 0.
+            ScannerFailed: trivy cannot be run, hangs, or its exit code is not 0.
         """
         self.folder.mkdir(parents=True, exist_ok=True)
         env = {
             name: text for name, text in self.environment.items() if name in OUR_OWN or not name.startswith("TRIVY_")
         }
-        # Neither a trivy.yaml nor a .trivyignore of the folder from which somebody calls us may change what is found.
+        # Neither a trivy.yaml nor a .trivyignore of the current folder may change the findings.
         with tempfile.TemporaryDirectory(prefix="rosml-trivy-") as nowhere:
             quiet = () if arguments == ("--version",) else ("--disable-telemetry", "--skip-version-check")
             argv = [self.program, "--cache-dir", str(self.folder), *arguments[:1], *quiet, *arguments[1:]]
@@ -313,7 +312,7 @@ class Trivy:
         return output
 
     def _written(self, *arguments: str, seconds: float) -> bytes:
-        """Calls trivy; gives what it writes into a file."""
+        """Calls trivy. Returns the file that it writes."""
         with tempfile.TemporaryDirectory(prefix="rosml-trivy-") as folder:
             file = Path(folder) / "output.json"
             self.run(arguments[0], "--output", str(file), *arguments[1:], seconds=seconds)
@@ -327,7 +326,8 @@ def read_report(written: bytes, what: str) -> Report:
     """Trivy's report.
 
     Args:
-        written: by trivy. what: it is about, for messages.
+        written: the text from trivy.
+        what: its subject, for messages.
 
     Raises:
         ScannerFailed: it is no such report.
@@ -352,17 +352,17 @@ def _object(written: bytes, what: str) -> dict[str, Any]:
 
 
 def resolve(rules: DatabaseRules, head: Callable[[str], str]) -> str:
-    """The newest state of the database, to be shared by all shards of a run.
+    """The newest state of the database, for all shards of a run.
 
     Args:
-        rules: name the repositories.
-        head: gives the digest that a reference points at; empty where there is none.
+        rules: the rules with the repositories.
+        head: returns the digest of a reference; empty if there is none.
 
     Returns:
         Repository and digest, for `Trivy.fetch`.
 
     Raises:
-        ScannerFailed: no repository says which it has.
+        ScannerFailed: no repository tells its state.
     """
     reasons = []
     for repository in rules.repositories:
@@ -381,7 +381,7 @@ def resolve(rules: DatabaseRules, head: Callable[[str], str]) -> str:
 
 
 def _call(argv: Sequence[str], env: Mapping[str, str], folder: str, seconds: float) -> tuple[int, str, str]:
-    """Runs a program: exit code, output, errors."""
+    """Runs a program. Returns exit code, output and errors."""
     try:
         # trivy itself stops at its timeout, and says in what it was stuck; this is for one that does not.
         done = subprocess.run(
@@ -403,7 +403,7 @@ def _call(argv: Sequence[str], env: Mapping[str, str], folder: str, seconds: flo
 
 
 def _reason(errors: str) -> str:
-    """What a failed trivy says of it: from its FATAL line on, without the time and the level."""
+    """The reason in a failed trivy's output: from its FATAL line on, without time and level."""
     lines = [line.strip() for line in errors.splitlines() if line.strip()]
     start = next((number for number, line in enumerate(lines) if "\tFATAL\t" in line), max(0, len(lines) - 1))
     text = " ".join(lines[start:]).rpartition("\tFATAL\t")[2]
@@ -412,10 +412,10 @@ def _reason(errors: str) -> str:
 
 
 def _written_moment(text: str) -> str:
-    """A time as trivy writes it, in UTC and whole seconds.
+    """A time of trivy's, in UTC and whole seconds.
 
     Raises:
-        ValueError: it is no time, or the year 1, which stands for never.
+        ValueError: the text is no time, or is the year 1, which means never.
     """
     if text.startswith("0001-"):
         raise ValueError("never")

@@ -1,1 +1,1 @@
-"""What makes this machine ready: programs at pinned versions, the local registry, the builder."""
+"""Setup of this machine: programs at pinned versions, the local registry, the builder."""

@@ -1,4 +1,4 @@
-"""The builder: started, checked, restarted, stopped, without a trace of what a killed one left."""
+"""The builder: starts, checks, restarts and stops it, and removes all traces of a killed one."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ from rosml.machine.setup.step_network import Bridge, Container, Place
 from rosml.registry import certificates
 
 UNUSABLE = (":", ",", "\\", '"')
-"""Characters that a path of an overlay's layer must not have."""
+"""Characters that the path of an overlay's layer must not have."""
 CACHE_BYTES = "40GB"
-"""Most disk the builder's cache keeps."""
+"""The most disk space of the builder's cache."""
 FREE_BYTES = "12GB"
-"""Disk the builder leaves free: it prunes its cache below that."""
+"""Disk space that the builder leaves free: with less, it prunes its cache."""
 SHARED = "build steps share this machine's network: code of a repository reaches what listens here"
-"""What is said of a builder whose steps have no network of their own."""
+"""The message about a builder whose steps have no network of their own."""
 NO_START = "as it does not start with a bridge"
-"""Why, if one in Docker would not run."""
+"""The reason, if a builder in Docker would not start."""
 
 
 def config(
@@ -47,11 +47,11 @@ def config(
     """buildkitd.toml.
 
     Args:
-        registry: address of the local registry.
-        mirror: the local registry stands in for Docker Hub.
-        own: ``root``, ``socket``, ``otel`` and ``runc`` of a buildkitd of our own; nothing for one in a container.
-        trusted: files with the authorities that are trusted for registries, by host.
-        bridge: gives steps a network of their own; nothing for the machine's.
+        registry: the address of the local registry.
+        mirror: the local registry replaces Docker Hub.
+        own: ``root``, ``socket``, ``otel`` and ``runc`` of our own buildkitd; None for one in a container.
+        trusted: files with authorities for registries, by host.
+        bridge: the bridge for steps with their own network; None for the machine's network.
     """
     q = json.dumps  # a JSON string is a TOML basic string
     lines: list[str] = []
@@ -76,7 +76,7 @@ def config(
     lines += [f"[registry.{q(registry)}]", "  http = true", "  insecure = true"]
     for host, found in sorted((trusted or {}).items()):
         if host not in (registry, "docker.io"):
-            # The digest is for a builder in Docker, which gets copies: a renewed file makes another configuration.
+            # The digest is for a builder in Docker, which gets copies: with it, a renewed file changes the configuration.
             lines += [f"# {fingerprint(file)}" for file in found]
             lines += [
                 f"[registry.{q(host)}]",
@@ -89,27 +89,27 @@ def config(
 
 
 def daemon(state: State) -> Daemon:
-    """buildkitd of our own."""
+    """Our own buildkitd."""
     file = state.run / "buildkitd.toml"
-    # Its temporary mount points would stay in /tmp whenever it is killed.
+    # If it is killed, its temporary mount points would stay in /tmp.
     temporary = state.folder / "tmp"
     temporary.mkdir(parents=True, exist_ok=True)
-    # The plugins of networks call iptables, which a plain user's PATH leaves out.
+    # The network plugins call iptables, which a plain user's PATH lacks.
     env = dict(os.environ, TMPDIR=str(temporary))
     env["PATH"] = f"{env.get('PATH', os.defpath)}:/usr/local/sbin:/usr/sbin:/sbin"
     if state.ca_bundle:
         env["SSL_CERT_FILE"] = state.ca_bundle
-    # Its mounts are its own. If the whole machine saw them, a search or an indexer that walks through the checkout could
-    # hold the root of a build step open: unmounting fails then, and what buildkitd removes next is that step's result.
+    # Its mounts are private. If the whole machine saw them, a search or an indexer in the checkout could
+    # hold the root of a build step open. Then unmounting fails, and buildkitd next removes that step's result.
     launcher = ("unshare", "--mount", "--propagation", "slave")
     return Daemon(state, "buildkitd", (str(state.bin / "buildkitd"), "--config", str(file)), file, env, launcher)
 
 
 def up(state: State, services: Services, image: str) -> None:
-    """Makes sure that the builder runs and buildx knows it. ``image``: BuildKit's, for a builder in Docker.
+    """Makes sure that the builder runs and buildx knows it. ``image``: BuildKit's image, for a builder in Docker.
 
     Raises:
-        RosmlError: it does not start; with what it says.
+        RosmlError: it does not start; the message has its output.
     """
     if services.builder_kind == "user":
         _up_user(state, services)
@@ -120,7 +120,7 @@ def up(state: State, services: Services, image: str) -> None:
 
 
 def _up_user(state: State, services: Services) -> None:
-    """The builder that BUILDX_BUILDER names; it is the user's, so it is only looked at."""
+    """The builder that BUILDX_BUILDER names. It is the user's, so we only check it."""
     try:
         _boot(state, services)
     except RosmlError as error:
@@ -133,8 +133,8 @@ def _up_user(state: State, services: Services) -> None:
 
 
 def _up_docker(state: State, services: Services, image: str) -> None:
-    """A builder in a container of the user's Docker, on the host's network, to reach the registry on loopback. Its steps get a
-    network of their own, if that can be had; why not is kept until it is made anew."""
+    """A builder in a container of the user's Docker, on the host's network, to reach the registry on loopback. Its steps get their
+    own network if possible. If not, the reason is kept until the builder is made again."""
     started = time.monotonic()
     file, kept = _docker_config(state), _reason(state)
     before = Bridge.read(file)
@@ -161,13 +161,13 @@ def _up_docker(state: State, services: Services, image: str) -> None:
 
 
 def _bridge_docker(state: State, services: Services, container: Container) -> str:
-    """Gives steps of a builder in Docker, which runs, a network of their own. Gives why they cannot have it, if so."""
+    """Gives steps of a running builder in Docker their own network. Returns why not; empty if it works."""
     found = container.bridge(state.root)
     if isinstance(found, str):
         return found
     known = found == container.running()
     try:
-        if known:  # it may be one of another checkout: they share their builder
+        if known:  # it may be another checkout's: they share the builder
             files.write(_docker_config(state), _docker_text(services, container.image, found))
         else:
             _start_docker(state, services, container.image, found)
@@ -178,7 +178,8 @@ def _bridge_docker(state: State, services: Services, container: Container) -> st
 
 
 def _start_docker(state: State, services: Services, image: str, bridge: Bridge | None) -> bool:
-    """Starts it. buildx copies the configuration when it makes the container: another one makes it anew. Gives whether it did."""
+    """Starts it. buildx copies the configuration when it makes the container, so a new configuration needs a new container. Returns
+    whether it made one."""
     file, text = _docker_config(state), _docker_text(services, image, bridge)
     made = not _made(state, services, text)
     if made:
@@ -190,7 +191,7 @@ def _start_docker(state: State, services: Services, image: str, bridge: Bridge |
         file.unlink(missing_ok=True)
         waiting = file.with_suffix(".new.toml")
         files.write(waiting, text)
-        # Rules do not outlive the machine. If Docker started it again on its own, steps would run without them.
+        # A restart of the machine removes the rules. If Docker then restarted the builder by itself, steps would run without them.
         restart = ",restart-policy=no" if bridge else ""
         options = ["--driver", "docker-container", "--driver-opt", f"network=host,image={image}{restart}"]
         _create(services, [*options, "--buildkitd-config", str(waiting)])
@@ -211,7 +212,7 @@ def _docker_config(state: State) -> Path:
 
 
 def _docker_text(services: Services, image: str, bridge: Bridge | None) -> str:
-    """What it says. ``image``: BuildKit's."""
+    """Its text. ``image``: BuildKit's image."""
     text = config(services.registry, bool(services.bases), trusted=certificates.by_host(), bridge=bridge)
     return f"# {image}\n{text}"
 
@@ -249,7 +250,7 @@ def _create(services: Services, options: Sequence[str]) -> None:
 
 
 def _record(state: State, services: Services) -> Path:
-    """What buildx knows of the builder."""
+    """buildx' record of the builder."""
     return state.folder / "buildx/instances" / services.builder
 
 
@@ -259,7 +260,7 @@ def _known(state: State, services: Services) -> bool:
 
 
 def _up_own(state: State, services: Services) -> None:
-    """A buildkitd of our own. Its steps get a network of their own, if that can be had; why not is kept while it runs."""
+    """Our own buildkitd. Its steps get their own network if possible. If not, the reason is kept while it runs."""
     if any(character in str(state.folder) for character in UNUSABLE):
         raise RosmlError(
             f"the path {state.root} has one of {' '.join(UNUSABLE)} in it, which overlay file systems cannot take",
@@ -279,12 +280,12 @@ def _up_own(state: State, services: Services) -> None:
 
 
 def _reason(state: State) -> Path:
-    """The file that says why steps share the machine's network, though all that a bridge needs is there."""
+    """The file with the reason why steps share the machine's network although a bridge would be possible."""
     return state.run / "shared-network"
 
 
 def _start_own(state: State, services: Services, bridge: Bridge | None) -> str:
-    """Starts it, or sees that it runs. Gives why its steps cannot have a network of their own, if there is a bridge for it."""
+    """Starts it unless it runs. Returns why its steps cannot have their own network although there is a bridge; empty if they can."""
     root, say = state.folder / "buildkit", state.say
     buildkitd = daemon(state)
     address = state.socket("buildkitd.sock")
@@ -310,7 +311,7 @@ def _start_own(state: State, services: Services, bridge: Bridge | None) -> str:
     elif buildkitd.pid():
         say("builder: buildkitd has an old configuration; restarting it")
     buildkitd.stop()
-    if network.socket_answers(str(address)):  # its record is lost, or names another place: it is not ours to cut off
+    if network.socket_answers(str(address)):  # its record is lost, or names another place: it is not ours to stop
         raise RosmlError(
             f"another buildkitd answers at {address}", "end it (pkill buildkitd), then run 'rosml setup' again"
         )
@@ -330,7 +331,7 @@ def _start_own(state: State, services: Services, bridge: Bridge | None) -> str:
     try:
         services.require_builder()
     except RosmlError:
-        if bridge:  # it answers a moment before it tries the bridge
+        if bridge:  # it answers a moment before it uses the bridge
             return no_bridge
         raise RosmlError(f"buildkitd does not answer. {tail(buildkitd.log)}") from None
     took = duration(time.monotonic() - started)
@@ -339,13 +340,13 @@ def _start_own(state: State, services: Services, bridge: Bridge | None) -> str:
 
 
 def _enclosed(bridge: Bridge | None, buildkitd: Daemon, root: Path) -> str:
-    """Why steps cannot have the network of the bridge, if there is one; empty if they can."""
+    """Why steps cannot have the bridge's network; empty if they can, or if there is no bridge."""
     pid = buildkitd.pid()
     return step_network.enclose(bridge, Place.here(pid, root / "net/cni")) if bridge and pid else ""
 
 
 def stop(state: State) -> bool:
-    """Stops a buildkitd of our own, if one runs; what it stored stays. Gives whether one ran."""
+    """Stops our own buildkitd, and keeps its cache. Returns whether it ran."""
     stopped = daemon(state).stop()
     _tidy(state.folder / "buildkit")
     if bridge := Bridge.read(state.run / "buildkitd.toml"):
@@ -355,7 +356,7 @@ def stop(state: State) -> bool:
 
 
 def _tidy(root: Path) -> None:
-    """Ends what a killed buildkitd left: build steps, which would go on for nobody, mounts, and its list of networks. ``root``: its folder."""
+    """Removes the remains of a killed buildkitd: running build steps, mounts, and its list of networks. ``root``: its folder."""
     for pid in processes():
         if pid != os.getpid() and is_build_step(pid, root):
             with contextlib.suppress(OSError):
@@ -365,7 +366,7 @@ def _tidy(root: Path) -> None:
 
 
 def is_build_step(pid: int, root: Path) -> bool:
-    """Whether a process has for its root file system an overlay that lies in the builder's folder."""
+    """Whether the root file system of a process is an overlay in the builder's folder."""
     try:
         lines = Path(f"/proc/{pid}/mountinfo").read_text(errors="surrogateescape").splitlines()
     except OSError:
@@ -375,7 +376,7 @@ def is_build_step(pid: int, root: Path) -> bool:
 
 
 def unmount_below(folder: Path) -> None:
-    """Unmounts what a killed builder left mounted, so that removing its files stays within the folder.
+    """Unmounts the mounts of a killed builder, so that removing its files stays within the folder.
 
     Raises:
         RosmlError: something stays mounted.
@@ -387,7 +388,7 @@ def unmount_below(folder: Path) -> None:
 
 
 def mounted_below(folder: Path) -> list[str]:
-    """Mount points in a folder, outer ones first."""
+    """The mount points in a folder, outer ones first."""
     lines = Path("/proc/self/mounts").read_text().splitlines()
     points = [re.sub(r"\\([0-7]{3})", lambda match: chr(int(match[1], 8)), line.split(" ")[1]) for line in lines]
     return [point for point in points if point.startswith(f"{folder}/")]

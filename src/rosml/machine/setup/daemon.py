@@ -1,4 +1,4 @@
-"""A service that runs on its own: started detached, known by its command line, stopped for certain."""
+"""A background service: started detached, found by its command line, and reliably stopped."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from rosml.machine.setup.process import detached
 from rosml.machine.setup.state import State
 
 START_SECONDS = 60.0
-"""Longest that a service may take until it answers."""
+"""The longest that a service may take until it answers."""
 
 LOG_LIMIT = 10_000_000
-"""Bytes at which a log is put aside when its service starts."""
+"""From this size in bytes, a log is put aside when its service starts."""
 
 
 @dataclass(frozen=True)
@@ -27,11 +27,11 @@ class Daemon:
     """One service.
 
     Attributes:
-        name: also the name of its log.
-        argv: its command line; it names a file of this checkout, so no other checkout has the same.
-        config: the file it reads when it starts. A change means a restart.
+        name: its name, and that of its log.
+        argv: its command line. It has a file of this checkout, so no other checkout has the same.
+        config: the file that it reads when it starts. If the file changes, it restarts.
         env: its environment.
-        launcher: a command that prepares the process and then becomes the service, with its arguments.
+        launcher: a command, with arguments, that prepares the process and then becomes the service.
     """
 
     state: State
@@ -47,19 +47,20 @@ class Daemon:
 
     @property
     def _read(self) -> Path:
-        """The file that has the digest of what the service read when it started."""
+        """The file with the digest of the configuration that the service has read."""
         return self.state.run / f"{self.name}.read"
 
     def pid(self) -> int | None:
-        """The running service, or nothing."""
+        """The process of the service; None if it does not run."""
         return next((pid for pid in processes() if command_line(pid) == self.argv), None)
 
     def current(self) -> bool:
-        """Whether the running service read the configuration as it is now."""
+        """Whether the running service has read the present configuration."""
         return self._read.exists() and self._read.read_text() == fingerprint(self.config)
 
     def start(self) -> None:
-        """Starts it. Safe to interrupt: what it read is written down before it reads it, and it is known without a record.
+        """Starts it. You may interrupt it: the digest is written before the service reads its configuration, and we find it
+        without a record.
 
         Raises:
             RosmlError: it cannot be run.
@@ -68,11 +69,11 @@ class Daemon:
             self.log.replace(self.log.with_suffix(".log.old"))
         files.write(self._read, fingerprint(self.config))
         process = detached(self.name, (*self.launcher, *self.argv), self.log, self.env, self.state.folder)
-        # The kernel reports the start as done a little before the new command line can be read.
+        # The start is reported a little before the new command line can be read.
         wait_until(lambda: command_line(process.pid) == self.argv or process.poll() is not None, 5.0, 0.01)
 
     def stop(self, patience: float = 20.0) -> bool:
-        """Stops it: SIGTERM, after ``patience`` seconds SIGKILL. Says whether it was running."""
+        """Stops it: SIGTERM, after ``patience`` seconds SIGKILL. Returns whether it ran."""
         pid = self.pid()
         for kind, seconds in ((signal.SIGTERM, patience), (signal.SIGKILL, 10.0)):
             if pid is None or command_line(pid) != self.argv:
@@ -88,7 +89,7 @@ class Daemon:
 
 
 def fingerprint(path: Path) -> str:
-    """Hash of a file's content; empty where it is missing."""
+    """The hash of a file's content; empty if the file is missing."""
     try:
         return hashlib.sha256(path.read_bytes()).hexdigest()
     except OSError:
@@ -96,12 +97,12 @@ def fingerprint(path: Path) -> str:
 
 
 def processes() -> list[int]:
-    """Numbers of all processes."""
+    """The ids of all processes."""
     return [int(entry) for entry in os.listdir("/proc") if entry.isdigit()]
 
 
 def command_line(pid: int) -> tuple[str, ...]:
-    """Arguments of a process; empty where it has ended (a zombie has none either) or is not this user's to see."""
+    """The arguments of a process; empty if it has ended (a zombie has none either), or if this user may not see it."""
     try:
         content = Path(f"/proc/{pid}/cmdline").read_bytes()
     except OSError:
@@ -110,7 +111,7 @@ def command_line(pid: int) -> tuple[str, ...]:
 
 
 def wait_until(condition: Callable[[], bool], seconds: float, pause: float = 0.1) -> bool:
-    """Waits for a condition; says whether it came true in time."""
+    """Waits for a condition. Returns whether it became true in time."""
     end = time.monotonic() + seconds
     while not condition():
         if time.monotonic() > end:

@@ -1,7 +1,7 @@
-"""Emulation: the kernel runs programs of another architecture through QEMU, so that images of it are built and tested here.
+"""Emulation: the kernel runs programs of another architecture through QEMU, so that you can build and test its images here.
 
-The kernel keeps a table of interpreters (binfmt_misc); an entry with the flag F holds QEMU open, so build steps need no
-copy of it in their root file system. It lasts until the machine restarts.
+The kernel has a table of interpreters (binfmt_misc). An entry with the flag F holds QEMU open, so build steps need no copy of it
+in their root file system. It lasts until the machine restarts.
 """
 
 from __future__ import annotations
@@ -20,19 +20,19 @@ TABLE = Path("/proc/sys/fs/binfmt_misc")
 ENTRIES = Path("/usr/lib/binfmt.d")
 PACKAGE = "qemu-user-static"
 PROBE = "arch-test"
-"""What mmdebstrap asks whether programs of an architecture run; also its package."""
+"""The program that tells mmdebstrap whether programs of an architecture run; also its package."""
 OTHER = {"x86_64": ("arm64", "qemu-aarch64"), "aarch64": ("amd64", "qemu-x86_64")}
-"""By this machine's processor: the architecture to emulate, and how QEMU's entry for it is called."""
+"""For each processor: the architecture to emulate, and the name of QEMU's entry for it."""
 
 
 def ensure(installer: Installer, hub: bool, table: Path = TABLE, entries: Path = ENTRIES) -> bool:
-    """Makes sure that the kernel runs programs of the other architecture; gives whether it did not before.
+    """Makes sure that the kernel runs programs of the other architecture. Returns whether it changed something.
 
     Args:
-        hub: whether base images come from Docker Hub; otherwise mmdebstrap makes them, and asks `PROBE`.
+        hub: whether base images come from Docker Hub. Otherwise mmdebstrap makes them, and calls `PROBE`.
 
     Raises:
-        RosmlError: this user may not, the kernel cannot, or there is no QEMU for it.
+        RosmlError: this user may not, the kernel cannot, or there is no QEMU for the architecture.
     """
     architecture, name = OTHER.get(platform.machine(), ("", ""))
     if not name:
@@ -73,7 +73,7 @@ def ensure(installer: Installer, hub: bool, table: Path = TABLE, entries: Path =
 
 
 def _sudo() -> list[str] | None:
-    """What a command is called with to run as root without a password, as on GitHub's machines; None where this user may not."""
+    """The words before a command that runs as root without a password, as on GitHub's machines; None if this user may not."""
     program = which_system("sudo")
     if not program:
         return None
@@ -82,6 +82,6 @@ def _sudo() -> list[str] | None:
 
 
 def _entry(folder: Path, name: str) -> str | None:
-    """QEMU's line for the kernel's table; the name of its file differs between releases."""
+    """QEMU's line for the kernel's table. The name of its file differs between releases."""
     files = (folder / f"{name}.conf", folder / f"{name}-static.conf")
     return next((file.read_text() for file in files if file.exists()), None)

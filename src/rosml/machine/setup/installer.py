@@ -1,4 +1,4 @@
-"""Programs: taken from the machine where they are, installed into ``.state/bin`` where they are not."""
+"""Programs: finds them on the machine, or installs them into ``.state/bin``."""
 
 from __future__ import annotations
 
@@ -22,15 +22,14 @@ from rosml.machine.setup.state import State
 Version = tuple[int, ...]
 
 BUILD_BYTES = 6_000_000_000
-"""Disk that the builds of the services' Go tools need together, and those of trivy and cosign each by itself; removed
-afterwards."""
+"""Disk space for the builds of the services' Go tools together, and for trivy and cosign each. It is freed afterwards."""
 
 OLDEST_GO: Version = (1, 21)
-"""From this release on Go fetches the newer toolchain that a go.mod asks for by itself."""
+"""From this release on, Go itself fetches the newer toolchain that a go.mod requires."""
 
 
 GO_PROGRAMS = ("regctl", "registry", "buildx", "buildkitd", "trivy", "cosign", "actionlint")
-"""Programs built from their Go modules; `tools/go/<name>` pins each and all its dependencies by hash."""
+"""Programs that are built from Go modules; `tools/go/<name>` pins each, with all dependencies by hash."""
 
 
 VERSIONS = {
@@ -38,11 +37,11 @@ VERSIONS = {
     "buildkitd": "github.com/moby/buildkit/version.Version",
     "trivy": "github.com/aquasecurity/trivy/pkg/version/app.ver",
 }
-"""What the linker sets, so that a program knows its version, which it would have from its own repository."""
+"""Variables that the linker sets to the version. A build in the program's own repository would know it."""
 
 
 def version_in(text: str) -> Version:
-    """The first dotted number in a text: ``VCSTag: v0.11.7`` -> (0, 11, 7). Empty where there is none."""
+    """The first dotted number in a text: ``VCSTag: v0.11.7`` -> (0, 11, 7). Empty if there is none."""
     match = re.search(r"\d+(?:\.\d+)+", text)
     return tuple(int(number) for number in match[0].split(".")) if match else ()
 
@@ -60,7 +59,7 @@ class Installer:
         self.have: list[str] = []
 
     def report(self) -> None:
-        """Says in one line what was there already; lets the next steps of a job in CI find the programs."""
+        """Prints a line with the programs that were there already. In CI, lets the next steps of the job find all programs."""
         if self.have:
             self.state.say(f"tools: {', '.join(self.have)}")
         if path := os.environ.get("GITHUB_PATH"):
@@ -69,11 +68,11 @@ class Installer:
 
     # ---- what the machine has -------------------------------------------------------------------------------------
     def found(self, name: str, ask: str, oldest: Version = ()) -> str | None:
-        """A program on the user's PATH (``.state/bin`` does not count), if its version will do.
+        """A program on the user's PATH (``.state/bin`` does not count), if its version fits.
 
         Args:
-            ask: how it tells its version.
-            oldest: that will do; without it, the pinned one alone does: its findings depend on it.
+            ask: the argument that prints its version.
+            oldest: the oldest version that fits. Without it, only the pinned one fits, because its results depend on it.
         """
         path = shutil.which(name, path=self.outer_path())
         if path is None:
@@ -94,15 +93,15 @@ class Installer:
 
     # ---- Go -------------------------------------------------------------------------------------------------------
     def module(self, name: str) -> Path:
-        """Folder of the Go module that pins a program."""
+        """The folder of the Go module that pins a program."""
         return self.state.root / "tools" / "go" / name
 
     def pin(self, name: str) -> Pin:
-        """What pins a Go program."""
+        """The pin of a Go program."""
         return parse_pin((self.module(name) / "go.mod").read_text())
 
     def is_built(self, name: str) -> bool:
-        """Whether a program is in ``.state/bin``, and the file that vouches for it says that it is as it is pinned now."""
+        """Whether a program is in ``.state/bin``, and its stamp says that it has the present pins."""
         stamp = self._stamp(name)
         return (self.state.bin / name).exists() and stamp.exists() and stamp.read_text() == self._stamp_text(name)
 
@@ -116,9 +115,9 @@ class Installer:
 
     @contextmanager
     def fetching(self, names: Sequence[str]) -> Iterator[None]:
-        """Fetches the modules of Go programs that are not built yet in the background, while others compile.
+        """Fetches the modules of Go programs that are not built yet, in the background, while others compile.
 
-        A failure is not told: the build, which waits for what it needs, tells it. Nothing runs on after the block.
+        It ignores failures: the build, which waits for its modules, reports them. Nothing runs after the block.
         """
         wanted = [name for name in names if not self.is_built(name)]
         go = shutil.which("go", path=self.go_path())
@@ -135,12 +134,12 @@ class Installer:
             end_group(process)
 
     def go_program(self, name: str) -> str:
-        """Path of a Go program in ``.state/bin``, built if it is not there or its pins have changed.
+        """The path of a Go program in ``.state/bin``. Builds it if it is missing, or if its pins have changed.
 
-        Safe to interrupt: the build goes to another name, and the stamp that vouches for the program comes last.
+        You may interrupt it: the build writes to another name, and the program's stamp comes last.
 
         Raises:
-            RosmlError: there is no Go, or no room; or the build fails.
+            RosmlError: Go is not installed, the disk is full, or the build fails.
         """
         pin, program = self.pin(name), self.state.bin / name
         title = f"{name} {pin.version}"
@@ -157,7 +156,7 @@ class Installer:
         self._stamp(name).unlink(missing_ok=True)
         for left in self.state.bin.glob(f".{name}.*.partial"):
             left.unlink()
-        partial = self.state.bin / f".{name}.{os.getpid()}.partial"  # a killed set-up's build may still be running
+        partial = self.state.bin / f".{name}.{os.getpid()}.partial"  # the build of a killed setup may still be running
         link = f"-s -w -X {VERSIONS[name]}={pin.version}" if name in VERSIONS else "-s -w"
         build = [go, "build", "-trimpath", "-ldflags", link, "-o", str(partial), pin.package]
         log = self.state.log / f"build-{name}.log"
@@ -168,10 +167,10 @@ class Installer:
         return str(program)
 
     def go(self) -> str:
-        """Path of the Go command.
+        """The path of the Go command.
 
         Raises:
-            RosmlError: there is none, or it is too old to fetch the release that the pins need.
+            RosmlError: Go is not installed, or too old to fetch the release that the pins need.
         """
         path = shutil.which("go", path=self.go_path())
         remedy = f"install Go {dotted(OLDEST_GO)} or newer (https://go.dev/dl) and call this again"
@@ -185,11 +184,11 @@ class Installer:
         return path
 
     def go_path(self) -> str:
-        """Where Go is looked for: on PATH, and where its own archive is unpacked."""
+        """The folders in which we look for Go: PATH, and the usual one of its archive."""
         return f"{self.outer_path()}{os.pathsep}/usr/local/go/bin"
 
     def go_environment(self) -> dict[str, str]:
-        """Environment of a Go build: caches in the state folder, none of the user's flags, no C compiler needed."""
+        """The environment of a Go build: caches in the state folder, none of the user's flags, no C compiler."""
         left_out = ("GOOS", "GOARCH", "GO111MODULE", "GOEXPERIMENT")
         env = {name: value for name, value in os.environ.items() if name not in left_out}
         cache = self.state.folder / "go"
@@ -201,7 +200,7 @@ class Installer:
         return env
 
     def drop_go_caches(self) -> None:
-        """Removes what the builds left, more than 2 GB: beside the work, as it can take a minute.
+        """Removes the builds' caches, more than 2 GB, in the background, as it can take a minute.
 
         The module cache is writable: ``-modcacherw``.
         """
@@ -212,10 +211,10 @@ class Installer:
 
     # ---- Debian ---------------------------------------------------------------------------------------------------
     def apt(self, packages: Mapping[str, str], root: Sequence[str] = ()) -> str:
-        """Path of apt-get, which may install packages. ``packages``, ``root``: as in ``debian_packages``.
+        """The path of apt-get, if it may install packages. ``packages``, ``root``: as in ``debian_packages``.
 
         Raises:
-            RosmlError: this is no Debian or Ubuntu, or this user may not.
+            RosmlError: this is no Debian or Ubuntu, or this user may not install packages.
         """
         missing = f"missing: {reasons_of(packages)}"
         apt = which_system("apt-get")
@@ -226,13 +225,14 @@ class Installer:
         return apt
 
     def debian_packages(self, packages: Mapping[str, str], root: Sequence[str] = ()) -> None:
-        """Installs Debian packages, and says so before.
+        """Announces and installs Debian packages.
 
         Args:
-            packages: their names, and what each is for. root: what a command is called with to run as root, where this is not.
+            packages: their names, each with its purpose.
+            root: the words before a command that runs as root, if this process does not.
 
         Raises:
-            RosmlError: this is no Debian or Ubuntu, this user may not, or apt fails.
+            RosmlError: this is no Debian or Ubuntu, this user may not install packages, or apt fails.
         """
         if not packages:
             return
@@ -262,5 +262,5 @@ def by_hand(packages: Mapping[str, str]) -> str:
 
 
 def which_system(name: str) -> str | None:
-    """A program on PATH or in the system folders that a plain user's PATH leaves out."""
+    """A program on PATH, or in the system folders that a plain user's PATH lacks."""
     return shutil.which(name) or shutil.which(name, path="/usr/local/sbin:/usr/sbin:/sbin")

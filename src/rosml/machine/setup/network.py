@@ -1,4 +1,4 @@
-"""What can be reached: Docker Hub, the local registry, loopback ports and sockets."""
+"""Checks of the network: Docker Hub, the local registry, loopback ports and sockets."""
 
 from __future__ import annotations
 
@@ -16,30 +16,30 @@ from rosml.base.errors import RosmlError
 HUB_API = "https://registry-1.docker.io/v2/"
 HUB_SECONDS = 5.0
 WAIT_SECONDS = 5.0
-"""Before the second attempt; twice that before the third one."""
+"""Seconds before the second attempt; before the third one, twice as many."""
 
 
 def docker_hub_answers(ca_bundle: str, attempts: int = 1) -> bool:
     """Whether Docker Hub can be used: its registry API answers in time. ROSML_DOCKER_HUB=0 or 1 decides without asking.
 
-    Only an answer of a registry counts: a proxy that turns a request down answers as well.
+    Only a registry's answer counts, because a proxy also answers if it refuses a request.
 
     Args:
         ca_bundle: certificates to trust; the system's if empty.
-        attempts: how often it is asked, with some seconds between: where it should answer, one hiccup decides nothing.
+        attempts: how often to ask, with some seconds between. If it should answer, one failure is not enough.
 
     Raises:
-        RosmlError: ROSML_DOCKER_HUB is neither.
+        RosmlError: ROSML_DOCKER_HUB is neither 0 nor 1.
     """
     wish = os.environ.get("ROSML_DOCKER_HUB", "")
     if wish in ("0", "1"):
         return wish == "1"
     if wish:
-        raise RosmlError(f"ROSML_DOCKER_HUB={wish} is neither 0 nor 1", "unset it to let the set-up find out")
+        raise RosmlError(f"ROSML_DOCKER_HUB={wish} is neither 0 nor 1", "unset it to let setup find out")
     for attempt in range(attempts):
         time.sleep(attempt * WAIT_SECONDS)
         answers: list[bool] = []
-        # A thread, since the time limit of a request does not hold for the look-up of the name.
+        # A thread, because a request's time limit does not cover the name's look-up.
         asking = threading.Thread(target=_ask_docker_hub, args=(ca_bundle, answers), daemon=True)
         asking.start()
         asking.join(HUB_SECONDS + 1)
@@ -49,7 +49,7 @@ def docker_hub_answers(ca_bundle: str, attempts: int = 1) -> bool:
 
 
 def _ask_docker_hub(ca_bundle: str, answers: list[bool]) -> None:
-    """Adds whether it answers, as soon as that is known."""
+    """Appends whether it answers, once known."""
     try:
         trusted = ssl.create_default_context(cafile=ca_bundle or None)
         with web.client(verify=trusted, timeout=HUB_SECONDS) as client, client.stream("GET", HUB_API) as answer:
@@ -59,7 +59,7 @@ def _ask_docker_hub(ca_bundle: str, answers: list[bool]) -> None:
 
 
 def _is_registry(answer: httpx.Response) -> bool:
-    """Whether an answer to ``GET /v2/`` is a registry's: 200, or 401 that says where to get a token."""
+    """Whether an answer to ``GET /v2/`` is a registry's: 200, or 401 with the place of a token."""
     known = answer.headers.get("Docker-Distribution-Api-Version", "").startswith("registry/")
     return known and answer.status_code in (200, 401)
 
@@ -75,7 +75,7 @@ def answers(address: str) -> bool:
 
 
 def registry_answers(address: str) -> bool:
-    """Whether a registry answers on a loopback address; never through a proxy."""
+    """Whether a registry answers on a loopback address, without a proxy."""
     try:
         with (
             web.client(timeout=3.0, trust_env=False, verify=False) as client,

@@ -1,4 +1,4 @@
-"""Programs that a set-up calls: one line when something takes long, the log's end when it fails, an orderly end on Ctrl-C."""
+"""Calls of programs in setup: a sign of life if they take long, the end of the log if they fail, an orderly end on Ctrl-C."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ HEARTBEAT_SECONDS = 20.0
 
 
 def output_of(argv: Sequence[str], seconds: float = 20.0, env: Mapping[str, str] | None = None) -> str:
-    """What a short command prints; empty where it is missing, fails or hangs."""
+    """The output of a short command; empty if it is missing, fails or hangs."""
     try:
         done = subprocess.run(
             argv, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=seconds, env=env, check=False
@@ -29,7 +29,7 @@ def output_of(argv: Sequence[str], seconds: float = 20.0, env: Mapping[str, str]
 
 
 def tail(log: Path, start: int = 0) -> str:
-    """The last lines of a log, indented, and where it is. ``start``: byte to read from."""
+    """The last lines of a log, indented, and its path. ``start``: the first byte to read."""
     lines = log.read_bytes()[start:].decode(errors="replace").splitlines()[-TAIL_LINES:]
     return "The end of its log:\n" + "".join(f"    {line}\n" for line in lines) + f"  whole log: {log}"
 
@@ -43,14 +43,14 @@ def run(
     cwd: Path | None = None,
     finish_on_interrupt: bool = False,
 ) -> None:
-    """Runs a command that takes long: its output goes to ``log``, a sign of life to the user.
+    """Runs a long command. Its output goes to ``log``; the user sees signs of life.
 
     Args:
-        what: name of the work, for messages.
-        finish_on_interrupt: on Ctrl-C let the command come to its end first (dpkg must not be torn apart).
+        what: the name of the work, for messages.
+        finish_on_interrupt: after Ctrl-C, let the command finish first (do not interrupt dpkg).
 
     Raises:
-        RosmlError: the command is missing or exits with another code than 0; shows the end of the log.
+        RosmlError: the command is missing, or its exit code is not 0; the message has the end of the log.
         KeyboardInterrupt: the user pressed Ctrl-C; the command has ended.
     """
     start = log.stat().st_size if log.exists() else 0
@@ -75,7 +75,7 @@ def run(
 def detached(
     what: str, argv: Sequence[str], log: Path, env: Mapping[str, str] | None = None, cwd: Path | None = None
 ) -> subprocess.Popen[bytes]:
-    """Starts a command in a session of its own, so that Ctrl-C in a terminal does not reach it; its output goes to ``log``.
+    """Starts a command in its own session, so that a terminal's Ctrl-C does not reach it. Its output goes to ``log``.
 
     Raises:
         RosmlError: it cannot be run.
@@ -92,7 +92,7 @@ def detached(
 
 
 def end_group(process: subprocess.Popen[bytes]) -> None:
-    """Ends a command started in a session of its own, with all it started."""
+    """Ends a command in its own session, with all its children."""
     for kind, patience in ((signal.SIGTERM, 10.0), (signal.SIGKILL, None)):
         with suppress(ProcessLookupError):
             os.killpg(process.pid, kind)

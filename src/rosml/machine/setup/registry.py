@@ -1,4 +1,4 @@
-"""The local registry: started, checked, restarted, on a port that stays while it is free."""
+"""The local registry: starts, checks and restarts it, on the same port while that is free."""
 
 from __future__ import annotations
 
@@ -24,15 +24,15 @@ PASSWORD = "registry.password"
 """The file with the password of the registry."""
 
 USER = "rosml"
-"""The user's name for the password of the registry; any other will do."""
+"""The user name for the registry's password; any other works, too."""
 
 
 def config(storage: Path, port: int, password: Path) -> str:
-    """Configuration of the registry. JSON is YAML: paths need no further quoting.
+    """The registry's configuration. JSON is YAML, so paths need no further quoting.
 
     Args:
-        password: the file with what those need who write. Everybody may read: the registry is the mirror of Docker Hub where that
-            does not answer, and what somebody runs is pulled from it by Docker.
+        password: the file with the password for pushes. Everybody may pull: if Docker Hub does not answer, the registry is its
+            mirror, and Docker pulls the images that somebody runs from it.
     """
     content = {
         "version": 0.1,
@@ -51,7 +51,8 @@ def config(storage: Path, port: int, password: Path) -> str:
 
 
 def daemon(state: State) -> Daemon:
-    """The registry. REGISTRY_* variables would change its configuration, and it would look for a trace collector."""
+    """The registry, without REGISTRY_* variables, which would change its configuration, and without a search for a trace
+    collector."""
     env = {name: value for name, value in os.environ.items() if not name.startswith(("REGISTRY_", "OTEL_"))}
     env["OTEL_TRACES_EXPORTER"] = "none"
     file = state.run / "registry.yaml"
@@ -59,7 +60,7 @@ def daemon(state: State) -> Daemon:
 
 
 def last_port(state: State) -> int | None:
-    """Port of the last run."""
+    """The port of the last run; None if there was none."""
     try:
         return int(untrusted.json_value((state.run / "registry.yaml").read_bytes())["http"]["addr"].rpartition(":")[2])
     except (OSError, ValueError, KeyError, TypeError, AttributeError):  # never run, or damaged
@@ -67,10 +68,10 @@ def last_port(state: State) -> int | None:
 
 
 def up(state: State) -> str:
-    """Makes sure that the registry runs and answers; gives its address. Keeps the port while it is free.
+    """Makes sure that the registry runs and answers. Returns its address. Keeps the port while that is free.
 
     Raises:
-        RosmlError: it does not start; with the end of its log.
+        RosmlError: it does not start; the message has the end of its log.
     """
     registry, port, say = daemon(state), last_port(state), state.say
     if port:
@@ -98,7 +99,7 @@ def up(state: State) -> str:
 
 
 def _write(state: State, port: int) -> None:
-    """Writes down what the registry reads, and what those who write to it do."""
+    """Writes the registry's files, and those of its clients that push."""
     auth = base64.b64encode(f"{USER}:{password(state)}".encode()).decode()
     files.write(daemon(state).config, config(state.folder / "registry", port, state.run / PASSWORD))
     (state.folder / credentials.OWN).parent.mkdir(exist_ok=True)
@@ -106,7 +107,7 @@ def _write(state: State, port: int) -> None:
 
 
 def password(state: State) -> str:
-    """What those need who write to the registry. Steps of builds never have it."""
+    """The password for pushes to the registry. Build steps never get it."""
     file = state.run / PASSWORD
     found = file.read_text().strip() if file.exists() else ""
     if not found:
@@ -123,16 +124,17 @@ def write_private(file: Path, text: str) -> None:
 
 
 def _settled(registry: Daemon, port: int) -> bool:
-    """Whether a registry that was just started answers, or has ended."""
+    """Whether a registry has answered or ended after its start."""
     return not registry.pid() or network.registry_answers(f"127.0.0.1:{port}")
 
 
 def regctl_config(registry: str, password: str, certificates: Mapping[str, Sequence[Path]]) -> str:
-    """regctl's config.json. The registry speaks plain http, and its port may have changed since regctl was told.
+    """regctl's config.json, for a registry with plain http, whose port may have changed.
 
     Args:
-        registry: address of the local registry. password: to write there.
-        certificates: files with the authorities that are trusted for registries, by host; regctl takes their text.
+        registry: the address of the local registry.
+        password: its password for pushes.
+        certificates: files with authorities for registries, by host; regctl takes their text.
     """
     hosts = {
         host: {"tls": "enabled", "hostname": host, "regcert": "".join(file.read_text() for file in trusted)}

@@ -1,4 +1,4 @@
-"""The local registry and the builder together: started and written down, stopped, looked at."""
+"""The local registry and the builder together: starts them, stops them, and reports on them."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from rosml.registry import certificates
 
 
 def up(state: State, found: Services) -> None:
-    """Starts what does not run, and writes services.json.
+    """Starts the registry and the builder unless they run, and writes services.json.
 
     Args:
-        found: what they run with.
+        found: the tools with which they run.
 
     Raises:
         RosmlError: one of them does not start.
@@ -37,7 +37,7 @@ def up(state: State, found: Services) -> None:
 
 
 def down(state: State, remove: bool = False) -> list[str]:
-    """Stops what was started; gives what was stopped. ``remove``: also the container and volume of one in Docker."""
+    """Stops both. Returns the stopped services. ``remove``: also removes the container and the volume of a builder in Docker."""
     stopped: list[str] = []
     services = written(state)
     if services and services.builder_kind == "docker":
@@ -54,7 +54,7 @@ def down(state: State, remove: bool = False) -> list[str]:
 
 
 def written(state: State) -> Services | None:
-    """What services.json says; None where it is missing or damaged."""
+    """The content of services.json; None if it is missing or damaged."""
     try:
         return Services.load(state.root)
     except RosmlError:
@@ -62,7 +62,7 @@ def written(state: State) -> Services | None:
 
 
 def status(state: State) -> dict[str, Any]:
-    """What runs here, with which tools and how much room."""
+    """The running services, their tools, and the free disk space."""
     services = written(state) or Services.load(state.root, required=False)
     return {
         "state": str(state.folder),

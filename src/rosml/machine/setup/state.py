@@ -1,4 +1,4 @@
-"""The state folder ``.state``: everything the set-up makes is in it, and nothing else is."""
+"""The state folder ``.state``, which has all files of setup."""
 
 from __future__ import annotations
 
@@ -13,16 +13,18 @@ from pathlib import Path
 from rosml.base.errors import RosmlError
 
 LONGEST_SOCKET_PATH = 107
-"""Bytes of a unix socket's path that fit into Linux' ``sockaddr_un`` (108, one of them the closing zero)."""
+"""The most bytes of a unix socket's path in Linux' ``sockaddr_un``: 108, one of them the closing zero."""
 
 
 @dataclass(frozen=True)
 class State:
-    """Paths of one checkout's state, and what scripts/bootstrap.py found out before.
+    """The paths of a checkout's state, and facts from scripts/bootstrap.py.
 
     Attributes:
-        root: the checkout. say: told what is going on, a line at a time.
-        uv: path of uv. ca_bundle: the user's own certificates; empty where the system's do.
+        root: the checkout.
+        say: gets messages, a line each.
+        uv: the path of uv.
+        ca_bundle: the user's own certificates; empty if the system's count.
     """
 
     root: Path
@@ -48,25 +50,25 @@ class State:
 
     @property
     def short_run(self) -> Path:
-        """Folder for sockets when the checkout's own path is too long for one, or has odd characters."""
+        """The folder for sockets if the checkout's own path is too long for one, or has odd characters."""
         digest = hashlib.sha256(os.fsencode(self.root)).hexdigest()[:12]
         return Path(f"/tmp/rosml-{os.getuid()}-{digest}")
 
     def socket(self, name: str) -> Path:
-        """Path of a unix socket that is short and plain enough for every program."""
+        """The path of a unix socket, short and plain enough for every program."""
         path = self.run / name
         plain = re.fullmatch(r"[A-Za-z0-9._/+@-]+", str(path))
         return path if plain and len(os.fsencode(path)) <= LONGEST_SOCKET_PATH else self.short_run / name
 
     def prepare_socket(self, path: Path) -> None:
-        """Makes a socket's folder; one under /tmp is this user's own and closed to others.
+        """Makes a socket's folder. Under /tmp, it is this user's own, and closed to others.
 
         Raises:
-            RosmlError: another user made a folder of that name.
+            RosmlError: another user owns a folder of that name.
         """
         path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         if path.parent == self.short_run:
             facts = path.parent.lstat()
             if not stat.S_ISDIR(facts.st_mode) or facts.st_uid != os.getuid():
-                raise RosmlError(f"{path.parent} belongs to somebody else", f"remove {path.parent}")
+                raise RosmlError(f"{path.parent} belongs to another user", f"remove {path.parent}")
             path.parent.chmod(0o700)

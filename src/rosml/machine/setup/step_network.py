@@ -1,7 +1,7 @@
-"""The network of build steps: namespaces of their own behind a bridge, from which their code reaches no service of the machine.
+"""The network of build steps: their own namespaces behind a bridge, from which their code reaches no service of the machine.
 
-buildkitd makes the namespaces, with plugins and iptables of the system, or of its own image in Docker. What it leaves open is
-closed here: the machine's own addresses, such as the bridge's.
+buildkitd makes the namespaces, with plugins and iptables of the system, or of its own image in Docker. It leaves the machine's own
+addresses open, such as the bridge's; this module closes them.
 """
 
 from __future__ import annotations
@@ -24,21 +24,21 @@ from rosml.machine.setup.installer import which_system
 from rosml.machine.setup.process import output_of
 
 PLUGINS = ("bridge", "firewall", "host-local", "loopback")
-"""What BuildKit's bridge mode calls."""
+"""The plugins of BuildKit's bridge mode."""
 FOLDERS = ("/usr/lib/cni", "/opt/cni/bin", "/usr/libexec/cni")
-"""Where systems have them."""
+"""The folders of plugins on different systems."""
 POOL = 4
-"""Namespaces that are kept ready: a step that takes one starts as fast as on the machine's network."""
+"""How many namespaces are kept ready, so that steps start as fast as on the machine's network."""
 ADDRESSES = Path("/var/lib/cni/networks/buildkit")
-"""Has a file for each address that is in use."""
+"""The folder with a file for each used address."""
 RULES = (
     ("filter", "INPUT", "-j REJECT"),
     ("mangle", "FORWARD", "-p tcp --tcp-flags SYN,RST SYN -j TCPMSS --clamp-mss-to-pmtu"),
 )
-"""Table, chain and rule for what comes from a bridge: no way to the machine itself; and packets no larger than its own network
-takes, whose limit may be below a bridge's 1500 bytes."""
+"""Table, chain and rule for packets from a bridge: they do not reach the machine itself, and are no larger than its own network
+allows, whose limit may be below a bridge's 1500 bytes."""
 RESOLVED = "127.0.0.53"
-"""systemd-resolved: BuildKit takes the servers that it asks."""
+"""The address of systemd-resolved. BuildKit asks that one's servers instead."""
 RESOLV = ("/etc/resolv.conf", "/run/systemd/resolve/resolv.conf")
 
 ASK = """
@@ -56,7 +56,7 @@ for server in sys.argv[1:] * 2:
     sys.exit(0)
 sys.exit(1)
 """
-"""Asks servers for the root's name servers; ends with 0 if one answers, whatever it says."""
+"""Asks servers for the root's name servers. Ends with 0 if one answers, whatever the answer is."""
 
 ASK_BY_SHELL = """
 for server in "$@"; do
@@ -65,7 +65,7 @@ for server in "$@"; do
 done
 exit 1
 """
-"""The same by busybox, as BuildKit's image has no Python. "can't find" is an answer."""
+"""The same with busybox, as BuildKit's image has no Python. "can't find" is an answer."""
 
 IMAGE_PROGRAMS = (
     *(f"buildkit-cni-{name}" for name in PLUGINS),
@@ -75,20 +75,20 @@ IMAGE_PROGRAMS = (
     "nsenter",
     "nslookup",
 )
-"""What BuildKit's image must have."""
+"""Programs that BuildKit's image must have."""
 LACKING = """
 for program; do command -v "$program" >/dev/null || echo "$program"; done
 echo .
 """
-"""Prints which programs are missing, and a full stop."""
+"""Prints the missing programs, and a full stop."""
 IMAGE_CONFIG = "/etc/buildkit/buildkitd.toml"
-"""Where buildx puts the configuration."""
+"""The path to which buildx copies the configuration."""
 IMAGE_NAMESPACES = "/var/lib/buildkit/net/cni"
 
 
 @dataclass(frozen=True)
 class Bridge:
-    """A bridge of one checkout. ``plugins``: the folder that has them; nothing for those of BuildKit's image."""
+    """The bridge of a checkout. ``plugins``: their folder; None for those of BuildKit's image."""
 
     name: str
     subnet: str
@@ -96,7 +96,7 @@ class Bridge:
 
     @classmethod
     def read(cls, config: Path) -> Bridge | None:
-        """The one that a buildkitd.toml names."""
+        """The bridge in a buildkitd.toml."""
         try:
             return cls.parse(config.read_text())
         except OSError:
@@ -104,7 +104,7 @@ class Bridge:
 
     @classmethod
     def parse(cls, text: str) -> Bridge | None:
-        """The same, of its text."""
+        """The bridge in the text of a buildkitd.toml."""
         try:
             facts = tomllib.loads(text)["worker"]["oci"]
             folder = facts.get("cniBinaryPath")
@@ -113,7 +113,7 @@ class Bridge:
             return None
 
     def lines(self) -> list[str]:
-        """What buildkitd.toml says of it, in the table of its worker."""
+        """Its lines in buildkitd.toml, in the table of its worker."""
         return [
             '  networkMode = "bridge"',
             f'  bridgeName = "{self.name}"',
@@ -125,12 +125,12 @@ class Bridge:
 
 @dataclass(frozen=True)
 class Place:
-    """Where a buildkitd runs.
+    """The place of a buildkitd.
 
     Attributes:
-        at: what comes before a command that runs there, in the machine's network; nothing on this machine.
+        at: the words before a command that runs there, in the machine's network; empty on this machine.
         namespaces: the folder of its namespaces, as such a command sees it.
-        asking: a command that ends with 0 if one of the name servers that it gets answers.
+        asking: a command that gets name servers, and ends with 0 if one of them answers.
     """
 
     at: tuple[str, ...]
@@ -139,7 +139,7 @@ class Place:
 
     @classmethod
     def here(cls, buildkitd: int, namespaces: Path) -> Place:
-        """On this machine. ``buildkitd``: its process, in whose mounts the namespaces are."""
+        """This machine. ``buildkitd``: its process, whose mounts have the namespaces."""
         return cls((), f"/proc/{buildkitd}/root{namespaces}", (sys.executable, "-I", "-c", ASK))
 
 
@@ -149,7 +149,8 @@ class Container:
 
     Attributes:
         docker: the client's command, with the address of the daemon.
-        name: the container's. image: BuildKit's.
+        name: the container's name.
+        image: BuildKit's image.
     """
 
     docker: tuple[str, ...]
@@ -158,7 +159,7 @@ class Container:
 
     @classmethod
     def of(cls, record: Path, image: str) -> Container | None:
-        """The one of which buildx has a record."""
+        """The container in buildx' record."""
         try:
             node = (untrusted.json_object(record.read_bytes()) or {})["Nodes"][0]
             endpoint, name = str(node["Endpoint"]), str(node["Name"])
@@ -168,11 +169,11 @@ class Container:
         return cls(("docker", where, endpoint), f"buildx_buildkit_{name}", image)
 
     def inside(self) -> tuple[str, ...]:
-        """What comes before a command that runs in it."""
+        """The words before a command that runs in it."""
         return (*self.docker, "exec", self.name)
 
     def beside(self, *options: str) -> tuple[str, ...]:
-        """The same for another container, with the same rights, that lives as long as the command."""
+        """The words before a command that runs in another container with the same rights, for as long as the command."""
         fixed = (
             "--rm",
             "--privileged",
@@ -188,17 +189,17 @@ class Container:
         return (*self.docker, "run", *fixed, *options, self.image)
 
     def place(self) -> Place:
-        """Where its buildkitd runs, which may have mounts that the container itself does not see."""
+        """The place of its buildkitd, which may have mounts that the container itself does not see."""
         pids = [int(word) for word in output_of([*self.inside(), "pidof", "buildkitd"]).split()]
         namespaces = f"/proc/{min(pids, default=1)}/root{IMAGE_NAMESPACES}"
         return Place(self.inside(), namespaces, ("sh", "-c", ASK_BY_SHELL, "sh"))
 
     def running(self) -> Bridge | None:
-        """The bridge that its buildkitd has."""
+        """The bridge of its buildkitd."""
         return Bridge.parse(output_of([*self.inside(), "cat", IMAGE_CONFIG]))
 
     def bridge(self, root: Path) -> Bridge | str:
-        """The bridge that it has or may get, or why there can be none. ``root``: the checkout."""
+        """The bridge that it has or can get, or the reason why not. ``root``: the checkout."""
         *lacking, end = output_of([*self.inside(), "sh", "-c", LACKING, "sh", *IMAGE_PROGRAMS]).split() or [""]
         if not end:
             return "as docker cannot enter its container"
@@ -214,7 +215,7 @@ class Container:
         return Bridge(found.name, _subnet(found.name, taken))
 
     def _show_name_servers(self) -> None:
-        """Puts the servers that systemd-resolved asks where BuildKit looks for them: a container has no such file."""
+        """Writes the servers of systemd-resolved to the file that BuildKit reads: a container does not have it."""
         if nameservers(self.inside(), RESOLV[:1], loopback=True) == [RESOLVED]:
             file = RESOLV[1]
             shown = output_of([*self.beside("--mount", f"type=bind,src={file},dst={file},readonly"), "cat", file])
@@ -223,12 +224,12 @@ class Container:
 
 
 def plugins() -> Path | None:
-    """The folder with the plugins, if there is one."""
+    """The folder of the plugins, if there is one."""
     return next((Path(name) for name in FOLDERS if all(os.path.exists(f"{name}/{x}") for x in PLUGINS)), None)
 
 
 def missing_packages() -> dict[str, str]:
-    """Debian packages that it needs, and what each is for."""
+    """Debian packages that it needs, each with its purpose."""
     packages = {}
     if not plugins():
         packages["containernetworking-plugins"] = "gives build steps a network of their own"
@@ -238,7 +239,7 @@ def missing_packages() -> dict[str, str]:
 
 
 def bridge(root: Path) -> Bridge | str:
-    """The bridge of a checkout, or why there can be none."""
+    """The bridge of a checkout, or the reason why there is none."""
     if lacking := missing_packages():
         return f"without {' and '.join(lacking)}"
     if not nameservers():
@@ -250,12 +251,12 @@ def bridge(root: Path) -> Bridge | str:
 
 
 def bridge_name(root: Path) -> str:
-    """What the bridge of a checkout is called; Linux takes 15 bytes."""
+    """The name of a checkout's bridge; Linux takes 15 bytes."""
     return f"rosml{hashlib.sha256(os.fsencode(root)).hexdigest()[:8]}"
 
 
 def _subnet(name: str, taken: Sequence[ipaddress.IPv4Network]) -> str:
-    """A subnet that overlaps with no other: of 172.20.0.0/14, where a name decides which is tried first."""
+    """A subnet of 172.20.0.0/14 that overlaps with no other. A name decides which is tried first."""
     candidates = [*ipaddress.IPv4Network("172.20.0.0/14").subnets(new_prefix=24)]
     first = int(hashlib.sha256(name.encode()).hexdigest(), 16) % len(candidates)
     free = (net for net in candidates[first:] + candidates[:first] if not any(net.overlaps(x) for x in taken))
@@ -263,7 +264,7 @@ def _subnet(name: str, taken: Sequence[ipaddress.IPv4Network]) -> str:
 
 
 def _routes(but: str, at: Sequence[str] = ()) -> list[ipaddress.IPv4Network]:
-    """Networks that a machine has routes to, but by one device; without the default route."""
+    """Networks to which a machine has routes, except by one device; without the default route."""
     found = []
     for line in _text(at, "/proc/net/route").splitlines()[1:]:
         device, destination, *_others = fields = line.split()
@@ -274,7 +275,7 @@ def _routes(but: str, at: Sequence[str] = ()) -> list[ipaddress.IPv4Network]:
 
 
 def nameservers(at: Sequence[str] = (), files: Sequence[str] = RESOLV, loopback: bool = False) -> list[str]:
-    """The servers that steps with a network of their own ask: those of the machine, without loopback."""
+    """The name servers of steps with their own network: those of the machine, without loopback."""
     found: list[str] = []
     for file in files:
         with suppress(OSError):
@@ -286,16 +287,16 @@ def nameservers(at: Sequence[str] = (), files: Sequence[str] = RESOLV, loopback:
 
 
 def _text(at: Sequence[str], file: str) -> str:
-    """What a file says, here or where a command runs."""
+    """The text of a file, here or at a command's place."""
     return output_of([*at, "cat", file]) if at else Path(file).read_text(errors="replace")
 
 
 def enclose(found: Bridge, place: Place, known: bool = True) -> str:
-    """Closes the machine's own addresses to steps, and tries whether they reach the others. Safe to call again.
+    """Closes the machine's own addresses to steps, and checks that they reach others. You may call it again.
 
     Args:
-        known: steps had that network before. Otherwise a name server has to answer them; if the machine reaches none, nobody
-            knows whether they would.
+        known: steps had that network before. Otherwise a name server must answer them: if the machine itself reaches none, we cannot
+            tell whether one would.
 
     Returns:
         Why steps cannot have such a network; empty if they can.
@@ -304,7 +305,7 @@ def enclose(found: Bridge, place: Place, known: bool = True) -> str:
         words = [chain, "-i", found.name, *rule.split()]
         if not _iptables(place.at, "-t", table, "-C", *words) and not _iptables(place.at, "-t", table, "-I", *words):
             return "as iptables refuses a rule"
-    # The subnet is of IPv4; by a link's own address they would reach the machine all the same. Not each has IPv6.
+    # The subnet is of IPv4. Through a link's own IPv6 address steps could still reach the machine. Some have no IPv6.
     switch = f"/proc/sys/net/ipv6/conf/{found.name}/disable_ipv6"
     if not _succeeds(*place.at, "sh", "-c", '[ ! -e "$0" ] || echo 1 >"$0"', switch):
         return "as IPv6 cannot be turned off for it"
@@ -326,10 +327,10 @@ def enclose(found: Bridge, place: Place, known: bool = True) -> str:
 
 
 def tidy(left: Bridge, at: Sequence[str] = ()) -> None:
-    """Removes what a buildkitd that has ended left: rules and addresses if it was killed, and the bridge itself.
+    """Removes the remains of a stopped buildkitd: the bridge, and rules and addresses if it was killed.
 
     Args:
-        at: what comes before a command that runs on Docker's machine; nothing for this one.
+        at: the words before a command that runs on Docker's machine; empty for this machine.
     """
     subnet = ipaddress.IPv4Network(left.subnet)
     commands, table = [], ""
@@ -340,7 +341,7 @@ def tidy(left: Bridge, at: Sequence[str] = ()) -> None:
         if words and (left.name in words or any(_within(word, subnet) for word in words)):
             iptables = [_program(at, "iptables"), "-w", "5", "-t", table]
             commands.append([*iptables, "-D", *words[1:]])
-            if words[1] == "POSTROUTING":  # it leads to a chain of the namespace
+            if words[1] == "POSTROUTING":  # it has a chain of the namespace as its target
                 commands += [[*iptables, "-F", words[-1]], [*iptables, "-X", words[-1]]]
     if at or Path(f"/sys/class/net/{left.name}").exists():
         commands.append([_program(at, "ip"), "link", "delete", left.name])
@@ -352,7 +353,7 @@ def tidy(left: Bridge, at: Sequence[str] = ()) -> None:
 
 
 def _within(text: str, subnet: ipaddress.IPv4Network) -> bool:
-    """Whether a text is an address, or a subnet, of this one."""
+    """Whether a text is an address or a subnet within a subnet."""
     try:
         return ipaddress.IPv4Network(text).subnet_of(subnet)
     except ValueError:
@@ -360,7 +361,7 @@ def _within(text: str, subnet: ipaddress.IPv4Network) -> bool:
 
 
 def _program(at: Sequence[str], name: str) -> str:
-    """What a program of the system is called, which may not be on PATH here."""
+    """The path or the name of a system program, which may be missing on PATH here."""
     return name if at else which_system(name) or name
 
 
@@ -369,7 +370,7 @@ def _iptables(at: Sequence[str], *arguments: str) -> bool:
 
 
 def _succeeds(*argv: str) -> bool:
-    """Whether a short command ends well."""
+    """Whether a short command succeeds."""
     try:
         done = subprocess.run(argv, stdin=subprocess.DEVNULL, capture_output=True, timeout=20, check=False)
     except (OSError, subprocess.TimeoutExpired):

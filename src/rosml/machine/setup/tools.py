@@ -1,4 +1,4 @@
-"""Which tools the services, builds and tests need, and where each comes from."""
+"""The tools of services, builds and tests, and the source of each."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ OLDEST_BUILDX = (0, 26)
 BUILDER = "rosml"
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome-stable", "google-chrome", "chromium-headless-shell")
-"""What the tests of the catalogue's page take: the first one that is there."""
+"""Browsers for the tests of the catalogue's page. They take the first one that is installed."""
 
 
 def docker_is_there(installer: Installer) -> bool:
-    """Whether the user's Docker daemon can be reached."""
+    """Whether the user's Docker daemon answers."""
     return _docker(installer, "info", "--format", "{{.ServerVersion}}").strip() != ""
 
 
@@ -39,12 +39,12 @@ def _docker(installer: Installer, *arguments: str) -> str:
 
 
 def buildkit_image(state: State) -> str:
-    """BuildKit's image, by its digest, of the same release as the buildkitd that is built if there is no Docker."""
+    """BuildKit's image, by its digest. Its release is that of the buildkitd that we build if there is no Docker."""
     return pinned_image(state.root, "moby/buildkit")
 
 
 def buildx_of(installer: Installer) -> tuple[str, ...]:
-    """The machine's own buildx that is new enough: Docker's plugin, or one on PATH; empty where there is none."""
+    """The machine's own buildx if it is new enough: Docker's plugin, or one on PATH; empty if there is none."""
     for argv in (("docker", "buildx"), ("buildx",)):
         program = shutil.which(argv[0], path=installer.outer_path())
         version = version_in(output_of([program, *argv[1:], "version"])) if program else ()
@@ -55,7 +55,7 @@ def buildx_of(installer: Installer) -> tuple[str, ...]:
 
 
 def choose_builder(installer: Installer, hub: bool) -> tuple[str, str]:
-    """Kind and name of the builder: the one that BUILDX_BUILDER names, one in Docker, or buildkitd on its own.
+    """The kind and the name of the builder: the one that BUILDX_BUILDER names, one in Docker, or our own buildkitd.
 
     Raises:
         RosmlError: there is no Docker, and this user may not run buildkitd.
@@ -80,7 +80,7 @@ def choose_builder(installer: Installer, hub: bool) -> tuple[str, str]:
 
 
 def missing_packages(kind: str, hub: bool) -> dict[str, str]:
-    """Debian packages to install, and what each is for."""
+    """Debian packages to install, each with its purpose."""
     packages: dict[str, str] = {}
     if kind == "buildkitd" and not (which_system("runc") or which_system("crun")):
         packages["runc"] = "runs build steps"
@@ -90,7 +90,7 @@ def missing_packages(kind: str, hub: bool) -> dict[str, str]:
 
 
 def _debian_packages(installer: Installer, packages: dict[str, str], kind: str) -> None:
-    """Installs packages, and those for the network of build steps if they can be had: the builder works without."""
+    """Installs packages, and, if possible, those for the network of build steps: the builder works without them."""
     installer.debian_packages(packages)
     if kind == "buildkitd":
         with suppress(RosmlError):
@@ -98,27 +98,27 @@ def _debian_packages(installer: Installer, packages: dict[str, str], kind: str) 
 
 
 def engine_packages(installer: Installer) -> dict[str, str]:
-    """Docker, where neither a daemon answers nor one can be started."""
+    """Docker, if no daemon answers and none can be started."""
     there = docker_is_there(installer) or which_system("dockerd")
     return {} if there else {"docker.io": "runs images for the tests of the runtime contract"}
 
 
 def browser_packages() -> dict[str, str]:
-    """Chromium, where there is no browser of its kind."""
+    """Chromium, if there is no browser of its kind."""
     there = any(which_system(name) for name in BROWSERS)
     return {} if there else {"chromium": "opens the catalogue's page in its tests"}
 
 
 def install(state: State, hub: bool, tests: bool = False) -> Services:
-    """Finds or installs all that the services and builds need; with ``tests`` also what `make test` needs.
+    """Finds or installs all tools of the services and builds; with ``tests`` also those of `make test`.
 
-    apt waits for the network for the most part, so it works beside Go's compiler.
+    apt mostly waits for the network, so it runs beside Go's compiler.
 
     Args:
         hub: whether Docker Hub answers.
 
     Returns:
-        What runs with these tools, without a registry, which is not started here.
+        The services with these tools, without a registry, which is not started here.
     """
     installer = Installer(state)
     kind, builder = choose_builder(installer, hub)
@@ -126,7 +126,7 @@ def install(state: State, hub: bool, tests: bool = False) -> Services:
     if tests:
         packages = {**packages, **engine_packages(installer), **browser_packages()}
     if packages:
-        installer.apt(packages)  # whether it may is told now, not after minutes of compiling
+        installer.apt(packages)  # fails now if it may not, not after minutes of compiling
     regctl = installer.found("regctl", "version", OLDEST_REGCTL)
     buildx = buildx_of(installer)
     linter = not tests or installer.found("actionlint", "--version")
@@ -136,7 +136,7 @@ def install(state: State, hub: bool, tests: bool = False) -> Services:
         others = pool.submit(_debian_packages, installer, packages, kind)
         for name in wanted:
             if others.done():
-                others.result()  # a failure ends it now
+                others.result()  # raises its failure now
             installer.go_program(name)
         others.result()
     installer.drop_go_caches()
