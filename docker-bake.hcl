@@ -66,12 +66,12 @@ variable "ROS_SYNC_DATES" {
 }
 
 variable "ROS_CHANNEL" {
-  description = "live, testing, snapshot or final, in the place of what matrix.yaml says (ROS_CHANNEL=final rosml image)"
+  description = "live, testing, snapshot or final, instead of matrix.yaml's channel (ROS_CHANNEL=final rosml image)"
   default     = ""
 }
 
 variable "ROS_SNAPSHOT" {
-  description = "day of the snapshot where ROS_CHANNEL is snapshot: YYYY-MM-DD"
+  description = "day of the snapshot if ROS_CHANNEL is snapshot: YYYY-MM-DD"
   default     = ""
 }
 
@@ -2289,7 +2289,7 @@ target "_torch-cu121-py38" {
 }
 
 target "_torch-cpu38-py38" {
-  description = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them"
+  description = "cannot be built yet: no lock; run 'rosml locks' on a machine that reaches the package indexes, PyTorch's own among them"
   platforms   = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     part-common = dependency("common-cpu38-py38", "part", "_files-common-cpu38-py38")
@@ -3241,7 +3241,7 @@ target "_torch-cu132-py314" {
 }
 
 target "_torch-cpu-py314" {
-  description = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them"
+  description = "cannot be built yet: no lock; run 'rosml locks' on a machine that reaches the package indexes, PyTorch's own among them"
   platforms   = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     part-common = dependency("common-cpu-py314", "part", "_files-common-cpu-py314")
@@ -3457,7 +3457,7 @@ target "_torch-cu132-py311" {
 }
 
 target "_torch-cpu-py311" {
-  description = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them"
+  description = "cannot be built yet: no lock; run 'rosml locks' on a machine that reaches the package indexes, PyTorch's own among them"
   contexts = {
     part-common = dependency("common-cpu-py311", "part", "_files-common-cpu-py311")
     part-torch  = dependency("torch-cpu-py311", "part", "_files-torch-cpu-py311")
@@ -3597,7 +3597,7 @@ target "_ml-cu128-py311" {
 }
 
 target "_ml-cpu-py311" {
-  description = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them"
+  description = "cannot be built yet: no lock; run 'rosml locks' on a machine that reaches the package indexes, PyTorch's own among them"
   contexts = {
     part-common        = dependency("common-cpu-py311", "part", "_files-common-cpu-py311")
     part-torch         = dependency("torch-cpu-py311", "part", "_files-torch-cpu-py311")

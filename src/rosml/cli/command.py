@@ -182,7 +182,7 @@ def _of_the_system(error: OSError) -> tuple[str, str]:
     if error.errno == errno.EISDIR and name:
         return f"{name} is in the way: it is a folder, and a file is needed there", _IN_THE_WAY
     if error.errno in (errno.EACCES, errno.EPERM, errno.EROFS) and name:
-        return f"{name}: {reason}", "run it as the user who may, or let this one"
+        return f"{name}: {reason}", "run it as a user with access, or give this one access"
     if error.errno in (errno.ENOSPC, errno.EDQUOT):
         made = " (rosml setup down; rosml setup clean removes all that was made)" if IN_CHECKOUT else ""
         remedy = f"free some disk space{made}, then run it again"

@@ -649,7 +649,7 @@ class App:
             ),
             (
                 built.slim_tests,
-                " in the slim image, and passed where the packages were built",
+                " in the slim image, and passed in the build",
                 "name what they need to run in package.xml, as exec_depend; or leave the slim image out: --no-enable-slim",
             ),
         ):

@@ -334,7 +334,7 @@ def outputs(images: list[Image]) -> dict[str, str]:
 
 
 def summary(images: list[Image], out: Path | None = None) -> str:
-    """Markdown for the page of a run. `out` is where reports are kept."""
+    """Markdown for the page of a run. `out`: the folder of reports."""
     rows = [
         (
             "<br>".join(f"`{image.name}:{tag}{image.end}`" for tag in image.tags),

@@ -139,7 +139,9 @@ def ask(folder: Path, *arguments: str) -> bytes:
         raise RosmlError(f"git does not answer about {folder} in {SECONDS:.0f} s", "run it again") from None
     except OSError as error:
         if not isinstance(error, FileNotFoundError):
-            raise RosmlError(f"git cannot be called in {folder}: {error.strerror}", "check who may enter it") from None
+            raise RosmlError(
+                f"git cannot be called in {folder}: {error.strerror}", "check the folder's permissions"
+            ) from None
         raise RosmlError("git is not installed", "install it: apt-get install git") from None
     if done.returncode and done.stderr:
         said = done.stderr.decode(errors="replace").strip()

@@ -206,7 +206,7 @@ def memory(place: Place) -> Finding | None:
 
 
 def owner(place: Place, here: Place | None) -> Iterator[Finding]:
-    """Who may open the shared memory."""
+    """The user whose processes may open the shared memory."""
     if place.ipc != HOST or place.network != HOST or not place.uid:
         return
     if here and here.uid != place.uid:
@@ -219,7 +219,7 @@ def owner(place: Place, here: Place | None) -> Iterator[Finding]:
 
 
 def size(context: Context, place: Place) -> Finding:
-    """How much fits into the shared memory."""
+    """The size of the shared memory."""
     what = places.SHM
     if (place.ipc == HOST and not context.is_here) or place.ipc.startswith("container:"):
         return Finding(what, GOOD, f"that of {context.engine.machine if place.ipc == HOST else place.ipc}")

@@ -67,7 +67,7 @@ def test_success(capsys: pytest.CaptureFixture[str]) -> None:
         (
             PermissionError(errno.EACCES, "Permission denied", "/x"),
             1,
-            "error: /x: Permission denied\nremedy: run it as the user who may, or let this one\n",
+            "error: /x: Permission denied\nremedy: run it as a user with access, or give this one access\n",
         ),
         (OSError(errno.EIO, "Input/output error"), 1, "error: Input/output error\n"),
     ],

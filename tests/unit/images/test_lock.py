@@ -522,7 +522,9 @@ def test_what_they_share_must_agree(pinned: str, complaint: str, tmp_path: Path)
     tensorflow = "  tf: {repository: ros-tf, parts: [common, tensorflow-cc, tensorflow], accelerators: [cpu]}\n"
     image_set = parse(changed("  ml: {", f"{tensorflow}  ml: {{", APART))
     uv = UV + "case $(cat in.txt) in *torch*) n=1 ;; *) n=2 ;; esac; " + pinned
-    with pytest.raises(RosmlError, match=rf"common\.txt: numpy would be {complaint}, depending on who asks"):
+    with pytest.raises(
+        RosmlError, match=rf"common\.txt: numpy would be {complaint}, depending on the package that asks"
+    ):
         resolve.lock(image_set, tmp_path, fake_uv(tmp_path, uv))
 
 

@@ -439,9 +439,9 @@ WRONG = {
         "  snapshot: http://snapshots.ros.test/{ros_distro}/{day}/ubuntu\n"
         "  apt_source: https://git.test/{version}/{generation}.{codename}.deb\n",
         "",
-        "57:5: distributions.alpha.apt: nothing says where ROS's apt repositories are; "
+        "57:5: distributions.alpha.apt: ROS's apt repositories have no address; "
         "add 'ros_archive: {live: …, snapshot: …, apt_source: …}'\n"
-        "64:5: distributions.omega.apt: nothing says where ROS's apt repositories are; "
+        "64:5: distributions.omega.apt: ROS's apt repositories have no address; "
         "add 'ros_archive: {live: …, snapshot: …, apt_source: …}'",
     ),
     "a placeholder that is not filled in": (
@@ -457,8 +457,8 @@ WRONG = {
     "packages from nowhere": (
         "    apt: {channel: snapshot, date: 2026-11-01}\n",
         "",
-        "58:3: distributions.omega: ubuntu-26.04 does not have ROS's packages itself, and nothing says where they come "
-        "from; add 'apt: {channel: live}', 'apt: {channel: snapshot, date: …}', past the end of life "
+        "58:3: distributions.omega: ubuntu-26.04 does not have ROS's packages itself, and no other source is named; "
+        "add 'apt: {channel: live}', 'apt: {channel: snapshot, date: …}', past the end of life "
         "'apt: {channel: final}', or 'archive: {address: …, suite: …, key: …}'",
     ),
     "packages from two places": (

@@ -51,7 +51,7 @@ def test_otherwise_for_once(matrix: Matrix) -> None:
     without = (
         RosArchive.model_validate({**matrix.ros_archive.model_dump(), "testing": None}) if matrix.ros_archive else None
     )
-    with pytest.raises(RosmlError, match="nothing says where ROS's testing repository is"):
+    with pytest.raises(RosmlError, match="ROS's testing repository has no address"):
         apt_repository.of(matrix.model_copy(update={"ros_archive": without}), "rolling", {"ROS_CHANNEL": "testing"})
 
 

@@ -18,7 +18,7 @@ from rosml.cli.command import say
 if TYPE_CHECKING:
     from rosml.containerize.ci_job import Image, Job
 
-KEPT = "interrupted: finished steps are kept where the builder is; run the job again"
+KEPT = "interrupted: the builder keeps finished steps; run the job again"
 """The message after Ctrl-C."""
 
 

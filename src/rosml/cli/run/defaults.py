@@ -56,7 +56,9 @@ def require(typed: words.Line, file: defaults.File | None) -> bool:
         command.warn(said, "rosml run will ask you first")
         return False
     if not question.possible():
-        raise RosmlError(said, "call it once in a terminal, where rosml asks you; --no-defaults leaves the file out", 2)
+        raise RosmlError(
+            said, "call it once in a terminal, so that rosml can ask you; --no-defaults leaves the file out", 2
+        )
     whose = "" if trusted else f", a file of another user ({file.owner}),"
     until = "Allow this until the file or what it names changes?"
     if not question.agreed("\n  ".join([f"{name}{whose} wants:", *items]), until):

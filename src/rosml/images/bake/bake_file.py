@@ -118,9 +118,9 @@ def _variables(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
     yield (
         "ROS_CHANNEL",
         "",
-        "live, testing, snapshot or final, in the place of what matrix.yaml says (ROS_CHANNEL=final rosml image)",
+        "live, testing, snapshot or final, instead of matrix.yaml's channel (ROS_CHANNEL=final rosml image)",
     )
-    yield "ROS_SNAPSHOT", "", "day of the snapshot where ROS_CHANNEL is snapshot: YYYY-MM-DD"
+    yield "ROS_SNAPSHOT", "", "day of the snapshot if ROS_CHANNEL is snapshot: YYYY-MM-DD"
     yield "CA_BUNDLE", "", "file with certificates that build steps trust; never part of a layer"
     mirror = "mirror of the hosts that ros_archive names, such as http://host:3142; never part of an image"
     yield "ROS_APT_MIRROR", "", mirror

@@ -67,7 +67,7 @@ class Tests(Fact):
 
 
 class Scan(Fact):
-    """What a scan for known vulnerabilities came to."""
+    """The result of a scan for known vulnerabilities."""
 
     outcome: str = Field(description="clean, policy failed or scanner failed")
     database: str = Field(description="when the database of vulnerabilities was made; empty if unknown")
@@ -95,7 +95,7 @@ class Platform(Fact):
 
 
 class Build(Fact):
-    """What a tag points at, or pointed at: an index."""
+    """A build: the index of a tag, now or before."""
 
     digest: Digest = Field(description="of the index")
     created: str = Field(description="date of the run that made it, such as 2026-11-22T03:00:00Z; else empty")
@@ -122,7 +122,7 @@ class Move(Fact):
 
 
 class Tagged(Fact):
-    """What images and parts have in common."""
+    """The common fields of images and parts."""
 
     repository: str = Field(description="without the registry")
     tags: tuple[Tag, ...] = Field(description="the main one first; none if nothing is published")
@@ -147,7 +147,7 @@ class Image(Tagged):
 
 
 class Part(Tagged):
-    """What is built once for a stack, and can be added to any image with the same Python."""
+    """A part, built once for a stack. You can add it to any image with the same Python."""
 
     name: str
     kind: str
@@ -157,7 +157,7 @@ class Part(Tagged):
 
 
 class Sharing(Fact):
-    """What sharing layers saves, in the images that main tags point at, on all platforms."""
+    """The bytes saved by sharing layers, in the images of main tags, on all platforms."""
 
     images: Count = Field(description="number of manifests")
     apart: Bytes = Field(description="bytes if each had its layers to itself")

@@ -74,7 +74,7 @@ def of(matrix: Matrix, name: str, environ: Mapping[str, str] = os.environ) -> Ap
     addresses = {"live": rules.ros_live(matrix, name), "testing": rules.ros_testing(matrix, name)}
     address = addresses.get(channel) or rules.ros_snapshot(matrix, name, day or channel)
     if channel == "testing" and not addresses["testing"]:
-        text = "nothing says where ROS's testing repository is"
+        text = "ROS's testing repository has no address"
         raise RosmlError(text, "add 'testing: …' to ros_archive in matrix.yaml", exit_code=2)
     return AptRepository(channel, day, address, codename)
 

@@ -12,7 +12,7 @@ from rosml.images.matrix.model import Matrix
 MAKE_LOCKS = "run 'rosml locks'"
 """The remedy for a lock that needs only the Python package index."""
 
-ASK_PYTORCH = f"{MAKE_LOCKS} where the package indexes answer, PyTorch's own among them"
+ASK_PYTORCH = f"{MAKE_LOCKS} on a machine that reaches the package indexes, PyTorch's own among them"
 """The remedy for a lock whose wheel only PyTorch's own index has, with a digest that the matrix lacks."""
 
 RESTORE = f"{MAKE_LOCKS}; if they were there and got lost: git checkout locks"

@@ -343,7 +343,9 @@ class Unreachable(RosmlError):
 
     def __init__(self, reason: str) -> None:
         cause = reason.strip().rpartition("cause: ")[2]
-        super().__init__(f"PyTorch's own index does not answer ({cause})", "run 'rosml locks' where it does")
+        super().__init__(
+            f"PyTorch's own index does not answer ({cause})", "run 'rosml locks' on a machine that reaches it"
+        )
 
 
 def _no_answer(stderr: str) -> bool:
@@ -578,7 +580,7 @@ def _merge(path: str, known: dict[str, Pin], found: list[Pin]) -> None:
         other = known.setdefault(pin.name, pin)
         if (other.version, other.hashes) != (pin.version, pin.hashes):
             raise RosmlError(
-                f"{path}: {pin.name} would be {other.version} and {pin.version}, depending on who asks",
+                f"{path}: {pin.name} would be {other.version} and {pin.version}, depending on the package that asks",
                 "pin it in the stack's constraints in matrix.yaml",
             )
 

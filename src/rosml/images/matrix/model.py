@@ -135,7 +135,7 @@ class Facts(BaseModel):
 
 
 class Default(Facts):
-    """What is taken when nothing is named."""
+    """Defaults if nothing is named."""
 
     targets: Annotated[tuple[Target, ...], Field(min_length=1)] = Field(
         description="`rosml image` builds the first of these images that this machine can build"
@@ -166,7 +166,7 @@ class AptSource(Facts):
 
 
 class OperatingSystem(Facts):
-    """What a distribution stands on."""
+    """An operating system for distributions."""
 
     image: Annotated[str, Field(pattern=IMAGE)] = Field(description="base image with its registry and tag")
     digest: Digest = Field(description="digest of the base image's index")
@@ -201,7 +201,7 @@ class Component(Facts):
 
 
 class PartEntry(Facts):
-    """What is built once from locked inputs and joined to many images."""
+    """A part: built once from locked inputs, and joined to many images."""
 
     name: Name = Field(description="its own; also that of its folder in components/ and of its tests")
     title: Word | None = Field(default=None, description="how descriptions call what it brings, such as PyTorch")
@@ -250,7 +250,7 @@ class PartEntry(Facts):
 
 
 class Framework(Facts):
-    """What is added to a ROS image."""
+    """A framework: an addition to a ROS image."""
 
     repository: Name = Field(description="repository of its images, without the registry")
     parts: tuple[Name, ...] = Field(
@@ -328,7 +328,7 @@ class Stack(Facts):
 
 
 class Apt(Facts):
-    """Where ROS packages come from, for distributions that are not part of the operating system."""
+    """ROS's apt repository, for distributions that are not part of the operating system."""
 
     channel: Literal["live", "testing", "snapshot", "final"] = Field(
         description="live repository; what is tested before it is released there; dated snapshot; or the last snapshot of a distribution"
@@ -458,10 +458,10 @@ class Disk(Facts):
 
 
 class Rates(Facts):
-    """How fast a machine of CI builds, for the estimates of a plan, and so that its shards take equally long."""
+    """The speed of a CI machine, for the estimates of a plan, and so that its shards take equally long."""
 
-    packages: Rate = Field(default=25, description="MB unpacked per second, where apt installs packages")
-    parts: Rate = Field(default=60, description="MB unpacked per second, where parts are assembled")
+    packages: Rate = Field(default=25, description="MB unpacked per second while apt installs packages")
+    parts: Rate = Field(default=60, description="MB unpacked per second while parts are built")
     test: Rate = Field(default=15, description="seconds for the tests of an image")
     carried: Rate = Field(default=120, description="seconds for the tests that one image of a row runs for the others")
 

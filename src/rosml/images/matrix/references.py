@@ -304,14 +304,14 @@ def _distributions(matrix: Matrix) -> Iterator[Finding]:
         if distribution.apt and (distribution.apt.channel == "snapshot") != (distribution.apt.date is not None):
             yield (*path, "apt"), "'date' belongs to the channel snapshot, and to it alone"
         if distribution.apt and matrix.ros_archive is None:
-            text = "nothing says where ROS's apt repositories are; add 'ros_archive: {live: …, snapshot: …, apt_source: …}'"
+            text = "ROS's apt repositories have no address; add 'ros_archive: {live: …, snapshot: …, apt_source: …}'"
             yield (*path, "apt"), text
         if (
             distribution.apt
             and distribution.apt.channel == "testing"
             and not (matrix.ros_archive and matrix.ros_archive.testing)
         ):
-            yield (*path, "apt"), "nothing says where ROS's testing repository is; add 'testing: …' to ros_archive"
+            yield (*path, "apt"), "ROS's testing repository has no address; add 'testing: …' to ros_archive"
         for key in ("rmw", "usual_rmw"):
             if getattr(distribution, key) and distribution.ros == 1:
                 yield (*path, key), "ROS 1 has no RMW implementations; they are ROS 2's"
@@ -355,7 +355,7 @@ def _no_apt(path: KeyPath, distribution: Distribution, os: OperatingSystem) -> I
         known = "'apt: {channel: live}', 'apt: {channel: snapshot, date: …}', past the end of life 'apt: {channel: final}', or "
         yield (
             path,
-            f"{distribution.os} does not have ROS's packages itself, and nothing says where they come from; "
+            f"{distribution.os} does not have ROS's packages itself, and no other source is named; "
             f"add {known * bool(os.codename)}'archive: {{address: …, suite: …, key: …}}'",
         )
 

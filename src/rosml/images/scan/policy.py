@@ -61,7 +61,7 @@ class Ignored(Facts):
 
 
 class DatabaseRules(Facts):
-    """Where known vulnerabilities come from."""
+    """The source of known vulnerabilities."""
 
     repositories: Annotated[
         tuple[Annotated[str, Field(pattern=REPOSITORY, max_length=200)], ...], Field(min_length=1)
@@ -72,7 +72,7 @@ class DatabaseRules(Facts):
 
 
 class Policy(Facts):
-    """What is looked for, and what follows."""
+    """The policy of scans."""
 
     version: Annotated[Literal[1], BeforeValidator(only_whole)] = Field(description="version of this file's format")
     fail: Annotated[tuple[Severity, ...], Field(min_length=1)] = Field(description="severities that stop an image")

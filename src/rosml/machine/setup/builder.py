@@ -150,7 +150,7 @@ def _up_docker(state: State, services: Services, image: str) -> None:
         why = NO_START
     container = Container.of(_record(state, services), image)
     if not why:
-        why = _bridge_docker(state, services, container) if container else "as buildx does not say where it is"
+        why = _bridge_docker(state, services, container) if container else "as buildx does not tell its place"
     if why and not kept.exists():
         if not _made(state, services, _docker_text(services, image, None)):
             _start_docker(state, services, image, None)
