@@ -292,7 +292,7 @@ def test_what_is_wrong_with_a_plan_is_said_in_words(tmp_path: Path, text: bytes,
     with pytest.raises(RosmlError, match=f"is no plan of this version: {says}") as caught:
         read_plan(tmp_path / "plan.json")
     assert "\n" not in caught.value.message and "pydantic" not in caught.value.message
-    assert caught.value.remedy == "write it anew with: rosml plan --output FILE"
+    assert caught.value.remedy == "write it again with: rosml plan --output FILE"
 
 
 def test_force_makes_everything_anew_once_on_several_machines(registry: Publisher, image_set: ImageSet) -> None:

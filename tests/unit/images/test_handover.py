@@ -76,7 +76,7 @@ def test_what_was_made_anew_since_is_not_vouched_for(run: Callable[[], Run], tmp
     found.state.known[CORE] = entry.made(f"sha256:{'7' * 64}")
     scan_results.record(found, tmp_path / "scan.json")
     assert run().state.known[CORE].scanned == ""
-    assert [(o.state, o.reason) for o in found.outcomes] == [("waits", "it was made anew since it was scanned")]
+    assert [(o.state, o.reason) for o in found.outcomes] == [("waits", "it was rebuilt after the scan")]
 
 
 @pytest.mark.parametrize(
@@ -95,7 +95,7 @@ def test_a_file_that_is_not_what_it_should_be(run: Callable[[], Run], tmp_path: 
     content = json.loads(file.read_text())
     file.write_text(json.dumps(content | change))
     found = run()
-    with pytest.raises(RosmlError, match="holds no results of a scan") as caught:
+    with pytest.raises(RosmlError, match="does not hold the results of a scan") as caught:
         scan_results.record(found, file)
     assert caught.value.exit_code == 2
     assert run().state.known[CORE].scanned == ""
@@ -106,7 +106,7 @@ def test_a_file_that_is_not_what_it_should_be(run: Callable[[], Run], tmp_path: 
     [
         *NO_FORMAT_1,
         (b'{"version": 1, "entries": {}}', "entries: input should be a valid array"),
-        (b'{"version": 1, "entries": ["x"]}', "an outcome in it is none"),
+        (b'{"version": 1, "entries": ["x"]}', "an entry has no outcome of a scan"),
     ],
 )
 def test_what_is_wrong_with_a_file_is_said_in_words(
@@ -114,7 +114,7 @@ def test_what_is_wrong_with_a_file_is_said_in_words(
 ) -> None:
     file = tmp_path / "scan.json"
     file.write_bytes(text)
-    with pytest.raises(RosmlError, match=rf"holds no results of a scan: {re.escape(says)}") as caught:
+    with pytest.raises(RosmlError, match=rf"does not hold the results of a scan: {re.escape(says)}") as caught:
         scan_results.record(run(), file)
     assert caught.value.remedy == "write it again with: rosml publish scan --output FILE"
 

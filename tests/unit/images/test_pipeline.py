@@ -829,14 +829,14 @@ def test_a_date_that_is_none_is_told_and_holds_no_tag(
     script.write_text(script.read_text() + "# a change\n")
     run = registry.run(image_set, only=["alpha-core"], date=NEXT, packages="2")
     (found,) = status.read(run.state, NEXT)
-    assert "its date is none" in found.reason and found.age is None
+    assert "its date is not valid" in found.reason and found.age is None
     said: list[str] = []
     run.say = said.append
     for step in STEPS:
         STEPS[step](run)
     assert not run.failed
     assert registry.tagged("ros")["alpha-core"] != there
-    assert any("which is no date: taken for older" in line for line in said)
+    assert any("and is taken for older" in line for line in said)
 
 
 def forge(registry: Publisher, target: str, architecture: str, **facts: Any) -> None:

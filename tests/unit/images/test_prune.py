@@ -178,7 +178,7 @@ def test_how_images_stand_for_a_machine_of_one_architecture(nights: Publisher, i
     nights.packages["alpha"] = "week 7"
     nights.publish(image_set, only=["alpha"], packages="7", **alone)
     assert state("alpha-core") == ("outdated", "arm64: packages moved from week 5 to week 7")
-    assert state("alpha-core-torch-cpu") == ("outdated", "arm64: alpha-core is made anew")
+    assert state("alpha-core-torch-cpu") == ("outdated", "arm64: alpha-core is rebuilt")
     assert state("alpha-core-torch-cu1") == ("published", "")
 
 
@@ -341,7 +341,7 @@ def test_what_a_run_comes_to_need_while_tags_go_stays(
     lines = list(here.remove(found))
     gone = {digest for _, digest in found.manifests}
     assert gone & set(again), "nothing that may go was needed again: this test says nothing"
-    assert any("stays: something leads to it again" in line for line in lines)
+    assert any("stays: it is in use again" in line for line in lines)
     reachable(nights, image_set)
     assert nights.publish(image_set, only=["alpha"], date="2026-10-08T03:00:00Z", packages="1").made == []
 
@@ -400,7 +400,7 @@ def test_a_dated_tag_that_moved_stays(nights: Publisher, image_set: ImageSet) ->
     assert other != nights.registry.head(path, tag)
     nights.registry.names[path][tag] = other
     lines = list(here.remove(found))
-    assert f"{repository}:{tag} stays: it has moved since" in lines
+    assert f"{repository}:{tag} stays: it moved meanwhile" in lines
     assert nights.registry.head(path, tag) == other
 
 

@@ -1,2 +1,1 @@
-"""A publishing run: what is due, the steps that do it, tags and how they move, go back and are pruned. Uses builds,
-scan and below."""
+"""A publishing run: its state, plan and steps; tags that move, go back and are pruned. Uses builds, scan and below."""

@@ -1,7 +1,7 @@
-"""Signs indexes with cosign: by a key, or keyless by the workflow that runs on GitHub.
+"""Signs indexes with cosign: with a key, or keyless as the workflow that runs on GitHub.
 
-An index is signed by its digest, before a tag points at it; since it names its images by their digests, they are vouched
-for as well. A signature is an artifact beside the index. One that is there is not made again: cosign itself is asked.
+cosign signs the digest of an index, before a tag points at it. The signature covers the images, too, because the index names
+their digests. A signature is an artifact beside the index. If cosign finds one, no other is made.
 """
 
 from __future__ import annotations
@@ -23,16 +23,16 @@ from rosml.machine.regctl import LOOPBACK
 
 INSTALL = "run 'rosml setup signer'"
 SECONDS = 180.0
-"""Longest that one call may take: keyless ones ask three services."""
+"""Time limit of a call: keyless ones ask three services."""
 
 PATIENCE = 3
-"""So many failures one after the other, and the signer is not asked again in this run."""
+"""After this many failures in a row, the signer is not called again in this run."""
 
 ISSUER = "https://token.actions.githubusercontent.com"
-"""Who says that a workflow is what it says it is."""
+"""The issuer of a workflow's identity."""
 
 WITHOUT_LOG = ("--use-signing-config=false", "--tlog-upload=false")
-"""For keys: no service is asked, and nothing is written into a public log."""
+"""Options for keys: cosign asks no service and writes into no public log."""
 
 
 class SignerFailed(RosmlError):
@@ -45,9 +45,10 @@ class Signer:
 
     Attributes:
         program: path of cosign.
-        identity: what a signature is known by: a digest of the public key, or the workflow.
-        signing, verifying: options that say with what.
-        environment: what calls of it inherit; a key's password may be in it.
+        identity: of the signature: a digest of the public key, or the workflow.
+        signing: options for signing.
+        verifying: options for verification.
+        environment: of calls; a key's password may be in it.
     """
 
     program: str
@@ -58,14 +59,15 @@ class Signer:
 
     @classmethod
     def find(cls, root: Path, environment: Mapping[str, str] = os.environ) -> Signer:
-        """The signer of a checkout: what `rosml setup signer` left, or a cosign of that version on PATH.
+        """The signer of a checkout: the cosign that `rosml setup signer` installed, or one of that version on PATH.
 
         Args:
             root: the checkout.
-            environment: `COSIGN_KEY` names a key, a file's or a service's; without it, signing is keyless.
+            environment: `COSIGN_KEY` names a key file or a key service; without it, signing is keyless.
 
         Raises:
-            SignerFailed: there is none of the pinned version, no key and no identity, or the key cannot be read.
+            SignerFailed: there is no cosign of the pinned version, or neither a key nor an identity, or the key cannot be
+                read.
         """
         program = _program(root, environment)
         key = environment.get("COSIGN_KEY", "")
@@ -73,8 +75,8 @@ class Signer:
             return cls._with_key(program, key, root, environment)
         workflow, server = environment.get("GITHUB_WORKFLOW_REF", ""), environment.get("GITHUB_SERVER_URL", "")
         if not (environment.get("ACTIONS_ID_TOKEN_REQUEST_URL") and workflow and server):
-            text = "nothing says with what to sign: there is no key, and this is no workflow that may show who it is"
-            remedy = "let COSIGN_KEY name a key (cosign generate-key-pair), or give the job the right 'id-token: write'"
+            text = "cannot sign: COSIGN_KEY names no key, and this is no workflow with an identity"
+            remedy = "set COSIGN_KEY to a key (cosign generate-key-pair), or give the job the right 'id-token: write'"
             raise SignerFailed(text, remedy, exit_code=2)
         identity = f"{server}/{workflow}"
         verifying = ("--certificate-identity", identity, "--certificate-oidc-issuer", ISSUER)
@@ -82,9 +84,7 @@ class Signer:
 
     @classmethod
     def _with_key(cls, program: str, key: str, root: Path, environment: Mapping[str, str]) -> Signer:
-        remedy = (
-            "let COSIGN_KEY name a file with a private key or a key service, and COSIGN_PASSWORD be the file's password"
-        )
+        remedy = "set COSIGN_KEY to a file with a private key or to a key service, and COSIGN_PASSWORD to the file's password"
         public = _call(program, ("public-key", "--key", key), environment, "the signing key cannot be read", remedy)
         identity = f"sha256:{hashlib.sha256(public.strip().encode()).hexdigest()}"
         folder = root / ".state" / "signer"
@@ -95,27 +95,27 @@ class Signer:
         return cls(program, identity, ("--key", key, *WITHOUT_LOG), verifying, environment)
 
     def signed(self, reference: str) -> bool:
-        """Whether an index has a signature of ours, as far as cosign can say."""
+        """Whether cosign finds our signature of an index."""
         with contextlib.suppress(SignerFailed):
             self.verify(reference)
             return True
         return False
 
     def verify(self, reference: str) -> None:
-        """Checks that an index has a signature of ours.
+        """Checks that an index has our signature.
 
         Args:
             reference: repository and digest.
 
         Raises:
-            SignerFailed: it has none, or cosign cannot say.
+            SignerFailed: it has none, or cosign fails.
         """
         text = f"{reference} has no signature of {self.identity}"
         arguments = ("verify", *self.verifying, *_plain(reference), reference)
         _call(self.program, arguments, self.environment, text, "sign it: rosml publish promote --sign")
 
     def ensure(self, reference: str) -> bool:
-        """Signs an index, unless it has a signature of ours; gives whether one was made.
+        """Signs an index, unless it has our signature. Gives whether it was signed now.
 
         Args:
             reference: repository and digest.
@@ -125,7 +125,7 @@ class Signer:
         """
         if self.signed(reference):
             return False
-        remedy = "see what cosign says; the next run signs what is not signed yet"
+        remedy = "see cosign's message; the next run signs indexes without a signature"
         arguments = ("sign", "--yes", *self.signing, *_plain(reference), reference)
         _call(self.program, arguments, self.environment, f"{reference} could not be signed", remedy)
         self.verify(reference)
@@ -152,15 +152,15 @@ def _program(root: Path, environment: Mapping[str, str]) -> str:
 
 
 def _plain(reference: str) -> tuple[str, ...]:
-    """Registries on loopback speak plain http."""
+    """Options for registries on loopback, which speak plain http."""
     return ("--allow-http-registry",) if LOOPBACK.match(reference) else ()
 
 
 def _call(program: str, arguments: tuple[str, ...], environment: Mapping[str, str], text: str, remedy: str) -> str:
-    """Calls cosign; gives what it prints. It asks nobody anything: there may be nobody.
+    """Calls cosign without standard input; gives what it prints.
 
     Raises:
-        SignerFailed: it cannot be run, hangs, or ends with anything but 0.
+        SignerFailed: it cannot be run, hangs, or fails.
     """
     try:
         done = subprocess.run(

@@ -1,5 +1,4 @@
-"""One issue at GitHub that says what keeps images from being published, for who looks at no summaries. It is closed when nothing
-does.
+"""One issue on GitHub that says what keeps images from being published. It is closed when all images are published.
 
 Endpoints: https://docs.github.com/en/rest/issues/issues (version 2022-11-28).
 """
@@ -18,7 +17,7 @@ from rosml.base.errors import RosmlError
 T = TypeVar("T")
 
 LABEL = "nightly"
-"""Only who may write to a repository sets a label, so an issue with it is ours."""
+"""Setting a label needs write access to the repository, so an issue with this label is ours."""
 
 TITLE = "Images that are not published"
 
@@ -28,7 +27,7 @@ LONGEST = 60_000
 ANSWER_BYTES = 4 << 20
 SECONDS = 30.0
 
-_REMEDY = "let the job have the right 'issues: write'; the variable ROSML_ISSUE=false does without the issue"
+_REMEDY = "give the job the permission 'issues: write', or set the variable ROSML_ISSUE=false to have no issue"
 
 
 class _Issue(BaseModel):
@@ -47,10 +46,12 @@ class Issues:
     """The issues of a repository.
 
     Args:
-        api: address of the REST API, such as https://api.github.com. repository: OWNER/NAME. token: may write issues.
+        api: address of the REST API, such as https://api.github.com.
+        repository: OWNER/NAME.
+        token: may write issues.
 
     Raises:
-        RosmlError: such a repository or address cannot be.
+        RosmlError: the repository or the address is malformed (exit code 2).
     """
 
     def __init__(self, api: str, repository: str, token: str) -> None:
@@ -66,10 +67,11 @@ class Issues:
         self._client = web.client(base_url=f"{api}/repos/{repository}/", headers=headers, timeout=SECONDS)
 
     def keep(self, text: str, unpublished: int) -> str:
-        """Opens the issue, or brings it up to date; closes it if nothing is left. Gives what was done, for people.
+        """Opens or updates the issue; closes it if all images are published. Gives a line that says what was done.
 
         Args:
-            text: Markdown. unpublished: images that a further run may publish.
+            text: Markdown.
+            unpublished: how many images another run may publish.
 
         Raises:
             RosmlError: the server does not answer, or refuses.
@@ -82,7 +84,7 @@ class Issues:
             return f"closed issue {ours[0].number}: all images are published" if ours else "all images are published"
         if ours:
             self._ask(_ONE, "PATCH", f"issues/{ours[0].number}", json={"body": text[:LONGEST]})
-            return f"brought issue {ours[0].number} up to date: {ours[0].html_url}"
+            return f"updated issue {ours[0].number}: {ours[0].html_url}"
         body = {"title": TITLE, "body": text[:LONGEST], "labels": [LABEL]}
         made = self._ask(_ONE, "POST", "issues", json=body)
         return f"opened issue {made.number}: {made.html_url}"

@@ -1,5 +1,4 @@
-"""What is written down of an image, or part, that was just built or joined: the facts of its entry, and a statement of its
-provenance that is attached to it."""
+"""What is recorded of an image, or part, that was just built or joined: its entry, and a provenance statement."""
 
 from __future__ import annotations
 
@@ -19,13 +18,17 @@ from rosml.images.records.store import Entry
 
 
 def after(run: Run, item: Item, before: Entry, made: Made, started: str) -> Entry:
-    """The entry of an item after it was made; a statement of its provenance is attached to it.
+    """Attaches a provenance statement to an item that was just made, and gives its new entry.
 
     Args:
-        before: its entry until now. started: when the making began.
+        run: the run that made the item.
+        item: an image or part.
+        before: the item's entry until now.
+        made: the result of the build or join.
+        started: when the build or join began.
 
     Raises:
-        RosmlError: it is not in the registry; the registry does not answer or refuses.
+        RosmlError: the item is not in the registry; the registry does not answer or refuses.
     """
     state = run.state
     manifest = state.place.client.manifest(state.place.path(item.repository), made.digest)
@@ -47,8 +50,8 @@ def after(run: Run, item: Item, before: Entry, made: Made, started: str) -> Entr
 
 
 def _attach(run: Run, item: Item, before: Entry, made: Made, started: str) -> dict[str, str]:
-    """Attaches a statement of what an item was made from; gives digests of all statements, by builder. What was said of the same
-    bytes before is not said again."""
+    """Attaches a provenance statement to an item; gives the digests of all its statements, by builder. If the records name a
+    statement about the same digest, it is kept."""
     state, place = run.state, run.state.place
     known = dict(before.provenance) if before.digest == made.digest else {}
     inputs = state.inputs.digest(*item.key)
@@ -59,7 +62,7 @@ def _attach(run: Run, item: Item, before: Entry, made: Made, started: str) -> di
 
 
 def _asked(run: Run, item: Item) -> dict[str, str]:
-    """What was asked for."""
+    """The parameters of the statement: what was to be built."""
     matrix = run.state.image_set.matrix
     asked = {"target": item.target, "platform": matrix.architectures[item.architecture].platform}
     if isinstance(item.thing, Part):
@@ -72,14 +75,14 @@ def _asked(run: Run, item: Item) -> dict[str, str]:
 
 
 def _dependencies(run: Run, item: Item, made: Made) -> Iterator[dict[str, Any]]:
-    """What it was made from: base image or parts, locks, packages, the checkout."""
+    """Descriptors of what the item was made from: base image or parts, locks, packages, the checkout."""
     state, services = run.state, run.state.request.services
     if made.base:
         yield provenance.base(made.base, state.image_set.matrix.operating_systems[item.thing.os].digest)
     for target, digest in made.parts.items():
         part = state.by_key[target, item.architecture]
         yield provenance.image(target, state.place.reference(part.repository), digest)
-    if item.kind != "joined":  # those of a joined image are its parts'
+    if item.kind != "joined":  # the locks of a joined image belong to its parts
         used = state.inputs.of(*item.key)
         yield from provenance.locks(services.root, [name for name in item.thing.locks if name in used])
     if isinstance(item.thing, Image) and item.kind == "ros":

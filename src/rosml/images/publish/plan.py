@@ -1,4 +1,4 @@
-"""The plan of a run, plan.json: one model of what one job writes and others read."""
+"""The plan of a run, plan.json: one job writes it, others read it."""
 
 from __future__ import annotations
 
@@ -19,10 +19,16 @@ from rosml.images.records.store import REPOSITORY
 
 
 class PlannedTask(Fact):
-    """What is to be done about an image or part on an architecture, and why, or why it cannot be done here.
+    """The steps to do for an image or part on an architecture, and why; or why nothing can be done here.
 
     Attributes:
-        inputs: names of those that changed, where they were asked for.
+        target: bake target.
+        architecture: under BuildKit's name.
+        kind: ROS image, part or joined image.
+        steps: in order; empty if there is nothing to do.
+        why: reasons for the first step.
+        hindered: why no step can be done here; empty if it can.
+        inputs: names of the inputs that changed, if they were asked for.
     """
 
     target: str
@@ -39,13 +45,17 @@ class Plan(Fact):
 
     Attributes:
         version: of this format.
-        date: of the run. registry: where its images go, with the prefix.
-        architectures: those that it works for. serve: those that the registry serves; all of the matrix if empty.
-        force: everything is made anew.
-        package_state: of each distribution whose repositories answered.
-        targets: the images that are meant. shards: which machine builds what.
-        tasks: what is to be done or cannot be done. unchanged: how many items are as they should be.
-        remarks: what people should know, such as a repository that does not answer.
+        date: of the run.
+        registry: where the images go, with the prefix.
+        architectures: the architectures that the run works for.
+        serve: the architectures that the registry serves; all of the matrix if empty.
+        force: rebuild everything.
+        package_state: the package state of each distribution whose repositories answered.
+        targets: the images of the run.
+        shards: which machine builds what.
+        tasks: items with steps to do, and items that cannot be done here.
+        unchanged: how many items are up to date.
+        remarks: for people, such as a repository that does not answer.
     """
 
     version: Literal[1]
@@ -62,10 +72,10 @@ class Plan(Fact):
     remarks: tuple[str, ...]
 
     def repositories(self, image_set: ImageSet) -> list[str]:
-        """The repositories that something of the plan is written into, the records first; without the registry's prefix.
+        """The repositories that the plan writes into, without the registry's prefix. The records come first.
 
         Raises:
-            RosmlError: it has an image that the image set lacks (exit code 2).
+            RosmlError: the plan has an image that the image set lacks (exit code 2).
         """
         wanted = [task for task in self.tasks if task.steps]
         images = [task.target for task in wanted if task.kind != "part"]
@@ -75,23 +85,25 @@ class Plan(Fact):
         return list(dict.fromkeys(found))
 
     def text(self) -> str:
-        """What `read_plan` reads."""
+        """The content of plan.json."""
         facts = self.model_dump(mode="json")
         facts["tasks"] = [task.model_dump(mode="json", exclude_defaults=True) for task in self.tasks]
         return json.dumps(facts, indent=2) + "\n"
 
 
 def make_plan(state: State, shards: int, why: bool = False) -> Plan:
-    """What is to be done, and which machine builds what.
+    """Plans a run: the steps of every item, and which machine builds what.
 
     Args:
-        shards: how many machines there are at most. why: name the inputs that changed; the records are read for them.
+        state: what is known of the images.
+        shards: how many machines there are at most.
+        why: name the inputs that changed. This reads the records.
 
     Raises:
-        RosmlError: the matrix does not say where an architecture is built (exit code 2).
+        RosmlError: the matrix names no runner for an architecture (exit code 2).
     """
     tasks = state.tasks()
-    # What is only to be tested needs a machine as well. A scan needs none of a kind.
+    # Images that are only tested need a machine of their architecture as well. A scan runs on any machine.
     here = [task for task in tasks if task.item.architecture in state.architectures]
     work = Work(
         frozenset(task.item.key for task in here if task.item.making in task.steps),
@@ -132,17 +144,17 @@ def read_plan(file: Path, shard: str = "") -> Plan:
 
     Args:
         file: what `plan` wrote.
-        shard: the targets and architecture of this one alone; of the whole plan if empty.
+        shard: take only the targets and the architecture of this shard; the whole plan if empty.
 
     Raises:
-        RosmlError: it is no plan, or has no such shard (exit code 2).
+        RosmlError: the file is no plan, or has no such shard (exit code 2).
     """
     try:
         found = Plan.model_validate_json(file.read_bytes())
     except (OSError, ValidationError) as error:
         reason = error.strerror if isinstance(error, OSError) else first_of(error)
         text = f"{file} is no plan of this version: {reason}"
-        raise RosmlError(text, "write it anew with: rosml plan --output FILE", exit_code=2) from None
+        raise RosmlError(text, "write it again with: rosml plan --output FILE", exit_code=2) from None
     checked_date(found.date)
     if not shard:
         return found

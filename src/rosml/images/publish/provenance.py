@@ -1,7 +1,7 @@
-"""Where an image came from: SLSA provenance in an in-toto statement, attached to the manifest that it is about.
+"""Where an image came from: SLSA provenance in an in-toto statement, attached to the image's manifest.
 
-It is kept apart from the image, so that times and machines are in no manifest: the same inputs give the same digest on
-any day. Each manifest has one statement of each builder that made it: of the first time, since that holds on. An index names the statements
+The statement is apart from the image, so that no manifest contains times or machines: the same inputs give the same digest
+on any day. A manifest has one statement for each builder that made it, from the first time. An index names the statements
 about its images by their digests, so that its signature covers them.
 https://slsa.dev/spec/v1.0/provenance says what the fields mean.
 """
@@ -27,7 +27,7 @@ from rosml.registry.credentials import DOCKER_HUB
 from rosml.registry.oci import encoded
 
 MEDIA_TYPE = "application/vnd.in-toto+json"
-"""Of a statement without a signature; also the type of the artifact."""
+"""The media type of a statement without a signature; also the type of the artifact."""
 
 STATEMENT = "https://in-toto.io/Statement/v1"
 PREDICATE = "https://slsa.dev/provenance/v1"
@@ -36,29 +36,34 @@ BUILD_TYPE = "https://rosml.invalid/build/v1"
 """How an image is made, and what the parameters mean: docs/publishing.md. Nobody can own a name below .invalid."""
 
 OWN_MACHINE = "https://rosml.invalid/builder/own-machine"
-"""The builder, where a person calls the publisher: nobody vouches for that machine."""
+"""The builder's identity if a person calls the publisher: nobody vouches for that machine."""
 
 COVERED = "io.rosml.provenance"
 """The annotation of an image in its index that names the artifacts with statements about it, by their digests."""
 
 PREDICATE_ANNOTATION = "in-toto.io/predicate-type"
 BUILDER = "io.rosml.builder"
-"""The annotation of our statements that says who made the image."""
+"""The annotation of our statements that names the builder of the image."""
 
 CONTENT = ("Dockerfile", ".dockerignore", "matrix.yaml", "components", "locks", "src/rosml")
-"""What of a checkout can decide an image; plans and reports of a job lie beside it."""
+"""The files of a checkout that can decide an image. Other files, such as plans and reports of a job, do not."""
 
 
 @dataclass(frozen=True)
 class Machine:
-    """Who makes images: the builder's identity, and what this call of it is known by."""
+    """Who makes images.
+
+    Attributes:
+        builder: the builder's identity.
+        invocation: identifies this run of the builder.
+    """
 
     builder: str
     invocation: str
 
     @classmethod
     def here(cls, date: str, environ: Mapping[str, str] = os.environ) -> Machine:
-        """The workflow and its run on GitHub; elsewhere somebody's own machine, and the date of the publishing run."""
+        """On GitHub, the workflow and its run. Elsewhere, somebody's own machine and the date of the publishing run."""
         server, workflow = environ.get("GITHUB_SERVER_URL", ""), environ.get("GITHUB_WORKFLOW_REF", "")
         if environ.get("GITHUB_ACTIONS") != "true" or not server or not workflow:
             return cls(OWN_MACHINE, date)
@@ -70,8 +75,8 @@ def definition(parameters: Mapping[str, str], inputs: str, dependencies: Iterabl
     """What decides an image, and what it was made from: the predicate's `buildDefinition`.
 
     Args:
-        parameters: what was asked for: target, platform, channel.
-        inputs: digest of everything in the checkout that decides its content.
+        parameters: what was to be built: target, platform, channel.
+        inputs: digest of everything in the checkout that decides the image's content.
         dependencies: resource descriptors: base image, parts, locks, the checkout, packages.
     """
     return {
@@ -89,8 +94,10 @@ def image(name: str, repository: str, digest: str, **annotations: str) -> dict[s
     """The descriptor of an image or part.
 
     Args:
-        name: what it is called here. repository: with the registry. digest: of its manifest.
-        annotations: what else is to be said.
+        name: what it is called here.
+        repository: with the registry.
+        digest: of the manifest.
+        annotations: further facts.
     """
     said = {"annotations": annotations} if annotations else {}
     return {"name": name, "uri": purl(repository, digest), "digest": _digest(digest), **said}
@@ -107,7 +114,7 @@ def base(reference: str, expected: str) -> dict[str, Any]:
 
     Args:
         reference: such as `debian:bookworm@sha256:…`.
-        expected: digest of the one that matrix.yaml names; where it is another one, the descriptor says so.
+        expected: digest of the base image in matrix.yaml. If the image has another digest, the descriptor says so.
     """
     name, _, digest = reference.removeprefix("docker-image://").partition("@")
     repository = re.sub(r":[^/:]+$", "", name)
@@ -129,14 +136,14 @@ def locks(root: Path, names: Iterable[str]) -> list[dict[str, Any]]:
 
 
 def packages(address: str, state: str) -> dict[str, Any]:
-    """The descriptor of an apt repository that packages came from: of when it was."""
+    """The descriptor of an apt repository that packages came from, with its state."""
     return {"name": "apt", "uri": address, "annotations": {"state": state}}
 
 
 def source(root: Path) -> list[dict[str, Any]]:
-    """The descriptor of the checkout: its revision; nothing where it is none of git.
+    """The descriptor of the checkout, with its revision; none if the folder is no git checkout.
 
-    Where files differ from that revision, it says so: the digest of the inputs counts then.
+    If files differ from that revision, the descriptor says so. Then the digest of the inputs counts.
     """
     commit = git.commit(root)
     if commit is None or git.top(root) != root.resolve():
@@ -150,7 +157,7 @@ def source(root: Path) -> list[dict[str, Any]]:
 
 
 def _public(address: str) -> str:
-    """An address on the web, without whom it is asked as; empty for any other: a path of a machine tells nobody anything."""
+    """An https address without user and password; empty for any other address, since a local path means nothing elsewhere."""
     parts = urlsplit(address)
     if parts.scheme != "https" or not parts.hostname:
         return ""
@@ -158,7 +165,7 @@ def _public(address: str) -> str:
 
 
 def _asked(root: Path, *arguments: str) -> str:
-    """What git says; empty if it fails."""
+    """The output of git; empty if git fails."""
     try:
         return git.ask(root, *arguments).decode(errors="replace").strip()
     except RosmlError:
@@ -176,12 +183,15 @@ def _digest(digest: str) -> dict[str, str]:
 def statement(
     name: str, digest: str, definition: Mapping[str, Any], machine: Machine, started: str, finished: str
 ) -> dict[str, Any]:
-    """What is said of a manifest.
+    """The in-toto statement about a manifest.
 
     Args:
-        name: its repository. digest: its own.
-        definition: what it was made from. machine: who made it.
-        started, finished: when, as 2026-11-22T03:00:00Z.
+        name: the manifest's repository.
+        digest: the manifest's digest.
+        definition: what it was made from.
+        machine: who made it.
+        started: time such as 2026-11-22T03:00:00Z.
+        finished: time such as 2026-11-22T03:00:00Z.
     """
     metadata = {"invocationId": machine.invocation, "startedOn": started, "finishedOn": finished}
     return {
@@ -205,12 +215,19 @@ def attach(
     finished: str,
     recorded: str = "",
 ) -> str:
-    """Attaches a statement to a manifest, unless the records name one of the same builder that is there.
+    """Attaches a statement to a manifest, unless the registry has the one of the same builder that the records name.
 
-    Others that are attached do not count: whoever may push into a repository may attach one that names any builder.
+    Other attached statements do not count: everybody with write access can attach one that names any builder.
 
     Args:
-        recorded: digest of the artifact with the statement that this builder made before, as the records say.
+        client: of the registry.
+        repository: the manifest's repository.
+        digest: the manifest's digest.
+        definition: what it was made from.
+        machine: who made it.
+        started: as in `statement`.
+        finished: as in `statement`.
+        recorded: digest of the artifact with this builder's earlier statement, by the records.
 
     Returns:
         Digest of the artifact with the builder's statement.

@@ -1,12 +1,14 @@
-"""What a registry no longer needs, by reachability: an index that a kept tag points at keeps its images, and those keep
-what is attached to them. Everything else that the publisher knows of may go. Nothing is removed unless asked for.
+"""Finds and removes what a registry no longer needs.
 
-A tag may move while a registry is pruned, by an undo or by a run on another machine, and no registry has a lock for that. So
-immediately before an index goes, with the images that only it holds, all tags of its repository and the records of runs are
-looked at again: what one of them leads to by then stays.
+Reachability decides. A kept tag keeps its index, an index keeps its images, and an image keeps what is attached to it.
+Everything else that the publisher knows of can go. Nothing is removed unless that is asked for.
 
-Looking asks once for each tag, side by side; what hangs on an index stands in it. What is attached to a manifest that
-goes is looked for when it goes.
+A tag may move during the removal, by an undo or by a run on another machine, and registries have no lock for that. So
+immediately before an index goes, together with the images that only this index holds, all tags of its repository and the
+records of runs are read again. Whatever these lead to stays.
+
+The search asks once for each tag, side by side. An index names its images itself. Artifacts attached to a manifest are
+looked up when that manifest is removed.
 """
 
 from __future__ import annotations
@@ -31,10 +33,10 @@ from rosml.registry.oci import INDEXES, Manifest
 from rosml.registry.place import Place
 
 FALLBACK = re.compile(r"sha256-[0-9a-f]{64}")
-"""Tags under which a registry without the referrers API keeps what is attached to a manifest."""
+"""Tags under which a registry without the referrers API keeps the artifacts attached to a manifest."""
 
 STAYS = " stays: "
-"""What a line of `Pruner.remove` has after what it did not remove, before the reason."""
+"""A line of `Pruner.remove` has this text if something was not removed, before the reason."""
 
 Digests = dict[str, set[str]]
 """By repository."""
@@ -48,11 +50,11 @@ class Pruning:
     """What can go.
 
     Attributes:
-        tags: repository and tag. manifests: repository and digest, no tag of which is kept; what is attached to them goes
-            with them.
-        records: tags of the records: records of runs that are older than what is kept.
+        tags: repository and tag.
+        manifests: repository and digest. No kept tag leads to them. Artifacts attached to them go with them.
+        records: tags of records of runs that are too old.
         kept: how many tags stay.
-        needed: repository and digest of what something leads to that is kept.
+        needed: repository and digest of the manifests that kept tags and records lead to.
         seen: where each of `tags` pointed.
     """
 
@@ -75,12 +77,14 @@ class Pruning:
 
 @dataclass
 class Pruner:
-    """Looks for what can go, and removes it.
+    """Finds what can go, and removes it.
 
     Attributes:
-        place: where.
+        place: the registry.
         image_set: names the repositories.
-        today: the day from which ages count. days: dated tags younger than that stay. newest: so many of each image stay in any case.
+        today: the day from which ages count.
+        days: dated tags younger than this stay.
+        newest: this many dated tags of each image always stay.
     """
 
     place: Place
@@ -88,17 +92,17 @@ class Pruner:
     today: date
     days: int = 30
     newest: int = 3
-    _place: str = ""  # the repository of the three that follow
-    _recorded: set[str] = field(default_factory=set)  # what the records need there
-    _now: set[str] = field(default_factory=set)  # what something leads to, when that was looked at last
-    _together: set[str] = field(default_factory=set)  # the images of the index that was looked at last
-    _runs: dict[str, str] = field(default_factory=dict)  # digests of the records of runs that were read
-    _moved: set[tuple[str, str]] = field(default_factory=set)  # what records of runs name that changed since
+    _place: str = ""  # the repository of the next three fields
+    _recorded: set[str] = field(default_factory=set)  # digests that the records need
+    _now: set[str] = field(default_factory=set)  # digests in use, at the last look
+    _together: set[str] = field(default_factory=set)  # images of the index that was removed last
+    _runs: dict[str, str] = field(default_factory=dict)  # digests of the records of runs, as they were read
+    _moved: set[tuple[str, str]] = field(default_factory=set)  # what records of runs name that changed meanwhile
     _known: dict[tuple[str, str], Manifest] = field(default_factory=dict)
     _images: set[tuple[str, str]] = field(default_factory=set)
 
     def find(self) -> Pruning:
-        """What can go.
+        """Finds what can go.
 
         Raises:
             RosmlError: the registry does not answer.
@@ -126,7 +130,7 @@ class Pruner:
         return found
 
     def _in_order(self, path: str, gone: Iterable[str]) -> list[str]:
-        """Each index, then the images that no later one holds; last what is in none."""
+        """Sorts digests: each index, followed by the images that no later index holds; at the end, images in no index."""
         digests = sorted(gone)
         members = {digest: self._held_by(path, digest) for digest in digests}
         last = {image: index for index in digests for image in members[index]}
@@ -137,16 +141,16 @@ class Pruner:
         return [*dict.fromkeys(digest for several in held for digest in several), *alone]
 
     def _held_by(self, path: str, digest: str) -> set[str]:
-        """What an index holds; nothing for what is none."""
+        """The digests of an index's images; none if the manifest is no index."""
         found = self._known.get((path, digest))
         return {item.digest for item in found.members} if found else set()
 
     def _tags(self, path: str) -> list[str]:
-        """Tags of a repository, without those that stand in for the referrers API."""
+        """Tags of a repository, without those that replace the referrers API."""
         return [tag for tag in self.place.client.tags(path) if not FALLBACK.fullmatch(tag)]
 
     def _manifest(self, path: str, reference: str) -> Manifest | None:
-        """What is behind a tag or digest. What has a digest never changes: it is asked for once."""
+        """The manifest of a tag or digest. A digest's content never changes, so it is asked for once."""
         found = self._known.get((path, reference)) or self.place.client.manifest(path, reference)
         if found:
             self._known[path, found.digest] = found
@@ -158,8 +162,8 @@ class Pruner:
         return self.today - timedelta(days=self.days)
 
     def _book(self) -> tuple[Digests, Digests, list[str]]:
-        """What the records say: digests by repository that its entries, or kept records of runs, name; those that may go;
-        and records of runs that are too old."""
+        """What the records say: digests, by repository, that entries or kept records of runs name; digests that may go; and
+        records of runs that are too old."""
         book = Records(self.place)
         names = self.place.client.tags(book.repository)
         records = sorted(name for name in names if name.startswith(UNDO))
@@ -171,7 +175,7 @@ class Pruner:
             if entry.digest:
                 roots.setdefault(entry.repository, set()).add(entry.digest)
         for name, moved in zip(records, side_by_side(partial(read_moves, book), records), strict=True):
-            for move in moved:  # a record that is kept must be able to bring back what it names
+            for move in moved:  # an undo must be able to bring back what a kept record names
                 if move.old:
                     target = candidates if name in old else roots
                     target.setdefault(move.repository, set()).add(move.old)
@@ -184,12 +188,13 @@ class Pruner:
         return dict(zip(names, side_by_side(partial(self.place.client.head, path), names), strict=True))
 
     def _needed(self, repository: str, without: str = "") -> set[str]:
-        """What something leads to now, in a repository: a tag, the records, a record that is kept.
+        """The digests of a repository that are in use now, by tags, entries or records of runs.
 
-        Entries of the records are read once for each repository: no tag moves to what an entry names before a record of that
-        is there. Records of runs that changed since count with all that they name.
+        Entries are read once for each repository: before a tag moves to the digest of an entry, there is a record of the
+        run. If a record of a run changed meanwhile, all digests in it count.
 
         Args:
+            repository: without the registry's prefix.
             without: a tag that does not count.
         """
         if repository != self._place:
@@ -205,15 +210,13 @@ class Pruner:
         return self._reach(path, {*self._recorded, *moved, *tags})
 
     def remove(self, found: Pruning) -> Iterator[str]:
-        """Removes it; gives a line for each thing that is gone, or cannot go. Tags first, then what they pointed at, then
-        records.
+        """Removes tags, then manifests, then records. Gives a line for each one that is gone or stays.
 
-        A registry that cannot delete a tag is left its manifest as well: no digest goes while a tag points at it. What
-        somebody came to need since it was found stays.
+        If a registry cannot delete a tag, the manifest stays as well: no digest goes while a tag points at it. A manifest
+        that came into use after the search stays, too.
 
         Raises:
-            RosmlError: the registry does not answer, or refuses; or it deletes nothing, with how much of what could go
-                stays.
+            RosmlError: the registry does not answer, or refuses, or deletes nothing; then the message counts what stays.
         """
         steps: tuple[tuple[str, list[Any], Callable[[Pruning, Any], str]], ...] = (
             ("tag", found.tags, self._remove_tag),
@@ -240,19 +243,19 @@ class Pruner:
         if not digest:  # somebody else removed it
             return ""
         if digest != found.seen.get(item, digest):
-            return f"{repository}:{tag}{STAYS}it has moved since"
+            return f"{repository}:{tag}{STAYS}it moved meanwhile"
         try:
             self.place.client.delete(path, tag)
         except RosmlError as error:
             if (repository, digest) in found.needed or digest in self._needed(repository, without=tag):
                 found.needed.update((repository, needed) for needed in self._reach(path, [digest]))
                 return f"{repository}:{tag}{STAYS}{error.message}"
-            self.place.client.delete(path, digest)  # the registry knows only digests, and no other tag has this one
+            self.place.client.delete(path, digest)  # the registry deletes only digests, and no other tag has this one
             return f"{repository}:{tag} with {digest}"
         return f"{repository}:{tag}"
 
     def _remove_manifest(self, found: Pruning, item: tuple[str, str]) -> str:
-        """Removes a manifest and what is attached to it."""
+        """Removes a manifest and the artifacts attached to it."""
         repository, digest = item
         path = self.place.path(repository)
         if item in found.needed or not self.place.client.head(path, digest):
@@ -261,10 +264,10 @@ class Pruner:
             self._now = self._needed(repository)
             self._together = self._held_by(path, digest)
         if digest in self._now:
-            return f"{repository}@{digest}{STAYS}something leads to it again"
+            return f"{repository}@{digest}{STAYS}it is in use again"
         attached = [name for name in self._attached(path, digest) if name not in self._now]
         self.place.client.delete(path, digest)
-        if not self.place.client.head(path, digest):  # nobody has made it anew meanwhile
+        if not self.place.client.head(path, digest):  # nobody has pushed it again meanwhile
             side_by_side(partial(self.place.client.delete, path), attached)
             self.place.client.forget(path, digest)
         return f"{repository}@{digest}"
@@ -273,7 +276,7 @@ class Pruner:
         path = self.place.path(REPOSITORY)
         try:
             self.place.client.delete(path, name)
-        except RosmlError:  # the registry knows only digests, and a record has its own
+        except RosmlError:  # the registry deletes only digests, and each record has its own
             self.place.client.delete(path, self.place.client.head(path, name))
         return f"{REPOSITORY}:{name}"
 
@@ -284,15 +287,15 @@ class Pruner:
         keys = [(target, architecture) for target, _, architecture in (name.rpartition(".") for name in names)]
         found = book.read_all(keys)
         if lost := [key for key in keys if key not in found]:
-            # What an entry names that cannot be read might be thrown away.
+            # An entry that cannot be read may name a digest that would be removed.
             raise RosmlError(
-                f"the records' entry {'.'.join(lost[0])} cannot be read: nothing can be said to be unused",
+                f"the records' entry {'.'.join(lost[0])} cannot be read, so no digest is known to be unused",
                 "publish that image again, or use the version of this program that wrote it",
             )
         yield from found.values()
 
     def _old(self, tags: Iterable[str], oldest: date) -> Iterator[str]:
-        """Dated tags that are too old, but for the newest of each image."""
+        """Dated tags that are too old, without the newest ones of each image."""
         families: dict[str, list[str]] = {}
         for tag in tags:
             if match := DATED.search(tag):
@@ -304,10 +307,10 @@ class Pruner:
                     yield tag
 
     def _reach(self, path: str, digests: Iterable[str]) -> set[str]:
-        """Those of some digests that are there, and the images of those that are indexes."""
+        """The digests that are in the registry, and the images of the indexes among them."""
         todo, found = {digest for digest in digests if digest}, set[str]()
         while todo:
-            # An image is there if an index names it: a registry takes no index without its images.
+            # If an index names an image, it is in the registry: a registry takes no index without its images.
             found |= {digest for digest in todo if (path, digest) in self._images}
             manifests = [item for item in side_by_side(partial(self._manifest, path), todo - found) if item]
             found |= {manifest.digest for manifest in manifests}
@@ -315,7 +318,7 @@ class Pruner:
         return found
 
     def _attached(self, path: str, digest: str) -> list[str]:
-        """What is attached to a manifest, and to that; what is attached last comes first."""
+        """Artifacts attached to a manifest, and artifacts attached to these; the outermost come first."""
         todo, found = [digest], list[str]()
         while todo:
             below = [item["digest"] for item in self.place.client.referrers(path, todo.pop(0))]
@@ -325,7 +328,7 @@ class Pruner:
 
 
 def _day(text: str) -> date:
-    """`20261122` as a day; one that is never too old where it is none."""
+    """`20261122` as a day; the last possible day if the text is no date, so that it is never too old."""
     try:
         return date(int(text[:4]), int(text[4:6]), int(text[6:8]))
     except ValueError:

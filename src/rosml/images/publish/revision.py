@@ -1,4 +1,4 @@
-"""An earlier revision of the checkout, read from git, to compare with."""
+"""Compares the checkout with an earlier revision, read from git."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from rosml.machine import git
 
 
 def since(version: str, now: Inputs) -> Difference:
-    """What differs from a git revision, or from another matrix file with everything else as it is now.
+    """The difference from a git revision; or from another matrix file, with all other files of this checkout.
 
     Raises:
         RosmlError: there is no such version, or this version of the project cannot read it.
@@ -42,7 +42,7 @@ def _catalogue(revision: str, file: Path) -> sets.ImageSet:
 
 
 def _unpack(revision: str, root: Path, folder: Path) -> None:
-    """The files of a revision."""
+    """Writes the files of a revision into a folder."""
     commit = _git(root, "rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}^{{commit}}")
     if not commit:
         remedy = "see the revisions with: git log --oneline --all (a shallow clone lacks most: git fetch --unshallow)"
@@ -57,7 +57,7 @@ def _unpack(revision: str, root: Path, folder: Path) -> None:
 
 
 def _git(root: Path, *arguments: str) -> bytes:
-    """What git says; nothing where it fails silently."""
+    """The output of git; empty if git fails silently."""
     try:
         return git.ask(root, *arguments)
     except RosmlError as error:

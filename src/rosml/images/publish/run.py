@@ -1,7 +1,7 @@
-"""A publishing run: carries out a step item by item, and records each item when it is done.
+"""A publishing run: it does a step item by item, and records each item when it is done.
 
-If a run is interrupted, the next one completes it. A failed item is recorded as failed; only items that are joined from it
-wait for it. What a step does is in `steps/`.
+If a run is interrupted, the next one completes it. If an item fails, only items that are joined from it wait. What a step
+does is in `steps/`.
 """
 
 from __future__ import annotations
@@ -26,27 +26,28 @@ from rosml.images.scan import judge
 from rosml.images.scan.sbom import Shelf
 
 Work = Callable[[Item, Entry], Entry]
-"""Does a step's work on an item; gives the entry of the item after it."""
+"""Does a step's work on an item; gives the item's new entry."""
 
 SUPERSEDED = 20
-"""An entry that has taken the place of more digests than that forgets those that are gone from the registry."""
+"""If an entry lists more superseded digests than this, it forgets those that are gone from the registry."""
 
 
 class Postponed(Exception):
-    """An item's turn comes again in this run; the message says why."""
+    """The item's turn comes again in this run. The message says why."""
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a step did about an item.
+    """What a step did for an item.
 
     Attributes:
-        step: its name.
-        target, architecture: of the item; no architecture if it is about an index or tags.
-        state: done, failed, or waits for something that is not there.
+        step: name of the step.
+        target: the item's bake target.
+        architecture: the item's architecture; empty for an index or tags.
+        state: done; failed; or waits, if something is missing.
         reason: what was done, or why it failed or waits.
         seconds: wall time.
-        uploaded: bytes that the registry got.
+        uploaded: bytes sent to the registry.
     """
 
     step: str
@@ -69,15 +70,15 @@ class Run:
     Attributes:
         state: what is known; the run keeps it up to date.
         maker: builds, joins and tests.
-        say: told what is going on, a line at a time.
-        signer: signs indexes, which get no tags without a signature; None if nothing is signed.
+        say: prints a line of progress.
+        signer: signs indexes. Without a signature they get no tags. None if nothing is signed.
         started: when the run began, by the monotonic clock.
         outcomes: what was done so far.
         pushed: bytes of layers that the builder added to the registry.
-        deadline: by the monotonic clock, when nothing more is begun.
-        on_made: called for each image as soon as it is there.
-        signing: held while something is signed: one at a time.
-        refused: how often the signer failed, one time after the other.
+        deadline: when the run starts no further item, by the monotonic clock.
+        on_made: called for each image as soon as it is built or joined.
+        signing: a lock, so that one index is signed at a time.
+        refused: how often in a row the signer failed.
     """
 
     state: State
@@ -105,8 +106,8 @@ class Run:
 
     @property
     def uploaded(self) -> int:
-        """Bytes that the registry got since its client was made: layers that it did not have, configs, manifests, what is
-        attached, indexes, the records. Without signatures, which cosign sends, of about 1 kB each.
+        """Bytes sent to the registry since its client was made: new layers, configs, manifests, attached artifacts, indexes
+        and records. Signatures, of about 1 kB each, do not count: cosign sends them.
         """
         return self.pushed + self.state.place.client.uploaded
 
@@ -117,7 +118,7 @@ class Run:
 
     @cached_property
     def source(self) -> list[dict[str, Any]]:
-        """The checkout that they are made from, as a dependency of a provenance statement."""
+        """The checkout that images are made from, as a dependency of a provenance statement."""
         return provenance.source(self.state.request.services.root)
 
     @property
@@ -127,7 +128,7 @@ class Run:
         return Shelf(self.state.place.client, {entry.digest: entry.sbom for entry in known if entry.sbom})
 
     def scanned_part(self, target: str, architecture: str) -> judge.Part:
-        """A ROS image or part that was made, as a scan knows it."""
+        """A finished ROS image or part, as a scan knows it."""
         part, place = self.state.by_key[target, architecture], self.state.place
         digest = self.state.known[part.key].digest
         return judge.Part(target, place.client.host, place.path(part.repository), digest, part.kind == "ros")
@@ -139,10 +140,10 @@ class Run:
     # ---- Work --------------------------------------------------------------------------------------------------------
 
     def each(self, step: str, items: Sequence[Item], work: Work) -> bool:
-        """Does a step's work on those items whose turn it is.
+        """Does a step's work on the items that are ready for it.
 
         Returns:
-            Whether some were postponed: the step is to be done once more.
+            Whether items were postponed, so that the step has to be repeated.
         """
         expected = sum(step in self.state.task(item).steps for item in items)
         number, again = 0, False
@@ -153,7 +154,7 @@ class Run:
                     self.outcomes.append(Outcome(step, *item.key, "waits", task.hindered))
                 continue
             if step not in task.steps[:1]:
-                if step in task.steps:  # an earlier step is still to be done
+                if step in task.steps:  # an earlier step comes first
                     self.outcomes.append(Outcome(step, *item.key, "waits", f"{task.steps[0]} comes first"))
                 continue
             if time.monotonic() >= self.deadline:
@@ -171,15 +172,19 @@ class Run:
         return again
 
     def do(self, step: str, item: Item, which: str, why: Sequence[str], work: Work) -> None:
-        """Does a step's work on an item, and writes down what came of it.
+        """Does a step's work on an item, and records the result.
 
         Args:
-            which: of how many it is, for people. why: it is done.
+            step: name of the step.
+            item: an image or part.
+            which: a count for people, such as `(2 of 7)`.
+            why: reasons.
+            work: does it.
 
         Raises:
             Postponed: by the work.
         """
-        if not self._may_push:  # asked before the first work is done, which may take hours
+        if not self._may_push:  # ask before the first work, which may take hours
             self.state.place.client.may_push(self.records.repository)
             self._may_push = True
         self.say(f"{step} {item.target} for {item.architecture} {which}: {'; '.join(why)}")
@@ -197,7 +202,7 @@ class Run:
         self.outcomes.append(Outcome(step, *item.key, state, reason, seconds, self.uploaded - before))
 
     def write(self, item: Item, entry: Entry) -> None:
-        """Records what is known of an item now."""
+        """Records the new entry of an item."""
         entry = self._without_what_is_gone(replace(entry, changed=self.state.date))
         self.records.write(entry, self.state.inputs.of(*item.key))
         self.state.known[item.key] = entry
@@ -205,14 +210,14 @@ class Run:
             self.state.present.add(item.key)
 
     def write_index(self, thing: Image | Part, entry: Entry) -> None:
-        """Records what is known of an image's, or part's, index now."""
+        """Records the new entry of the index of an image or part."""
         entry = self._without_what_is_gone(replace(entry, changed=self.state.date))
         self.records.write(entry, {})
         self.state.known[thing.target, INDEX] = entry
         self.state.present.add((thing.target, INDEX))
 
     def _without_what_is_gone(self, entry: Entry) -> Entry:
-        """An entry without the digests that were in its place and are gone, if it has many: it would grow for ever."""
+        """The entry; if it has many superseded digests, without those that are gone, so that it does not grow for ever."""
         if len(entry.superseded) <= SUPERSEDED:
             return entry
         place = self.state.place
@@ -220,17 +225,17 @@ class Run:
         return replace(entry, superseded=tuple(there))
 
     def put_in_order(self, before: int) -> None:
-        """Gives outcomes the order of images again, which were done side by side.
+        """Sorts the outcomes of images that were done side by side.
 
         Args:
-            before: how many outcomes there were before that.
+            before: how many outcomes there were before; these stay as they are.
         """
         order = {thing.target: number for number, thing in enumerate(self.state.things())}
         self.outcomes[before:] = sorted(self.outcomes[before:], key=lambda outcome: order[outcome.target])
 
 
 def failure(step: str, message: str, remedy: str = "") -> dict[str, str]:
-    """What an entry says of a step that failed: the beginning of its message, since the records are no place for logs."""
+    """What an entry says of a failed step: the beginning of its message, since records are no place for logs."""
     return {"step": step, "reason": "\n".join(message.splitlines()[:12])[:2000]} | (
         {"remedy": remedy} if remedy else {}
     )

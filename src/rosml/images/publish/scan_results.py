@@ -1,5 +1,6 @@
-"""Records what a scan found that might not write into the registry (scan/results.py). All that is made of it is the outcome
-in entries that are about the very same image.
+"""Records the results of a scan that had no write access to the registry (scan/results.py).
+
+Results go only into entries about the same image digest. Nothing else in the registry changes.
 """
 
 from __future__ import annotations
@@ -25,14 +26,14 @@ class _Facts(BaseModel):
 
 
 class _Handed(_Facts):
-    """What the file says, as `scan/results.py` writes it."""
+    """The content of the file, as `scan/results.py` writes it."""
 
     version: Literal[1]
     entries: list[Any]
 
 
 def record(run: Run, file: Path) -> None:
-    """Writes into the registry what a scan handed over.
+    """Writes the results of a scan into the registry.
 
     Raises:
         RosmlError: the file cannot be read, or the registry fails.
@@ -44,13 +45,13 @@ def record(run: Run, file: Path) -> None:
         entries = [_entry(item) for item in content.entries]
     except (OSError, ValueError) as error:
         reason = first_of(error) if isinstance(error, ValidationError) else getattr(error, "strerror", "") or error
-        text = f"{file} holds no results of a scan: {reason}"
+        text = f"{file} does not hold the results of a scan: {reason}"
         raise RosmlError(text, "write it again with: rosml publish scan --output FILE", exit_code=2) from None
     for found in entries:
         key = found.target, found.architecture
         known = run.state.known.get(key)
         if known is None or known.digest != found.digest:
-            run.outcomes.append(Outcome("record", *key, "waits", "it was made anew since it was scanned"))
+            run.outcomes.append(Outcome("record", *key, "waits", "it was rebuilt after the scan"))
             continue
         entry = replace(known, scanned=found.scanned, scan=found.scan, changed=run.state.date)
         run.records.write(entry)
@@ -65,5 +66,5 @@ def _entry(item: Any) -> store.Entry:
         or found.scanned not in {outcome.value for outcome in judge.Outcome}
         or not is_digest(found.digest)
     ):
-        raise ValueError("an outcome in it is none")
+        raise ValueError("an entry has no outcome of a scan")
     return found

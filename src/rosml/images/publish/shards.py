@@ -1,8 +1,7 @@
-"""Shards: which machine of a run builds which images, so that all of them are ready soon, at the same time.
+"""Shards: which machine of a run builds which images, so that all machines finish early, at about the same time.
 
-What is dealt out are units, a distribution on an architecture: its ROS images stand on one another, and all its other
-images on one of those, so that no unit builds what another one has to wait for. Parts and operating systems are
-shared between units: a shard assembles them once, however many of its units need them.
+A unit is a distribution on an architecture. Its ROS images build on one another, and its other images on one of those, so no
+unit waits for another. Units share parts and operating systems: a shard builds each of these once.
 """
 
 from __future__ import annotations
@@ -20,11 +19,11 @@ from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix.model import Size
 
 Named = Annotated[tuple[str, ...], Field(min_length=1)]
-"""Names of what is meant: none would mean all that there are."""
+"""Names, at least one: an empty list would mean all."""
 
 
 class Fact(BaseModel):
-    """Something that a plan says; it is written by one job and read by others."""
+    """A piece of a plan, which one job writes and others read."""
 
     model_config = ConfigDict(frozen=True, strict=True)
 
@@ -33,9 +32,9 @@ class Estimates(Fact):
     """What a shard takes.
 
     Attributes:
-        download_mb: what the network brings: base images, Debian packages and wheels, compressed.
-        disk_mb: room that it needs at its peak, which is its end, with the reserve; counted as `machine/disk.py` counts.
-        seconds: time of building and testing: what each took the last time, or else by the matrix' rates.
+        download_mb: base images, Debian packages and wheels, compressed.
+        disk_mb: disk space at the end, which is the peak, with the reserve; counted as in `builds/disk.py`.
+        seconds: time to build and test: the measured time of the last run, or else an estimate by the matrix's rates.
     """
 
     download_mb: int
@@ -48,11 +47,13 @@ class Shard(Fact):
 
     Attributes:
         name: `amd64-1`; an architecture's longest shard has the number 1.
-        architecture: under BuildKit's name. platform: the same as BuildKit calls it.
+        architecture: such as `amd64`.
+        platform: such as `linux/amd64`.
         runner: label of the machines in CI.
-        distributions: what it builds, in the order of the matrix.
-        targets: bake targets in build order: of each distribution the ROS images from the lowest up, then the others.
-        parts: names of the parts that it assembles.
+        distributions: the distributions that it builds, in the order of the matrix.
+        targets: bake targets in build order: for each distribution the ROS images from the lowest up, then the others.
+        parts: names of the parts that it builds.
+        estimates: what it takes.
     """
 
     name: str
@@ -66,16 +67,17 @@ class Shard(Fact):
 
 
 Costs = dict[tuple[str, str], int]
-"""Seconds by what is built: its kind and its name. What two units both have, they share."""
+"""Seconds by kind and name of what is built. Units share the items that they have in common."""
 
 
 @dataclass(frozen=True)
 class Work:
-    """What is to be done, by target and architecture.
+    """The work of a run, by target and architecture.
 
     Attributes:
-        made: images and parts that are built or joined. tested: images whose tests run.
-        seconds: what each step took the last time, where that is known.
+        made: images and parts to build or join.
+        tested: images to test.
+        seconds: what each step took the last time, if that is known.
     """
 
     made: frozenset[tuple[str, str]]
@@ -85,7 +87,7 @@ class Work:
 
 @dataclass(frozen=True)
 class Unit:
-    """What one machine has to build: a distribution's images on an architecture, in build order."""
+    """A distribution's images on an architecture, in build order. One machine builds all of them."""
 
     distribution: str
     images: tuple[Image, ...]
@@ -95,17 +97,17 @@ class Unit:
 def deal(
     image_set: ImageSet, shards: int, include: Callable[[Image], bool] = lambda image: True, work: Work | None = None
 ) -> tuple[Shard, ...]:
-    """Deals the images of a set out to machines: by architecture, the longest shard first.
+    """Deals the images of a set to machines: by architecture, the longest shard first.
 
     Args:
         image_set: all that the matrix describes.
-        shards: how many machines there are at most; but each architecture that something is built for gets one.
-        include: whether an image is built. The ROS images that it stands on are built with it.
-        work: what is to be done; images and architectures without any get no machine, and times count nothing else. All that
-            is included if None. What a machine fetches and keeps is counted whole: tests need all of an image.
+        shards: how many machines there are at most. Each architecture with work gets at least one.
+        include: whether an image is built. The ROS images below it are built with it.
+        work: what has to be done; all included images if None. Images and architectures without work get no machine, and
+            estimates of time count only work. Estimates of download and disk count whole images, since tests need these.
 
     Raises:
-        RosmlError: the matrix does not say where an architecture is built (exit code 2).
+        RosmlError: the matrix names no runner for an architecture (exit code 2).
     """
     units = _units(image_set, include, work)
     return tuple(
@@ -129,7 +131,7 @@ def _runner(image_set: ImageSet, architecture: str) -> str:
 
 
 def _units(image_set: ImageSet, include: Callable[[Image], bool], work: Work | None) -> dict[str, list[Unit]]:
-    """Units by architecture, both in the order of the matrix; architectures without any are left out."""
+    """Units by architecture, both in the order of the matrix; without architectures that have no unit."""
     members: dict[str, dict[str, list[Image]]] = {name: {} for name in image_set.matrix.architectures}
     for image in filter(include, image_set.images):
         for architecture in image.architectures:
@@ -151,7 +153,7 @@ def _unit(image_set: ImageSet, distribution: str, images: list[Image], architect
 
     def took(target: str, step: str) -> int | None:
         found = work.seconds.get((target, architecture), {}).get(step) if work else None
-        return math.ceil(found) if found and found >= 1 else None  # what was in a cache says nothing
+        return math.ceil(found) if found and found >= 1 else None  # less than a second: it came from a cache
 
     def test(image: Image) -> int:
         carried = rates.carried if image.carriers[:1] == (image.target,) else 0
@@ -174,14 +176,14 @@ def _unit(image_set: ImageSet, distribution: str, images: list[Image], architect
 
 
 def _ordered(image_set: ImageSet, images: Iterable[Image]) -> tuple[Image, ...]:
-    """Images in build order, with the ROS images that they stand on, which come first."""
+    """Images in build order, after the ROS images below them."""
     images = list(images)
     chains = [link for image in images for link in _chain(image_set, image)]
     return tuple({image.target: image for image in [*chains, *images]}.values())
 
 
 def _chain(image_set: ImageSet, image: Image) -> list[Image]:
-    """The ROS images that an image stands on, lowest first, and the image itself if it is one."""
+    """The ROS images below an image, lowest first, and the image itself if it is a ROS image."""
     chain = [] if image.stack else [image]
     while below := image_set.by_target.get(image.parent):
         chain.append(below)
@@ -190,7 +192,7 @@ def _chain(image_set: ImageSet, image: Image) -> list[Image]:
 
 
 def _own(image_set: ImageSet, image: Image) -> Size:
-    """Size of a ROS image without what it stands on."""
+    """Size of a ROS image without the image below it."""
     below = image_set.by_target.get(image.parent)
     return image.disk - (below.disk if below else image_set.matrix.disk.os)
 
@@ -200,7 +202,7 @@ def _parts(images: Iterable[Image]) -> tuple[str, ...]:
 
 
 def _divided(megabytes: int, rate: int) -> int:
-    """Seconds, rounded up: whole numbers compare the same everywhere."""
+    """Seconds, rounded up, since whole numbers compare the same on every machine."""
     return math.ceil(megabytes / rate)
 
 
@@ -208,7 +210,7 @@ def _divided(megabytes: int, rate: int) -> int:
 
 
 def _seconds(units: Iterable[Unit]) -> int:
-    """Time of units on one machine: what they share is built once."""
+    """Time of units on one machine, in seconds. Shared items count once."""
     costs: Costs = {}
     for unit in units:
         costs |= unit.costs
@@ -216,7 +218,7 @@ def _seconds(units: Iterable[Unit]) -> int:
 
 
 def _shares(units: dict[str, list[Unit]], shards: int) -> dict[str, int]:
-    """How many shards each architecture gets: one, and every further one goes to that which takes longest."""
+    """How many shards each architecture gets: at least one; each further one goes to the architecture that takes longest."""
     shares = dict.fromkeys(units, 1)
     longest = {name: _seconds(members) for name, members in units.items()}
     while sum(shares.values()) < shards:
@@ -238,7 +240,7 @@ def _dealt(units: list[Unit], share: int) -> list[list[Unit]]:
 
 
 def _spread(units: list[Unit], share: int) -> list[list[Unit]]:
-    """Longest unit first, each to the shard that is done soonest with it, and of those to where it adds least."""
+    """Deals units, the longest first, to the shard that finishes first with it; of equal ones, to where it adds least."""
     shards: list[list[Unit]] = [[] for _ in range(share)]
     known: list[Costs] = [{} for _ in range(share)]
     loads = [0] * share

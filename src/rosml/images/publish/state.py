@@ -1,7 +1,7 @@
-"""What is known of the images of a registry, and what is to be done about each: how it should be, compared with its records.
+"""The state of a registry's images, and the steps that each of them needs: the matrix and locks, compared with the records.
 
-Nothing is done here, and nobody is asked: `survey.py` asks, and `run.py` does. A step that was done before, from the same
-inputs, is not to be done again; so a publishing run that was interrupted goes on where it was, on any machine.
+This module only decides: `survey.py` asks, and `run.py` carries out. A step that was done from the same inputs is not due
+again. So if a publishing run is interrupted, the next one continues, on any machine.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ Kind = Literal["ros", "part", "joined"]
 Step = Literal["build", "join", "test", "scan"]
 
 ABSENT = "the archive has no"
-"""How the reason begins why a row cannot be built whose packages nobody published."""
+"""How the reason begins if a distribution cannot be built because its packages are not published."""
 
 WAITING = "waiting for a builder"
 ELSEWHERE = f"{WAITING} of its architecture"
@@ -40,7 +40,7 @@ class Item:
     Attributes:
         thing: the image or part.
         architecture: under BuildKit's name.
-        needs: bake targets of what it is put together from: the ROS image below, and parts.
+        needs: bake targets of the ROS image below it and of its parts.
     """
 
     thing: Image | Part
@@ -54,7 +54,7 @@ class Item:
 
     @property
     def kind(self) -> Kind:
-        """ROS images and parts are built; a joined image is joined of them."""
+        """ROS images and parts are built; joined images are joined from them."""
         if isinstance(self.thing, Part):
             return "part"
         return "joined" if self.thing.stack else "ros"
@@ -77,11 +77,13 @@ class Item:
 
 @dataclass(frozen=True)
 class Task:
-    """What is to be done about an item.
+    """The steps that an item needs.
 
     Attributes:
-        steps: in order; empty where nothing is. why: reasons for the first of them.
-        hindered: why none of it can be done here; empty where it can.
+        item: an image or part.
+        steps: in order; empty if there is nothing to do.
+        why: reasons for the first step.
+        hindered: why no step can be done here; empty if it can.
     """
 
     item: Item
@@ -92,22 +94,22 @@ class Task:
 
 @dataclass(frozen=True)
 class Request:
-    """What a survey is asked.
+    """What a survey has to find out.
 
     Attributes:
-        services: what this machine has.
+        services: the services of this machine.
         image_set: all that the matrix describes.
         place: where the images are.
-        date: of the run; empty if nothing will be made.
+        date: of the run; empty if nothing will be built.
         only: patterns of targets, or groups; all if empty.
-        architectures: those to work for; the machine's own if empty.
+        architectures: the architectures to work for; the machine's own if empty.
         serve: the architectures that the registry serves; all of the matrix if empty.
-        force: make everything anew.
+        force: rebuild everything.
         scanning: digest of the scan policy; empty if images need no scan.
-        package_state: of distributions, by a plan. All steps of a run take packages to be as the plan says; what moves after
-            it is the next run's, unless a build can have it no other way.
-        whole: judge what images stand on for all of its architectures.
-        inputs: of the image set's targets, if they were read before.
+        package_state: the package state of distributions, from a plan. All steps of a run use the plan's state. Packages
+            that move later wait for the next run, unless a build fails because of them.
+        whole: judge the ROS images and parts below images on all of their architectures.
+        inputs: inputs of the image set's targets, if they were read before.
     """
 
     services: Services
@@ -126,20 +128,20 @@ class Request:
 
 @dataclass
 class State:
-    """The images and parts that are asked for, and what is known of them.
+    """The requested images and parts, and what is known of them.
 
     Attributes:
         request: what was asked.
-        inputs: of the image set's targets.
-        images: those that are asked for.
-        architectures: those that this run works for.
+        inputs: inputs of the image set's targets.
+        images: the requested images.
+        architectures: the architectures that this run works for.
         known: entries of the records by target and architecture; a run keeps them up to date.
         present: the entries whose manifest is in the registry.
-        package_state: of each distribution whose repositories answered.
-        lacking: packages that the archive of a distribution does not have, by distribution and architecture.
-        remarks: what people should know, such as a repository that does not answer.
-        forced: what a run with `force` made anew already.
-        digests: of tests, which are made once.
+        package_state: the package state of each distribution whose repositories answered.
+        lacking: packages that the archive of a distribution lacks, by distribution and architecture.
+        remarks: for people, such as a repository that does not answer.
+        forced: items that a run with `force` rebuilt already.
+        digests: digests of tests, each computed once.
     """
 
     request: Request
@@ -166,7 +168,7 @@ class State:
 
     @property
     def date(self) -> str:
-        """Of the run."""
+        """The date of the run."""
         return self.request.date
 
     @property
@@ -176,7 +178,7 @@ class State:
 
     @cached_property
     def items(self) -> tuple[Item, ...]:
-        """In the order of work: ROS images from the lowest up, parts, then what is joined of both."""
+        """All items in the order of work: ROS images from the lowest up, parts, then joined images."""
         ros: dict[tuple[str, str], Item] = {}
         parts: dict[tuple[str, str], Item] = {}
         joined: dict[tuple[str, str], Item] = {}
@@ -200,8 +202,8 @@ class State:
 
     @cached_property
     def forecast(self) -> ImageSet:
-        """The image set with the sizes of ROS images that earlier runs measured, in the place of what the matrix forecasts. What
-        stands on such an image, and was never measured, adds to it what the matrix says."""
+        """The image set with the measured sizes of ROS images, as far as earlier runs measured them. For an unmeasured image,
+        the matrix's forecast of its own size is added to the size of the image below it."""
         sizes: dict[str, Size] = {}
         for image in self.image_set.images:
             if image.stack is None:
@@ -228,11 +230,12 @@ class State:
         return {item.key: item for item in self.items}
 
     def task(self, item: Item, ahead: bool = True) -> Task:
-        """What is to be done about an item, by what is known now.
+        """The steps that an item needs, by what is known now.
 
         Args:
             item: one of `items`.
-            ahead: take what it needs for as good as made, if only that can be made here: a plan. Otherwise it has to be there.
+            ahead: for a plan: assume that the item's needs will be built, if they can be built here. If not set, they must
+                be in the registry.
         """
         if reason := self.hindrance(item):
             return Task(item, hindered=reason)
@@ -243,9 +246,9 @@ class State:
             return Task(item, hindered=reason if reason == ELSEWHERE else f"{reason} (for {first})")
         why = self.reasons(item)
         if lacking and item.key in self.known and self.known[item.key].digest:
-            why += [f"{target} is made anew" for target in lacking]
+            why += [f"{target} is rebuilt" for target in lacking]
         elif lacking and not why:
-            why = [f"{target} is made first" for target in lacking]
+            why = [f"{target} is built first" for target in lacking]
         entry = None if why else self.known[item.key]
         steps = self._checks(item, entry)
         if item.architecture not in self.architectures and "test" in steps:
@@ -260,15 +263,15 @@ class State:
         return Task(item, steps, (first,))
 
     def made(self, key: tuple[str, str]) -> bool:
-        """Whether an item is in the registry as it should be."""
+        """Whether an item is in the registry and up to date."""
         return key in self.by_key and not self.reasons(self.by_key[key])
 
     def reasons(self, item: Item) -> list[str]:
-        """Why an item is to be made anew; nothing where it is as it should be."""
+        """Why an item has to be built or joined; empty if it is up to date."""
         entry = self.known.get(item.key)
         if entry is None or not entry.digest:
             return ["it was never made"]
-        # What another machine made in this run, which has one date, is not made once more.
+        # An entry with the date of this run was made by this run, perhaps on another machine.
         if self.request.force and item.key not in self.forced and entry.date != self.date:
             return ["--force"]
         why = []
@@ -278,39 +281,39 @@ class State:
             why.append(moved)
         if item.key not in self.present:
             why.append("it is not in the registry any more")
-        if item.kind != "joined" and not entry.sbom:  # of a version that had the scan make them
+        if item.kind != "joined" and not entry.sbom:  # an older version of this program made SBOMs in the scan
             why.append("it has no SBOM")
         for target in item.needs:
             part = self.known.get((target, item.architecture))
             if part and part.digest and entry.parts.get(target) != part.digest:
-                why.append(f"{target} is another one")
+                why.append(f"{target} changed")
         return why
 
     def _moved(self, item: Item, entry: Entry) -> str:
         assert isinstance(item.thing, Image)
         now = self.package_state.get(item.thing.distribution, "")
-        # Another machine of this run may have found packages that ROS published after the plan.
+        # ROS may have published packages after the plan, and another machine of this run used them.
         if entry.changed == self.date and package_state.ros_date(entry.package_state) > package_state.ros_date(now):
             return ""
         return (
-            f"packages moved from {entry.package_state or 'nobody knows when'} to {now}"
+            f"packages moved from {entry.package_state or 'an unknown state'} to {now}"
             if now not in ("", entry.package_state)
             else ""
         )
 
     def _checks(self, item: Item, entry: Entry | None) -> tuple[Step, ...]:
-        """The checks that are still to be done; all of them for an item that is to be made."""
+        """The checks that an item still needs; all checks if its entry is None."""
         steps: list[Step] = []
         if item.kind != "part" and not (entry and self.passed(item, entry)):
             steps.append("test")
-        # A part is scanned as a part of the images that have it.
+        # A part is scanned with the images that have it.
         clean = entry and entry.scanned == "clean" and entry.scan.get("policy") == self.request.scanning
         if self.request.scanning and item.kind != "part" and not clean:
             steps.append("scan")
         return tuple(steps)
 
     def passed(self, item: Item, entry: Entry) -> bool:
-        """Whether the tests that there are now passed in the image of an entry: all, or those that it runs itself."""
+        """Whether an image passed today's tests: all of them, or those that it runs itself."""
         return self._tested(item, entry) and entry.passed > 0 and not entry.failures
 
     def _untested(self, item: Item) -> str:
@@ -323,19 +326,19 @@ class State:
         return f"tested, and failed: {some(list(entry.failures))}" if entry.failures else "tested, and no test ran"
 
     def _tested(self, item: Item, entry: Entry) -> bool:
-        """Whether the tests that there are now ran."""
+        """Whether today's tests ran."""
         assert isinstance(item.thing, Image)
         return entry.tested in {self._digest_of(item, names) for names in (item.thing.tests, self._all(item.thing))}
 
     def tests(self, item: Item) -> tuple[str, ...]:
-        """The tests that an image runs: those that depend on its own sum; and those that it shares with others, unless these are
-        part of this run, or passed them before with the same parts."""
+        """The tests that an image runs: its own tests; and the tests that it shares with other images, unless these are part of
+        this run, or passed them before with the same parts."""
         assert isinstance(item.thing, Image)
         elsewhere = all(target in self._asked or not self._unproven(item, target) for target in item.thing.proven_by)
         return item.thing.tests if elsewhere else self._all(item.thing)
 
     def tests_digest(self, item: Item) -> str:
-        """A digest of the tests that an image runs: files, programs, what they expect; not of the image itself."""
+        """A digest of the tests that an image runs: files, programs and expected values, without the image itself."""
         return self._digest_of(item, self.tests(item))
 
     def _all(self, image: Image) -> tuple[str, ...]:
@@ -352,7 +355,7 @@ class State:
         return self.digests[key]
 
     def unproven(self, item: Item) -> str:
-        """What other images were to prove of an image and did not; empty where they did, or it ran all tests itself."""
+        """Why shared tests in other images prove nothing for this image; empty if they passed, or the image ran all tests."""
         assert isinstance(item.thing, Image)
         entry = self.known[item.key]
         whole = entry.tested == self._digest_of(item, self._all(item.thing))
@@ -362,13 +365,13 @@ class State:
         return ""
 
     def _unproven(self, item: Item, target: str) -> str:
-        """Why the tests of another image say nothing about one; empty where they passed, with the same parts."""
+        """Why the shared tests in one other image prove nothing; empty if they passed there, with the same parts."""
         image = self.image_set.by_target[target]
         proof = Item(image, item.architecture, self._needs(image))
         entry = self.known.get(proof.key)
         what = f"tests that it shares with {target}"
         if entry is None or not entry.digest:
-            return f"{what}: that is not there"
+            return f"{what}: that image is missing"
         if proof.key in self.by_key and (why := self.reasons(proof)):
             return f"{what}: {why[0]}"
         if not self._tested(proof, entry) or not (entry.passed or entry.failures):
@@ -379,24 +382,24 @@ class State:
             return f"{what} failed: {some(failures)}"
         for name, digest in entry.parts.items():
             if (part := self.known.get((name, item.architecture))) and part.digest != digest:
-                return f"{what}: that has another {name}"
+                return f"{what}: that image has another {name}"
         return self.unproven(proof) if target == item.thing.parent else ""
 
     def _needs(self, image: Image) -> tuple[str, ...]:
-        """What an image is put together from."""
+        """The ROS image below an image, and its parts."""
         below = (image.parent,) if image.parent in self.image_set.by_target else ()
         return (*below, *(self.image_set.part_by_name[name].target for name in image.parts))
 
     def hindrance(self, item: Item) -> str:
-        """Why an item cannot be made on this machine; empty where it can."""
+        """Why an item cannot be built on this machine; empty if it can."""
         image_or_part = item.thing
         if lacking := missing.on(image_or_part, item.architecture):
             return f"{missing.UNLOCKED}: {some(lacking)}"
-        if item.kind == "joined":  # put together in the registry, from anywhere
+        if item.kind == "joined":  # any machine can join in the registry
             return ""
         if item.architecture not in self.architectures:
             return ELSEWHERE
-        if isinstance(image_or_part, Part):  # assembled on what there is
+        if isinstance(image_or_part, Part):  # builds on any base image that this machine has
             return ""
         unpublished = self.lacking.get((image_or_part.distribution, item.architecture), frozenset())
         if gone := sorted(unpublished.intersection(image_or_part.packages.split())):
@@ -406,7 +409,7 @@ class State:
         return f"{WAITING}: {absent}" if absent else ""
 
     def _reason(self, key: tuple[str, str]) -> str:
-        """Why a part cannot be made here; of what it needs itself, if that is the reason."""
+        """Why an item cannot be built here, or why something below it cannot."""
         item = self.by_key[key]
         if reason := self.hindrance(item):
             return reason
@@ -422,19 +425,19 @@ class State:
     # ---- Indexes -----------------------------------------------------------------------------------------------------
 
     def members(self, thing: Image | Part) -> tuple[tuple[str, str], ...]:
-        """Target and architecture of what an image's, or part's, index is made of: those that the registry serves."""
+        """The members of the index of an image or part, as target and architecture: the architectures that the registry serves."""
         serve = self.request.serve
         return tuple((thing.target, name) for name in thing.architectures if not serve or name in serve)
 
     def unready(self, thing: Image | Part) -> str:
-        """Why no index of an image, or part, can be made; empty if one can."""
+        """Why the index of an image or part cannot be made; empty if it can."""
         keys = self.members(thing)
         if not keys:
             return f"it does not exist for {', '.join(self.request.serve)}"
         for key in keys:
             item, entry = self.by_key.get(key), self.known.get(key)
             if item is None or entry is None or not entry.digest:
-                return f"{key[1]} is not there" + (f": {self.hindrance(item)}" if item and self.hindrance(item) else "")
+                return f"{key[1]} is missing" + (f": {self.hindrance(item)}" if item and self.hindrance(item) else "")
             if why := self.reasons(item):
                 return f"{key[1]}: {why[0]}"
             if item.kind != "part" and not self.passed(item, entry):
@@ -451,7 +454,7 @@ class State:
         return ""
 
     def _used(self, part: Entry) -> bool:
-        """Whether an image that has a part, this very one, passed its tests, and the scan where there is one."""
+        """Whether an image with exactly this part passed its tests, and the scan if there is one."""
         return any(
             entry.parts.get(part.target) == part.digest and not self._checks(item, entry) and not self.unproven(item)
             for key, item in self.by_key.items()
@@ -459,20 +462,20 @@ class State:
         )
 
     def things(self) -> tuple[Image | Part, ...]:
-        """Images and parts that get an index: those that are asked for, and what they stand on."""
+        """Images and parts that get an index: the requested ones, and those below them."""
         return tuple({item.target: item.thing for item in self.items}.values())
 
     def index_of(self, thing: Image | Part) -> Entry | None:
-        """What the records say of the index of an image, or part."""
+        """The entry of the index of an image or part."""
         return self.known.get((thing.target, INDEX))
 
     # ---- For people --------------------------------------------------------------------------------------------------
 
     def tasks(self) -> list[Task]:
-        """What is to be done about every item."""
+        """The task of every item."""
         return [self.task(item) for item in self.items]
 
     def changes(self, item: Item) -> list[str]:
-        """Names of the inputs of an item that differ from those that it was made from; the records are read for them."""
+        """Names of an item's inputs that changed since it was made. This reads the records."""
         old, new = self.records.inputs(*item.key), self.inputs.of(item.target, item.architecture)
         return sorted(name for name in old.keys() | new.keys() if old.get(name) != new.get(name)) if old else []

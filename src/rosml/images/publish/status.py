@@ -1,4 +1,4 @@
-"""How the images of a matrix stand: published, outdated, failed, missing, or not to be had; as a table and as data."""
+"""The state of a matrix's images in a registry, such as published, outdated or failed; for people and as data."""
 
 from __future__ import annotations
 
@@ -25,22 +25,30 @@ STATES = {
     UNLOCKED: "dim",
     WAITING: "dim",
 }
-"""Every state, with its colour: the tag points at what the matrix says now; at something older; what was made last did not
-pass; nothing was published; a lock is missing; it cannot be made on this machine. What is published for some architectures,
-and was never made for others, is published."""
+"""Every state, with its colour.
+
+published: the tag points at an index that is up to date. Architectures that were never built do not count.
+outdated: the tag points at something older.
+failed: the last build, join, test or index failed.
+missing: the image is not published yet.
+lock missing: the image cannot be built without the lock.
+waiting for a builder: this machine cannot build the image."""
 
 
 @dataclass(frozen=True)
 class ImageStatus:
-    """How an image stands.
+    """The state of an image.
 
     Attributes:
-        target: bake target. state: one of STATES.
-        reason: why it is not published as it should be.
-        tag: its main tag, with the repository. digest: what that points at; empty where there is none.
-        date: of the run that made that; empty where nobody knows. age: seconds since then.
-        platforms: what the tag has.
-        log: the last lines of what failed, as the records have them.
+        target: bake target.
+        state: one of STATES.
+        reason: why the image is not published in its present form.
+        tag: the main tag, with the repository.
+        digest: the index behind the tag; empty if there is none.
+        date: of the run that made the index; empty if unknown.
+        age: seconds since then.
+        platforms: of the index.
+        log: the last lines of what failed, from the records.
     """
 
     target: str
@@ -59,11 +67,11 @@ class ImageStatus:
 
 
 def read(state: State, now: str) -> Iterator[ImageStatus]:
-    """How every image, and part, that is asked for stands.
+    """The state of every requested image and part.
 
     Args:
         state: what is known of them.
-        now: the time from which ages count, as a run's date is written.
+        now: the time from which ages count, in the format of a run's date.
     """
     for thing in state.things():
         repository, main = repository_of(thing), tags_of(thing)[0]
@@ -117,13 +125,13 @@ def _stands(state: State, thing: Image | Part, tagged: str) -> tuple[str, str]:
 
 
 def _unproven(state: State, members: Sequence[tuple[str, str]]) -> list[str]:
-    """What other images were to prove of an image and did not, by architecture."""
+    """Why shared tests in other images prove nothing for an image, by architecture."""
     items = [state.by_key[key] for key in members if key in state.known]
     return [f"{item.architecture}: {why}" for item in items if item.kind != "part" and (why := state.unproven(item))]
 
 
 def _log(state: State, thing: Image | Part) -> str:
-    """What the records have of a failure, if that is more than a line."""
+    """The log of a failure in the records, if it is more than a line."""
     entries = (entry for key in state.members(thing) if (entry := state.known.get(key)))
     texts = (entry.failed.get("reason", "") for entry in entries if not _over(state, entry))
     return next((text for text in texts if "\n" in text), "")
@@ -131,10 +139,13 @@ def _log(state: State, thing: Image | Part) -> str:
 
 @dataclass(frozen=True)
 class Cause:
-    """Why some images are not published as they should be.
+    """Why some images are not published in their present form.
 
     Attributes:
-        state: one of STATES. reason: what they have in common. targets: bake targets. log: the last lines of one of them.
+        state: one of STATES.
+        reason: what the images have in common.
+        targets: bake targets.
+        log: the last lines of what failed, of one image.
     """
 
     state: str
@@ -147,14 +158,15 @@ _FOR = re.compile(r" \(for [\w.-]+\)")
 """What an image waits for is often what another one, on which it stands, waits for."""
 
 OPEN = ("failed", "outdated", "missing")
-"""The states of images that a further run may publish."""
+"""The states of images that another run may publish."""
 
 
 def causes(found: Sequence[ImageStatus], architectures: Iterable[str]) -> list[Cause]:
-    """Images that are not published as they should be, by state and reason; failures, and what most have in common, first.
+    """Groups the images that are not published in their present form by state and reason. Failures and large groups come first.
 
     Args:
-        architectures: whose names in reasons do not count, so that one fault on all of them is one cause.
+        found: the state of each image.
+        architectures: names that do not count in reasons, so that one fault on all architectures is one cause.
     """
     names = re.compile(rf"(?:(?<=^)|(?<=; ))(?:{'|'.join(map(re.escape, architectures))}): ")
     groups: dict[tuple[str, str], list[ImageStatus]] = {}
@@ -163,7 +175,7 @@ def causes(found: Sequence[ImageStatus], architectures: Iterable[str]) -> list[C
             reason = "" if item.state == UNLOCKED else _FOR.sub("", names.sub("", item.reason))
             parts = dict.fromkeys(UNLOCKED if part.startswith(UNLOCKED) else part for part in reason.split("; "))
             if len(parts) > 1:
-                parts.pop(ELSEWHERE, None)  # who looks has one machine, and a publishing run has all
+                parts.pop(ELSEWHERE, None)  # a publishing run has machines of all architectures
             groups.setdefault((item.state, "; ".join(parts)), []).append(item)
     made = (
         Cause(state, reason, tuple(x.target for x in items), next((x.log for x in items if x.log), ""))
@@ -174,7 +186,7 @@ def causes(found: Sequence[ImageStatus], architectures: Iterable[str]) -> list[C
 
 
 def ahead(state: State) -> dict[str, int]:
-    """How often a further run would do each step, wherever its machines are."""
+    """How often another run would do each step, with machines of all architectures."""
     serve = state.request.serve
     counts: Counter[str] = Counter()
     for item in state.items:
@@ -188,25 +200,25 @@ def ahead(state: State) -> dict[str, int]:
 
 
 def _odd(date: str, now: str) -> str:
-    """What is wrong with the date of what a tag points at; empty where nothing is."""
+    """What is wrong with the date of an index; empty if nothing is."""
     if date and not is_date(date):
-        return f"its date is none: {date[:40]!r}"
+        return f"its date is not valid: {date[:40]!r}"
     return f"its date {date} is in the future" if date and is_ahead(date, now) else ""
 
 
 def _over(state: State, entry: Entry) -> bool:
-    """Whether a failure is of the past: what failed is as it should be, since the change that broke it was taken back."""
+    """Whether a failure is over: the item is up to date, because the change that broke it was reverted."""
     item = state.by_key[entry.target, entry.architecture]
     return state.made(item.key) and (item.kind == "part" or state.passed(item, entry))
 
 
 def _reason(entry: Entry) -> str:
     """Why something failed, on one line."""
-    return next(iter(entry.failed.get("reason", "").splitlines()), "nobody knows why")
+    return next(iter(entry.failed.get("reason", "").splitlines()), "unknown reason")
 
 
 def _first(state: State, key: tuple[str, str]) -> str:
-    """Why an item is not as it should be; the first reason."""
+    """The first reason why an item is not up to date; empty if it is."""
     task = state.task(state.by_key[key])
     if found := _broken(state, state.by_key[key]):
         return found
@@ -214,13 +226,13 @@ def _first(state: State, key: tuple[str, str]) -> str:
         return task.hindered
     if task.hindered == ELSEWHERE:
         return _late(state, state.by_key[key])
-    if task.hindered and state.made(key):  # what cannot be made here is there as it should be
+    if task.hindered and state.made(key):  # this machine could not build it, but it is up to date
         return ""
     return task.why[0] if task.why else task.hindered
 
 
 def _broken(state: State, item: Item) -> str:
-    """What failed below an item when it was last made, in whichever run that was, so that the item waits; empty if nothing did."""
+    """What failed below an item in the last run that built it, so that the item waits; empty if nothing did."""
     for target in item.needs:
         need = state.by_key[target, item.architecture]
         if state.made(need.key):
@@ -234,15 +246,15 @@ def _broken(state: State, item: Item) -> str:
 
 
 def _late(state: State, item: Item) -> str:
-    """Why an item is not what the matrix says now, or what it is put together from, whoever can make it; empty where it is."""
+    """Why an item, or something below it, is out of date, whatever machine can build it; empty if all are up to date."""
     if own := state.reasons(item):
         return own[0]
     below = (target for target in item.needs if _late(state, state.by_key[target, item.architecture]))
-    return next((f"{target} is made anew" for target in below), "")
+    return next((f"{target} is rebuilt" for target in below), "")
 
 
 def _time(text: str) -> datetime | None:
-    """A run's date; None where it is none: anybody may write an annotation."""
+    """The date of a run as a time; None if it is not valid, since anybody may write an annotation."""
     try:
         return datetime.strptime(text, TIME)
     except ValueError:
@@ -250,7 +262,7 @@ def _time(text: str) -> datetime | None:
 
 
 def age(seconds: float | None) -> str:
-    """For people: `3 d`, `5 h`, `2 min`."""
+    """An age for people, such as `3 d`, `5 h` or `2 min`."""
     if seconds is None:
         return ""
     for unit, size in (("d", 86400), ("h", 3600), ("min", 60)):
@@ -260,6 +272,6 @@ def age(seconds: float | None) -> str:
 
 
 def as_json(found: list[ImageStatus]) -> str:
-    """All of it, and how many there are of each state."""
+    """The states of images as JSON, with the count of each state."""
     counts = Counter(item.state for item in found)
     return json.dumps({"counts": dict(counts), "images": [item.to_json() for item in found]}, indent=2)

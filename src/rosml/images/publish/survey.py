@@ -1,4 +1,4 @@
-"""Asks the registry, and the repositories of packages, how things are."""
+"""Asks the registry and the package repositories for the state of images."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from rosml.images.records.store import INDEX, Entry
 from rosml.registry.place import Place
 
 ARCHIVES = 8
-"""How many repositories of packages are asked at a time."""
+"""How many package repositories are asked at a time."""
 
 
 def survey(request: Request) -> State:
-    """What is known of the images that are asked for.
+    """Finds the state of the requested images.
 
     Raises:
         RosmlError: the registry does not answer, or there is no such image or architecture.
     """
     image_set = request.image_set
     require_architectures(image_set, request.architectures)
-    require_architectures(image_set, request.serve)  # with a typo nothing would ever get a tag
+    require_architectures(image_set, request.serve)  # with a typo, no image would ever get a tag
     state = State(
         request,
         request.inputs or Inputs(request.services.root, image_set),
@@ -50,7 +50,7 @@ def survey(request: Request) -> State:
 
 
 def present(place: Place, entries: Iterable[Entry]) -> set[tuple[str, str]]:
-    """Target and architecture of the entries whose manifest is in the registry."""
+    """The entries whose manifest is in the registry, as target and architecture."""
 
     def there(entry: Entry) -> tuple[str, str] | None:
         found = entry.digest and place.client.head(place.path(entry.repository), entry.digest)
@@ -60,11 +60,16 @@ def present(place: Place, entries: Iterable[Entry]) -> set[tuple[str, str]]:
 
 
 def _ask(state: State) -> Mapping[str, Image]:
-    """Asks the repositories of the distributions that can be built here; gives an image of each that was asked. If nothing will be
-    made, those alone are asked of which there are images: to read the apt sources of a base image, this machine may have to make it.
+    """Asks the package repositories of the distributions that can be built here. If one does not answer, a remark says so.
+
+    If nothing will be made, it asks only those of images that are there: to read the apt sources of a base image, this machine
+    may have to make it.
+
+    Returns:
+        An image of each distribution that was asked.
 
     Raises:
-        RosmlError: what the user said of them is wrong (exit code 2). If one does not answer, that is a remark.
+        RosmlError: an address or channel that the user set is wrong (exit code 2).
     """
     rows: Mapping[str, Image] = {
         item.thing.distribution: item.thing
@@ -85,7 +90,7 @@ def _ask(state: State) -> Mapping[str, Image]:
     for name, answer in zip(rows, side_by_side(asked, rows, ARCHIVES), strict=True):
         if isinstance(answer, str):
             state.package_state[name] = answer
-        elif answer.exit_code == 2:  # what the user said is wrong, and not the network
+        elif answer.exit_code == 2:  # the user's setting is wrong, not the network
             raise answer
         else:
             remark = f"{name}: {answer.message}; its packages are taken for unchanged; {answer.remedy}"
@@ -94,7 +99,7 @@ def _ask(state: State) -> Mapping[str, Image]:
 
 
 def _lacking(state: State, rows: Mapping[str, Image]) -> dict[tuple[str, str], frozenset[str]]:
-    """The packages of what is to be built that its repository does not have, by distribution and architecture."""
+    """Packages that images to build need and their repository lacks, by distribution and architecture."""
     wanted: dict[tuple[str, str], list[str]] = {}
     for item in state.items:
         if not isinstance(item.thing, Image) or item.kind != "ros" or item.architecture not in state.architectures:

@@ -1,7 +1,7 @@
-"""The steps of a publishing run, in their order: a file for each, with one function that does it.
+"""The steps of a publishing run, in their order: a file for each step, with one function.
 
-Each does what is missing, and nothing that was done before. No tag moves before the last step, and then only to an index of
-images that passed. A scan, which not every run has, stands before the index.
+Each step does only what is missing. No tag moves before the last step, and then only to an index of images that passed. If a
+run has a scan, the scan comes before the index.
 """
 
 from __future__ import annotations
@@ -21,15 +21,16 @@ STEPS: dict[str, Callable[[Run], object]] = {
     "index": index.index,
     "promote": promote.promote,
 }
-"""What does each, by its name."""
+"""The function of each step, by name."""
 
 
 def images(run: Run, minutes: float = math.inf) -> None:
-    """Builds, joins and tests: each image is tested as soon as it is there, so that a run that ends early leaves images that
+    """Builds, joins and tests. Each image is tested as soon as it is finished: if a run ends early, the images tested so far
     can get their tags.
 
     Args:
-        minutes: after which nothing more is begun. What is left waits for the next run.
+        run: the run.
+        minutes: after this time, no further item is started. The rest waits for the next run.
     """
     run.deadline, run.on_made = time.monotonic() + 60 * minutes, partial(test.test_at_once, run)
     build.build(run)

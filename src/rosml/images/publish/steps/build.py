@@ -1,4 +1,4 @@
-"""Builds ROS images and parts that are not as they should be, and pushes them by digest."""
+"""Builds ROS images and parts that are out of date or missing, and pushes them by digest."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ RESTARTS = 2
 def build(run: Run) -> None:
     """Builds ROS images and parts.
 
-    If ROS publishes new packages after the plan was made, all components of that distribution are built of these: the packages
-    of an image are of one time.
+    If ROS publishes new packages after the plan was made, the run rebuilds all components of that distribution from these, so
+    that all packages of an image have one sync date.
     """
     items = [item for item in run.state.items if item.kind != "joined"]
     for left in range(RESTARTS, -1, -1):
         before = len(run.outcomes)
         if not run.each("build", items, partial(_build, run, left > 0)):
             return
-        # What stands on what was not built waits no more: all are gone through once again.
+        # Items that waited for a postponed one may be ready now, so all items are tried again.
         run.outcomes[before:] = [outcome for outcome in run.outcomes[before:] if outcome.state != "waits"]
 
 
@@ -37,7 +37,7 @@ def _build(run: Run, may_restart: bool, item: Item, entry: Entry) -> Entry:
     started = now()
     if isinstance(item.thing, Part):
         made = run.maker.build_part(item.thing, item.architecture)
-    else:  # packages whose repository did not answer are taken for those of the last build
+    else:  # if the package repository did not answer, the state of the last build counts
         packages = run.state.package_state.get(item.thing.distribution, entry.package_state)
         try:
             made = run.maker.build_image(item.thing, item.architecture, run.parts(item), packages)
@@ -53,22 +53,22 @@ def _ask_again(run: Run, distribution: str, before: str) -> None:
     """Asks, after a build failed, whether ROS published new packages since the plan was made.
 
     Raises:
-        Postponed: it did, and the distribution is to be built of these.
+        Postponed: it did, and the distribution has to be built from these.
     """
     state = run.state
     try:
         found = package_state.state(state.request.services, state.image_set.matrix, distribution)
-    except RosmlError:  # what the build said stands
+    except RosmlError:  # the error of the build says more
         return
     if package_state.ros_date(found) > package_state.ros_date(before):
         state.package_state[distribution] = found
         raise Postponed(
-            f"ROS published new packages of {distribution} meanwhile ({found}); its images are built of these"
+            f"ROS published new packages of {distribution} meanwhile ({found}); its images are built from these"
         )
 
 
 def _new_bytes(run: Run, item: Item, before: Entry, made: Made) -> int:
-    """Bytes of the layers of what was built, without those of what it stands on and of what was in its place."""
+    """Bytes of the new layers of an item: without the layers of its needs, and of its earlier manifest."""
     own = _sizes(run, item, made.digest)
     there = _sizes(run, item, before.digest)
     for target, digest in made.parts.items():
@@ -77,7 +77,7 @@ def _new_bytes(run: Run, item: Item, before: Entry, made: Made) -> int:
 
 
 def _sizes(run: Run, item: Item, digest: str) -> dict[str, int]:
-    """Bytes of the layers of a manifest by their digests; none if it is not in the registry."""
+    """The layers of a manifest: bytes by digest; none if the manifest is not in the registry."""
     place = run.state.place
     found = place.client.manifest(place.path(item.repository), digest) if digest else None
     return {layer.digest: layer.size for layer in found.layers} if found else {}

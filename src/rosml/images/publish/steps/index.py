@@ -1,4 +1,4 @@
-"""Makes an index of every image whose architectures are all there, tested and alike. Nobody sees it yet: no tag moves."""
+"""Makes an index of every image whose architectures are all built, tested and alike. No tag moves, so nobody sees it yet."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from rosml.registry.oci import Config, Manifest
 
 
 def index(run: Run) -> None:
-    """Makes and signs indexes, side by side: one after the other, hundreds take hours on a registry that is far away."""
+    """Makes and signs indexes, side by side: one after the other, hundreds would take hours on a distant registry."""
     before, wanted = len(run.outcomes), list[Image | Part]()
     for thing in run.state.things():
         if reason := run.state.unready(thing):
@@ -35,7 +35,7 @@ def index(run: Run) -> None:
 
 
 def _is_made(run: Run, thing: Image | Part) -> bool:
-    """Whether an image's index is of these very images, and there."""
+    """Whether an image's index is in the registry and up to date."""
     state, entry = run.state, run.state.index_of(thing)
     if entry is None or (thing.target, INDEX) not in state.present:
         return False
@@ -46,12 +46,12 @@ def _is_made(run: Run, thing: Image | Part) -> bool:
 
 
 def _members(run: Run, thing: Image | Part) -> list[Entry]:
-    """Entries of what an index of an image is made of."""
+    """The entries of an index's members."""
     return [run.state.known[key] for key in run.state.members(thing)]
 
 
 def _make(run: Run, thing: Image | Part) -> None:
-    """Makes and signs the index of an image, and writes down what came of it."""
+    """Makes and signs the index of an image, and records the result."""
     started, state = time.monotonic(), run.state
     members, inputs = _members(run, thing), state.inputs.together(thing)
     entry = state.index_of(thing) or Entry(thing.target, INDEX)
@@ -74,10 +74,10 @@ def _make(run: Run, thing: Image | Part) -> None:
 
 
 def _put(run: Run, thing: Image | Part, members: Sequence[Entry], inputs: str) -> str:
-    """Puts an index into the registry; gives its digest. Nothing is pulled.
+    """Puts an index into the registry; gives its digest. No layer is pulled.
 
     Raises:
-        RosmlError: its architectures do not hold the same; or the records name another image's manifest.
+        RosmlError: the architectures differ in content; or the records name another image's manifest.
     """
     place = run.state.place
     repository = place.path(repository_of(thing))
@@ -110,7 +110,7 @@ def _image(run: Run, repository: str, digest: str) -> tuple[Manifest, Config]:
 
 
 def _require_own(thing: Image | Part, entry: Entry, config: Config) -> None:
-    """Checks that a manifest is that of the image which the records say it is.
+    """Checks that the manifest of an entry is a manifest of the entry's image.
 
     Raises:
         RosmlError: it is not.
@@ -125,15 +125,15 @@ def _require_own(thing: Image | Part, entry: Entry, config: Config) -> None:
 
 
 def _platform(config: Config) -> dict[str, str]:
-    """What an index says of the machines on which an image runs."""
+    """The platform of an image, as an index states it."""
     facts = config.facts
     found = {"os": facts.os or "linux", "architecture": facts.architecture, "variant": facts.variant}
     return {name: value for name, value in found.items() if value}
 
 
 def _covered(run: Run, entry: Entry) -> dict[str, dict[str, str]]:
-    """What an index says of one of its images besides: which statements and SBOMs are the publisher's, by their digests. A
-    signature of the index covers them then."""
+    """Annotations of an image in its index: digests of the publisher's statements and SBOMs, so that a signature of the index
+    covers them."""
     found = {provenance.COVERED: " ".join(sorted(entry.provenance.values()))} if entry.provenance else {}
     item = run.state.by_key[entry.target, entry.architecture]
     for target in item.needs if item.kind == "joined" else (item.target,):
@@ -144,8 +144,8 @@ def _covered(run: Run, entry: Entry) -> dict[str, dict[str, str]]:
 
 
 def _checkout(run: Run) -> dict[str, str]:
-    """What an index says of the checkout that it was made in: its address, and its revision unless files differ from it.
-    Images say no revision: every commit would change all of them."""
+    """Annotations of an index about the checkout: its address; and its revision, unless files differ from it. Images have no
+    revision, because every commit would change all of them."""
     found = next(iter(run.source), {})
     address, revision = found.get("uri", "").removeprefix("git+"), found.get("digest", {}).get("gitCommit", "")
     said = {SOURCE: address, REVISION: "" if "annotations" in found else revision}

@@ -1,4 +1,4 @@
-"""Puts images with frameworks together, in the registry."""
+"""Joins images with frameworks, in the registry."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from rosml.images.records.store import Entry
 
 
 def join(run: Run) -> None:
-    """Joins images; those first that test what others share with them."""
+    """Joins images. Images that run shared tests for others come first."""
     items = [item for item in run.state.items if item.kind == "joined"]
     run.each("join", sorted(items, key=_carries_nothing), partial(_join, run))
 
 
 def _carries_nothing(item: Item) -> bool:
-    """Whether an image tests nothing for others."""
+    """Whether an image runs no shared tests for others."""
     assert isinstance(item.thing, Image)
     return item.thing.carriers[:1] != (item.target,)
 

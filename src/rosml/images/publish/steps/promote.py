@@ -1,8 +1,8 @@
-"""Moves tags to indexes whose images passed everything, and back.
+"""Moves tags to indexes whose images passed everything.
 
-The order is what keeps promises: first the index is signed, where that is asked for, and what the records say is attached
-to its images; then the record of where tags were, then the dated tag, which never moves again, then those that
-spell versions out, the floating ones last. A tag never moves to something older, or to fewer architectures.
+The order matters. First the index is signed, if the run signs, and the entries are attached to its images. Then the run
+records where tags were. Then tags move: first the dated tag, which never moves again, then tags that spell versions out, and
+last the floating ones. A tag never moves to something older, or to fewer architectures.
 """
 
 from __future__ import annotations
@@ -28,17 +28,17 @@ from rosml.images.records.tag_moves import Move, read_moves, record_name
 from rosml.registry.oci import Manifest
 
 BATCH = 64
-"""So many images are prepared, and their moves recorded, before their tags move."""
+"""How many images are prepared, and their moves recorded, before their tags move."""
 
 
 def promote(run: Run) -> list[Move]:
-    """Moves the tags of all images whose index is as it should be. If the registry refuses one image, the others still move.
+    """Moves the tags of all images whose index is up to date. If the registry refuses one image, the others still move.
 
-    Images side by side. The first ones have their tags before the last ones are looked at: a run that is ended, as by a
-    limit of time, has moved theirs.
+    Works on images in batches, so that if the run is ended, for example by a time limit, the first images have their tags.
 
     Raises:
-        RosmlError: the registry does not answer, or takes no record of where tags were; then none of those moves.
+        RosmlError: the registry does not answer, or refuses the record of where a batch's tags were; then none of these
+            tags moves.
     """
     return _Promotion(run).moves()
 
@@ -63,12 +63,12 @@ class _Promotion:
             if moves:
                 self._record(moves)
             every += moves
-            side_by_side(self._move, planned)  # tags of one image in their order
+            side_by_side(self._move, planned)  # the tags of one image move in their order
         self.run.put_in_order(before)
         return every
 
     def _ready(self, thing: Image | Part) -> bool:
-        """Whether an image's index is as it should be; if not, that is reported."""
+        """Whether an image's index is up to date and may have tags; if not, an outcome says so."""
         entry = self.state.index_of(thing)
         if reason := self.state.unready(thing):
             self._say(thing, "waits", reason)
@@ -76,15 +76,14 @@ class _Promotion:
             self._say(thing, "waits", "its index is not made yet")
         elif entry.held:
             self._say(
-                thing, "waits", f"its tags were moved back on {entry.held[:10]}; a change, or --force, makes it anew"
+                thing, "waits", f"its tags were moved back on {entry.held[:10]}; a change, or --force, rebuilds it"
             )
         else:
             return True
         return False
 
     def _prepared(self, thing: Image | Part) -> tuple[Image | Part, list[Move]]:
-        """The moves of an image, whose index is signed by then, with what the records say attached; none where one of that
-        fails."""
+        """Signs an image's index and attaches the entries to its images, then gives its moves; no moves if that fails."""
         entry = self.state.known[thing.target, INDEX]
         moves = list(self._moves(thing, entry))
         if (moves or self.run.signer) and (wrong := self._wrong(thing, entry)):
@@ -102,18 +101,18 @@ class _Promotion:
         return entry.parts == members and entry.inputs == self.state.inputs.together(thing)
 
     def _wrong(self, thing: Image | Part, entry: Entry) -> str:
-        """Why what the records name as an image's index is not that; empty where it is."""
+        """Why the index that the records name is not the index of this image; empty if it is."""
         found = self.registry.manifest(self.state.place.path(entry.repository), entry.digest)
         if found is None:
             return f"its index {entry.digest} is not in the registry any more"
         name = found.annotations.get(TITLE, "")
         if _members(found) != dict(entry.parts) or name != labels.title(thing):
             what = f"that of {name}" if name != labels.title(thing) else "of other images than the records have"
-            return f"the records name {entry.digest} as its index, which is {what}; --force makes it anew"
+            return f"the records name {entry.digest} as its index, which is {what}; --force rebuilds it"
         return ""
 
     def _attached(self, thing: Image | Part) -> bool:
-        """Attaches what the records say of an index's images to them, for the catalogue's history; whether it could."""
+        """Attaches their entries to the images of an index, for the catalogue's history. Gives whether it worked."""
         started = time.monotonic()
         try:
             for key in self.state.members(thing):
@@ -125,8 +124,8 @@ class _Promotion:
         return True
 
     def _pointing(self) -> dict[tuple[str, str], str]:
-        """Where tags of all indexes point, by repository and tag. Most of them need no move on most nights: they are asked for
-        side by side, since one after the other would take minutes on a registry that is far away.
+        """Where the tags of all indexes point, by repository and tag. Asks side by side: one after the other, this would take
+        minutes on a distant registry, although most tags need no move.
         """
         known = self.state.known
         wanted = [
@@ -138,7 +137,7 @@ class _Promotion:
         return dict(zip(wanted, side_by_side(lambda item: self.registry.head(*item), wanted), strict=True))
 
     def _moves(self, thing: Image | Part, entry: Entry) -> Iterable[Move]:
-        """The moves of an image, in their order. A move that would go back, or lose an architecture, is reported and left out."""
+        """The moves of an image, in their order. If a move would go back or lose an architecture, it is left out and reported."""
         repository = self.state.place.path(entry.repository)
         tags = tags_of(thing)
         main = tags[0]
@@ -160,15 +159,13 @@ class _Promotion:
             yield Move(entry.repository, tag, old, entry.digest)
 
     def _keeps(self, repository: str, old: str, entry: Entry) -> str:
-        """Why a tag stays where it is; empty where it moves."""
+        """Why a tag stays where it is; empty if it moves."""
         found = self.registry.manifest(repository, old) if old else None
         if found is None:
             return ""
         date = store.date_of(found)
         if date and not clock.is_date(date):
-            self.run.say(
-                f"{repository}@{old} says {date[:40]!r} of when it was made, which is no date: taken for older"
-            )
+            self.run.say(f"{repository}@{old} has no valid date ({date[:40]!r}), and is taken for older")
         elif date > entry.date and not clock.is_ahead(date, clock.now()):
             return f"it points at something newer, of {date}"
         elif date > entry.date and not self.state.request.force:
@@ -178,7 +175,7 @@ class _Promotion:
         return f"it would lose {', '.join(sorted(lost))}" if lost else ""
 
     def _record(self, planned: list[Move]) -> None:
-        """Writes where tags were. A run that is called again keeps what it wrote first."""
+        """Records where tags were. If a run is called again, its first record of a tag counts."""
         name = record_name(self.date)
         before = {(move.repository, move.tag): move for move in read_moves(self.run.records, name)}
         merged = dict(before)
@@ -192,7 +189,7 @@ class _Promotion:
         self.run.records.artifact(name, text.encode(), {ANNOTATION: json.dumps({"undo": self.date})})
 
     def _move(self, planned: tuple[Image | Part, list[Move]]) -> None:
-        """Moves the tags of an image. A tag that is protected, or an index that somebody removed, is no other image's fault.
+        """Moves the tags of an image. If a tag is protected, or the index is gone, only this image fails.
 
         Raises:
             RosmlError: the registry does not answer.
@@ -222,7 +219,7 @@ def _members(index: Manifest) -> dict[str, str]:
 
 
 def _require_answer(run: Run) -> None:
-    """Checks that the registry answers, after it failed: if not, asking it for each other tag would take the night.
+    """Checks, after a failure, that the registry answers. If it does not, trying every other tag would take hours.
 
     Raises:
         RosmlError: it does not.

@@ -1,4 +1,4 @@
-"""One index, one content: what must be alike on all architectures of a tag."""
+"""Checks that the images of an index have the same content on all architectures."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rosml.base.errors import RosmlError
 from rosml.images.builds.structure_tests import LABEL
 
 OWN = ("org.opencontainers.image.base.digest",)
-"""Labels that an architecture may have to itself: a machine may take another base image than matrix.yaml names."""
+"""Labels that may differ by architecture: a machine may use another base image than the one in matrix.yaml."""
 
 CONTENT = {
     "ROS's distribution": "ros-distro",
@@ -20,15 +20,16 @@ CONTENT = {
     "NCCL": r"nvidia-nccl-cu\d+",
     "numpy": "numpy",
 }
-"""What of the versions that were found inside must be the same, by the packages that have it: wheels of one release have
-other names on other architectures. Debian may be a revision apart."""
+"""Versions in the images that must be the same, with a pattern for the packages that have each: wheels of one release have
+different names on different architectures. Debian packages may differ by a revision."""
 
 
 def content(versions: Mapping[str, str], released: Iterable[str] = ()) -> dict[str, str]:
-    """What counts of the versions found inside; 2.10.0+cpu is 2.10.0, built for another accelerator.
+    """The versions in an image that must be the same. 2.10.0+cpu counts as 2.10.0, built for another accelerator.
 
     Args:
-        released: what else counts; the wheel for the CPU may be called so.
+        versions: all versions found in the image.
+        released: further packages that count; each may have `-cpu` after its name.
     """
     patterns = {**CONTENT, **{name: f"{re.escape(name)}(-cpu)?" for name in released}}
     return {
@@ -45,16 +46,16 @@ def require(
     versions: Mapping[str, Mapping[str, str]],
     released: Iterable[str] = (),
 ) -> None:
-    """Checks that the images of an index promise and hold the same.
+    """Checks that the images of an index have the same configs and versions.
 
     Args:
         target: for the message.
         configs: the images' configs by architecture.
-        versions: what was found inside them by architecture.
-        released: what they are releases of.
+        versions: the versions found in the images by architecture.
+        released: packages that the images are releases of.
 
     Raises:
-        RosmlError: they differ; the message says in what.
+        RosmlError: they differ; the message says how.
     """
     found: dict[str, dict[str, str]] = {}
     for architecture, config in configs.items():
@@ -62,7 +63,7 @@ def require(
         if config.get("architecture") != architecture:
             raise RosmlError(
                 f"{target}: the image for {architecture} says that it is for {config.get('architecture')}",
-                "build it anew: --force",
+                "rebuild it: --force",
             )
         facts = {name: str(value) for name, value in (inner.get("Labels") or {}).items() if name not in OWN}
         facts |= dict(item.split("=", 1) for item in inner.get("Env") or [] if "=" in item)
@@ -79,5 +80,5 @@ def require(
                 shown = name.removeprefix(LABEL)
                 raise RosmlError(
                     f"{target} is not the same on all architectures: {shown} is {one} on {first}, {two} on {other}",
-                    "an index holds one content: build both from the same inputs, or give them tags of their own",
+                    "build both from the same inputs, or give them separate tags",
                 )

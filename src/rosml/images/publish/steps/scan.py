@@ -1,4 +1,4 @@
-"""Scans images for known vulnerabilities, and records what was found."""
+"""Scans images for known vulnerabilities, and records the results."""
 
 from __future__ import annotations
 
@@ -26,16 +26,17 @@ def scan(
     reports: Path | None = None,
     results: Results | None = None,
 ) -> judge.Run:
-    """Scans all images that are there, on whatever architecture: what a scan reads is in the registry. Each is recorded as
-    soon as it was scanned, so that a run that ends early keeps what it got to.
+    """Scans all images in the registry, on all architectures: a scan reads only the registry. Each result is recorded at
+    once, so that it is kept if the run ends early.
 
-    An image that was clean by the same policy and the same database before is left alone: it would be so again.
+    If an image was clean by the same policy and the same database before, it is not scanned again.
 
     Args:
+        run: the run.
         rules: the policy.
         trivy: the scanner, with its database; or why there is none.
         reports: a folder for a SARIF file of each image.
-        results: get what was found; then nothing is written into the registry.
+        results: takes the results. Then nothing is written into the registry.
     """
     state, policy, database = run.state, policy_digest(rules, run.state.date), _database(trivy)
 
@@ -56,7 +57,7 @@ def scan(
             results.add(entry)
 
     wanted = _wanted(run, lambda entry: _is_clean(entry, policy, database))
-    # Nothing can be known of those that are not there: they may lack a lock.
+    # Missing images do not count: they may lack a lock.
     there = {item.key for item in state.items if item.kind != "part"} & state.present
     whole = wanted.keys() == there and len(state.images) == len(state.image_set.images)
     started, date, targets = time.monotonic(), _time(state.date), state.image_set.by_target
@@ -79,7 +80,7 @@ def scan(
 
 
 def _wanted(run: Run, clean: Callable[[Entry], bool]) -> dict[tuple[str, str], judge.Image]:
-    """The images that are to be scanned, by target and architecture."""
+    """The images to scan, by target and architecture."""
     state, found = run.state, dict[tuple[str, str], judge.Image]()
     for item in state.items:
         entry = state.known.get(item.key)
@@ -98,7 +99,7 @@ def _is_clean(entry: Entry, policy: str, database: str) -> bool:
 
 
 def _database(trivy: Trivy | ScannerFailed) -> str:
-    """The digest of the scanner's database; empty if there is none, of which the scan tells."""
+    """The digest of the scanner's database; empty if there is none. Then the scan reports that."""
     try:
         return "" if isinstance(trivy, ScannerFailed) else trivy.database().digest
     except ScannerFailed:
@@ -106,11 +107,11 @@ def _database(trivy: Trivy | ScannerFailed) -> str:
 
 
 def policy_digest(rules: Rules, date: str) -> str:
-    """Stands for what a scan policy says at the date of a run, not for how it is written. An ignore entry that has expired
-    by then says nothing, so that a scan that was clean thanks to it does not count any more."""
+    """A digest of the meaning of a scan policy on a run's date. It does not cover expired ignore entries, so that a scan which
+    was clean because of one does not count any more."""
     return hashlib.sha256(rules.in_force(_time(date).date()).model_dump_json().encode()).hexdigest()
 
 
 def _time(date: str) -> datetime:
-    """A run's date."""
+    """The date of a run as a time."""
     return datetime.fromisoformat(date.replace("Z", "+00:00"))

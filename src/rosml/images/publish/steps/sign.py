@@ -13,13 +13,15 @@ from rosml.images.records.store import INDEX
 
 
 def sign(run: Run, thing: Image | Part, moving: bool = False) -> bool:
-    """Signs the index of an image, or part, if it lacks the signature that it needs.
+    """Signs the index of an image or part, if it needs a signature and lacks it.
 
     Args:
-        moving: whether a tag is about to move to it: then the records' word is not enough, and cosign is asked.
+        run: the run.
+        thing: the image or part.
+        moving: a tag is about to move to the index. Then cosign has to confirm the signature, even if the records name it.
 
     Returns:
-        Whether the index has the signature that it needs now.
+        Whether the index has the signature that it needs.
     """
     entry = run.state.known[thing.target, INDEX]
     if run.signer is None or (run.signer.identity in entry.signed and not moving):

@@ -14,10 +14,11 @@ from rosml.images.records.store import Entry
 
 
 def test(run: Run, targets: Sequence[str] = ()) -> None:
-    """Tests images. What failed in this run is left to the next one.
+    """Tests images. An image that failed in this run is tested again only in the next one.
 
     Args:
-        targets: test these alone; all if empty.
+        run: the run.
+        targets: test only these; all if empty.
     """
     failed = {(it.target, it.architecture) for it in run.outcomes if (it.step, it.state) == ("test", "failed")}
     wanted = [i for i in run.state.items if i.kind != "part" and (not targets or i.target in targets)]
@@ -25,7 +26,7 @@ def test(run: Run, targets: Sequence[str] = ()) -> None:
 
 
 def test_at_once(run: Run, item: Item) -> None:
-    """Tests an image that was just made, if it is to be tested here."""
+    """Tests an image that was just built or joined, if this machine can."""
     task = run.state.task(item, ahead=False)
     if task.steps[:1] == ("test",):
         run.do("test", item, "(as soon as it is there)", task.why, partial(_test, run))
