@@ -152,7 +152,7 @@ def test_a_registry_that_refuses_to_delete(project: Mini, tmp_path: Path) -> Non
         assert pruned.code == 1
         said = " ".join(pruned.err.split())
         assert "deletes nothing" in said and "could go, and stay" in said and "manifest" in said
-        assert "remedy: let its operator allow it, or delete with its own tools" in said and "ghcr.io" in said
+        assert "remedy: ask its operator to allow it, or delete with its own tools" in said and "ghcr.io" in said
         now = mini.tags()
         assert now.items() <= kept.items() and {tag for tag in kept if not tag[-8:].isdigit()} <= now.keys()
         assert len(records(mini)) == entries

@@ -1,2 +1,1 @@
-"""A registry: its protocol, a client that reads and writes in bulk, credentials and certificates. Uses base, and
-names of matrix."""
+"""A registry: its protocol, a client that reads and writes in bulk, credentials and certificates. Uses base."""

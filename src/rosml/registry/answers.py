@@ -1,4 +1,4 @@
-"""Answers of registries, with bodies of a limited size, and what they say about an error."""
+"""Answers of registries, with bodies of a limited size, and their error messages."""
 
 from __future__ import annotations
 
@@ -15,15 +15,20 @@ JSON_BYTES = 4 << 20
 """Largest manifest, page of a list or other answer in JSON. Registries take manifests of at most this size."""
 
 SHOWN = 300
-"""Characters of what a registry says about an error."""
+"""How many characters of a registry's error message are shown."""
 
 
 @dataclass(frozen=True)
 class Answer:
-    """An answer with all of its body, as it was sent. Of an error, that is the beginning.
+    """An answer with its body, as it was sent.
 
     Attributes:
-        method, url: of the request that it answers, after redirects. redirect: the host that it redirects to; empty for none.
+        method: of the request.
+        url: of the request, after redirects.
+        status_code: by HTTP.
+        headers: of the answer.
+        content: the body; only the beginning if the answer is an error.
+        redirect: the host that the answer redirects to; empty if it does not.
     """
 
     method: str
@@ -35,18 +40,20 @@ class Answer:
 
     @property
     def is_success(self) -> bool:
-        """Whether it is what was asked for."""
+        """Whether the request succeeded."""
         return 200 <= self.status_code < 300
 
 
 def whole(answer: httpx.Response, limit: int) -> Answer:
-    """An answer with its body.
+    """Reads the body of an answer.
 
     Args:
-        limit: the largest size of the body of a success, in bytes.
+        answer: as httpx has it.
+        limit: the largest body of a success, in bytes.
 
     Raises:
-        web.Unfit: it is larger. httpx.HTTPError: it does not arrive.
+        web.Unfit: the body is larger.
+        httpx.HTTPError: the body does not arrive.
     """
     content = web.read(answer, limit) if answer.is_success else web.excerpt(answer)
     redirect = answer.next_request.url.host if answer.next_request else ""
@@ -54,19 +61,19 @@ def whole(answer: httpx.Response, limit: int) -> Answer:
 
 
 def reason(answer: Answer) -> str:
-    """What a registry says about an error, in brackets; nothing if it says nothing."""
+    """The registry's error message in brackets; empty if there is none."""
     said = listed(list(dict.fromkeys(error.message or error.code for error in _errors(answer).errors)))
     said = "".join(character if character.isprintable() else " " for character in said)
     return f" ({said[:SHOWN]})" if said.strip() else ""
 
 
 def codes(answer: Answer) -> set[str]:
-    """The codes of the errors of an answer."""
+    """The error codes of an answer."""
     return {error.code for error in _errors(answer).errors}
 
 
 def misfit(content: object, shape: type[BaseModel]) -> str:
-    """What of an answer has another form than the specification gives it; empty if nothing has."""
+    """The first problem of content that has not the form of the specification; empty if it has."""
     try:
         shape.model_validate(content)
     except ValidationError as error:

@@ -1,7 +1,7 @@
-"""Certificates of registries that no public authority vouches for, where Docker looks for them: `certs.d/<host>/*.crt`.
+"""Certificates of private authorities for registries, from the folders that Docker reads: `certs.d/<host>/*.crt`.
 
-`rosml setup` tells the builder and regctl of the same ones.
-buildx, which asks for tokens, and trivy do not look there: they get a bundle with all of them.
+`rosml setup` configures the builder and regctl with the same certificates. buildx, which asks for tokens, and trivy do not read
+these folders: they get a bundle with all certificates.
 """
 
 from __future__ import annotations
@@ -20,24 +20,24 @@ SYSTEM = Path("/etc/docker/certs.d")
 
 
 def folders() -> list[Path]:
-    """Where they may be: for the whole machine, and beside the user's config file of Docker."""
+    """The folders with certificates: of the machine, and beside the user's config file of Docker."""
     own = credentials.folder()
     return [SYSTEM, *([own / "certs.d"] if own else [])]
 
 
 def of(host: str) -> list[Path]:
-    """The files with the authorities that are trusted for a registry; none for most."""
+    """The files with the trusted authorities of a registry; none for most registries."""
     found: list[Path] = []
     for folder in folders():
         try:
             found += sorted(file for file in (folder / host).iterdir() if file.suffix == ".crt")
-        except OSError:  # not there, or not this user's to read
+        except OSError:  # the folder is missing, or unreadable for this user
             continue
     return found
 
 
 def by_host() -> dict[str, list[Path]]:
-    """Those of all registries that this user may read."""
+    """The readable files of all registries, by host."""
     found: dict[str, list[Path]] = {}
     for file in [file for folder in folders() for file in sorted(folder.glob("*/*.crt"))]:
         if file.is_file() and os.access(file, os.R_OK):
@@ -46,7 +46,11 @@ def by_host() -> dict[str, list[Path]]:
 
 
 def context(ca_bundle: str, authorities: list[Path]) -> ssl.SSLContext:
-    """What TLS trusts: a bundle, by default what SSL_CERT_FILE says or the usual one, and further authorities.
+    """The TLS context that trusts a bundle and further authorities.
+
+    Args:
+        ca_bundle: a file of certificates; if empty, the file that SSL_CERT_FILE names, or the usual one.
+        authorities: further files.
 
     Raises:
         RosmlError: one of the files cannot be read (exit code 2).
@@ -63,15 +67,16 @@ def context(ca_bundle: str, authorities: list[Path]) -> ssl.SSLContext:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else "it has no certificate"
         if isinstance(error, ssl.SSLError):
             reason = "it has no certificate in PEM"
-        raise RosmlError(f"{name}: {reason}", "let it hold certificates in PEM", exit_code=2) from None
+        raise RosmlError(f"{name}: {reason}", "use a file with certificates in PEM", exit_code=2) from None
     return made
 
 
 def remedy(host: str, reason: str) -> str:
-    """What to do about a certificate that is not trusted.
+    """The remedy if a certificate is not trusted.
 
     Args:
-        reason: in OpenSSL's words, or Go's.
+        host: the registry.
+        reason: in the words of OpenSSL or Go.
     """
     if "expired" in reason:
         return "its operator has to renew it; if it is new, check this machine's clock"
@@ -80,4 +85,4 @@ def remedy(host: str, reason: str) -> str:
     if "mismatch" in reason or "not valid for" in reason or "is valid for" in reason or "IP SANs" in reason:
         return "call the registry by a name that its certificate has"
     place = folders()[-1] / host / "ca.crt"
-    return f"put its authority's certificate into {place}, then run 'rosml setup', which tells the builder and regctl of it"
+    return f"put its authority's certificate into {place}, then run 'rosml setup' for the builder and regctl"

@@ -1,4 +1,4 @@
-"""How a registry that answers 401 wants to be told who asks: the header `WWW-Authenticate`."""
+"""Reads the header `WWW-Authenticate`: which credentials a registry asks for if it answers 401."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 LARGEST = 8 << 10
-"""Characters of a header that is read. Real ones have some hundred."""
+"""Headers with more characters are ignored. Real ones have some hundred."""
 
 _SCHEME = re.compile(r"[ \t,]*([A-Za-z0-9-]{1,32})(?:[ \t]+|$)")
 _PARAMETER = re.compile(r'[ \t,]*([A-Za-z0-9_-]{1,32})[ \t]*=[ \t]*(?:"((?:[^"\\]|\\.)*)"|([^\s,"]+))')
@@ -15,11 +15,13 @@ _PARAMETER = re.compile(r'[ \t,]*([A-Za-z0-9_-]{1,32})[ \t]*=[ \t]*(?:"((?:[^"\\
 
 @dataclass(frozen=True)
 class Challenge:
-    """What a registry asks for.
+    """The credentials that a registry asks for.
 
     Attributes:
-        bearer: a token, which the server at `realm` gives; a name and a password otherwise.
-        service, scopes: what that server has to be told.
+        bearer: whether it asks for a token; otherwise for a name and password.
+        realm: the address of the token server.
+        service: sent to the token server.
+        scopes: sent to the token server.
     """
 
     bearer: bool
@@ -29,7 +31,7 @@ class Challenge:
 
 
 def read(headers: Iterable[str]) -> Challenge | None:
-    """The first challenge that is known, of the headers of an answer; None if there is none. It reads each character once."""
+    """The first challenge of a known scheme in an answer's headers; None if there is none. Reads each character once."""
     for text in headers:
         found = _SCHEME.match(text)
         if found is None or len(text) > LARGEST:

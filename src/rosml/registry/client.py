@@ -1,7 +1,7 @@
-"""A client of container registries: the OCI distribution API, as far as the publisher needs it.
+"""A client of container registries: the part of the OCI distribution API that the publisher needs.
 
-Everything that fails for a moment is tried again; what stays wrong is an error with a remedy. No message, log line or
-repr holds a password, a token or a signed address.
+A request is sent again if its failure may pass. If it does not pass, the error has a remedy. No message, log line or repr
+holds a password, a token or a signed address.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ from rosml.registry.references import is_digest
 _ACCEPT = ", ".join((INDEX, IMAGE, DOCKER_INDEX, DOCKER_IMAGE))
 
 ANSWER_SECONDS = 60.0
-"""Longest pause within an answer, and before it."""
+"""Time limit in seconds for the next bytes of an answer."""
 
 CONNECTIONS = 32
 """Open connections to one registry."""
@@ -59,10 +59,10 @@ CONFIG_BYTES = 8 << 20
 """Largest config of an image. Real ones have some kB."""
 
 BLOB_BYTES = 64 << 20
-"""Largest blob that is read into memory, unless who reads it says otherwise. Layers are not: they are read as they arrive."""
+"""Default limit of a blob that is read into memory. Layers are read as they arrive."""
 
 PAGES = 1000
-"""How many pages a list has at most. Registries give 100 to 1,000 tags on each."""
+"""Limit of a list. Registries give 100 to 1,000 tags on each page."""
 
 LIST_BYTES = 64 << 20
 """Largest list, of all its pages together."""
@@ -71,7 +71,7 @@ _SETTLED = frozenset(range(300, 600)).difference(web.BUSY)
 _UNKNOWN = {"BLOB_UNKNOWN", "MANIFEST_BLOB_UNKNOWN", "MANIFEST_UNKNOWN"}
 _BLOCK = 1 << 20
 
-# httpx logs whole addresses, and those of a registry's storage are signed.
+# httpx logs whole addresses, and the addresses of a registry's storage contain signatures.
 logging.getLogger("httpx").setLevel(logging.WARNING)
 _LOG = logging.getLogger(__name__)
 
@@ -101,23 +101,23 @@ class Registries:
 
 
 REMEDY = (
-    "let its operator allow it, or delete with its own tools; on ghcr.io these are the versions of the package, on GitHub's"
-    " page of it or by GitHub's API"
+    "ask its operator to allow it, or delete with its own tools; on ghcr.io, delete versions of the package on its page or by"
+    " GitHub's API"
 )
-"""What to do about a registry that deletes nothing."""
+"""The remedy if a registry deletes nothing."""
 
 
 class Undeletable(RosmlError):
-    """The registry deletes no manifest, whichever it is."""
+    """The registry deletes no manifest at all."""
 
 
 class Registry:
     """One registry. Safe to share among threads; close it, or use it in a `with`.
 
     Attributes:
-        host: as references have it, e.g. `ghcr.io` or `127.0.0.1:5000`.
+        host: as in references, such as `ghcr.io` or `127.0.0.1:5000`.
         base: the address of its root.
-        uploaded: bytes of bodies that were sent so far, those of attempts that failed included.
+        uploaded: bytes of bodies sent so far, including failed attempts.
     """
 
     def __init__(
@@ -130,9 +130,10 @@ class Registry:
     ) -> None:
         """
         Args:
-            plain: speak http; by default only to this machine itself, and not where it has certificates in certs.d.
-            ca_bundle: a file with the certificates to trust; by default what SSL_CERT_FILE says, or the usual ones.
-            credentials: gives those of a host; they are asked for once, when the registry wants them.
+            host: as in references.
+            plain: speak http. By default, only a registry on this machine without certificates in certs.d gets plain http.
+            ca_bundle: a file with the certificates to trust; by default the file that SSL_CERT_FILE names, or the usual one.
+            credentials: gives the credentials of a host; it is called once, when the registry asks for them.
         """
         self.host = host
         local = login.is_local(host)
@@ -147,14 +148,14 @@ class Registry:
             trust_env=not local,  # a proxy could not reach this machine
         )
         self._login = login.Login(host, self.base, self._client, credentials)
-        self._lock = threading.Lock()  # of its own state; never held while somebody is asked
+        self._lock = threading.Lock()  # guards the state of this object; never held during a request
         self._attaching: defaultdict[str, threading.Lock] = defaultdict(threading.Lock)  # by the tag of a list
         self._reached = False
         self.uploaded = 0
-        self._keeping: set[str] = set()  # repositories that did not discard something
-        self._there: set[str] = set()  # repositories that have a manifest, or had
+        self._keeping: set[str] = set()  # repositories that refused to discard something
+        self._there: set[str] = set()  # repositories that have, or had, a manifest
         self._warned = False
-        self._keeps_account: bool | None = None  # of referrers; None until it was asked
+        self._keeps_account: bool | None = None  # whether it has the referrers API; None until the first request
 
     def __repr__(self) -> str:
         return f"Registry({self.host!r})"
@@ -172,10 +173,10 @@ class Registry:
     # ---- Manifests ---------------------------------------------------------------------------------------------------
 
     def manifest(self, repository: str, reference: str) -> Manifest | None:
-        """What is behind a tag or digest; None if there is nothing.
+        """The manifest of a tag or digest; None if there is none.
 
         Raises:
-            RosmlError: the registry does not answer or refuses; or what it sends is damaged.
+            RosmlError: the registry does not answer or refuses, or the manifest is damaged.
         """
         answer = self._look("GET", _manifest(repository, reference), repository)
         if answer is None:
@@ -187,13 +188,13 @@ class Registry:
         media_type = str(content.get("mediaType") or _media_type(answer))
         found = Manifest(content, digest, media_type, len(answer.content))
         with self._shaped(answer):
-            found.read()  # it is kept from the first use on alone: a run has thousands of manifests
+            found.read()  # only checks it: a parsed document is kept from its first use on, since a run has thousands
         return found
 
     def put_manifest(
         self, repository: str, reference: str, content: bytes | Mapping[str, Any], media_type: str = IMAGE
     ) -> str:
-        """Puts a manifest or index under a tag, or by its digest alone if `reference` is empty. Gives its digest.
+        """Puts a manifest or index under a tag; without a tag if `reference` is empty. Gives its digest.
 
         Raises:
             RosmlError: the registry does not answer or refuses.
@@ -203,7 +204,7 @@ class Registry:
     def send_manifest(
         self, repository: str, reference: str, content: bytes | Mapping[str, Any], media_type: str
     ) -> tuple[str, httpx.Headers]:
-        """As `put_manifest`, with the headers of the registry's answer. All manifests go this way."""
+        """Puts a manifest like `put_manifest`; gives also the headers of the answer. All manifests are sent here."""
         data = content if isinstance(content, bytes) else encoded(content)
         digest = digest_of(data)
         answer = self._ask(
@@ -219,10 +220,10 @@ class Registry:
         return digest, answer.headers
 
     def tag(self, repository: str, digest: str, name: str) -> None:
-        """Moves a tag to a manifest or index that is in the repository already.
+        """Moves a tag to a manifest or index of the same repository.
 
         Raises:
-            RosmlError: it is not there; the registry does not answer or refuses.
+            RosmlError: the manifest is missing; the registry does not answer or refuses.
         """
         answer = self._look("GET", _manifest(repository, digest), repository)
         if answer is None:
@@ -233,7 +234,7 @@ class Registry:
         self.put_manifest(repository, name, answer.content, _media_type(answer) or IMAGE)
 
     def head(self, repository: str, reference: str) -> str:
-        """The digest behind a tag or digest; empty if there is nothing.
+        """The digest of a tag, or the digest itself; empty if there is no such manifest.
 
         Raises:
             RosmlError: the registry does not answer or refuses.
@@ -259,10 +260,11 @@ class Registry:
         return found
 
     def delete(self, repository: str, reference: str) -> None:
-        """Removes a manifest by its digest, and the tags that point at it; or, where the registry can, a tag.
+        """Removes a manifest by its digest, and the tags that point at it; or only a tag, if the registry can do that.
 
         Raises:
-            RosmlError: the registry does not delete, does not answer or refuses.
+            Undeletable: the registry deletes no manifests.
+            RosmlError: the registry deletes no tags, does not answer or refuses.
         """
         answer = self._deletion(repository, reference, (404, 405))
         if answer.status_code == 405:
@@ -271,13 +273,13 @@ class Registry:
             raise Undeletable(f"{self.host} deletes nothing", REMEDY)
 
     def discard(self, repository: str, digest: str) -> None:
-        """Removes a manifest that nothing leads to any more, where the registry can; elsewhere it stays, which is no error.
+        """Removes a manifest that is out of use. If the registry cannot, the manifest stays, which is no error.
 
-        Many registries delete nothing. One that did not once is not asked again by this client, for that repository.
+        Many registries delete nothing. After a first refusal, this client does not ask again for that repository.
         """
         if repository in self._keeping:
             return
-        try:  # 404 may also be how a registry says that it knows no such request; nobody waits for one that is busy
+        try:  # some registries answer 404 to all deletions; a busy registry is not worth a wait
             answer = self._deletion(repository, digest, (404, 405, *web.BUSY))
             gone = answer.is_success or not self.head(repository, digest)
         except RosmlError:
@@ -292,29 +294,31 @@ class Registry:
     # ---- Blobs -------------------------------------------------------------------------------------------------------
 
     def blob(self, repository: str, digest: str, limit: int = BLOB_BYTES) -> bytes:
-        """A blob, checked against its digest; for small ones.
+        """A small blob, checked against its digest.
 
         Args:
+            repository: its path.
+            digest: of the blob.
             limit: its largest size, in bytes.
 
         Raises:
-            RosmlError: there is none, it is larger, or it has another digest; the registry does not answer or refuses.
+            RosmlError: there is no such blob, it is larger, or it has another digest; the registry does not answer or refuses.
         """
         _hash(digest)
         return _verified(self._ask("GET", f"{repository}/blobs/{digest}", repository, limit=limit).content, digest)
 
     def part(self, repository: str, descriptor: Descriptor, limit: int = BLOB_BYTES) -> bytes:
-        """A blob that a manifest points at, as `blob` reads it. It has no more bytes than the manifest says."""
+        """Reads the blob of a descriptor like `blob`, with the size in the descriptor as the limit."""
         if descriptor.size > limit:
             text = f"{self.host}/{repository}: {descriptor.digest} has {in_words(descriptor.size)}, and at most"
-            raise RosmlError(f"{text} {in_words(limit)} are read", "push what belongs there")
+            raise RosmlError(f"{text} {in_words(limit)} are read", "push the right content")
         return self.blob(repository, descriptor.digest, descriptor.size)
 
     def json_blob(self, repository: str, digest: str, limit: int = BLOB_BYTES) -> dict[str, Any]:
-        """A blob that is a JSON object, as an image's config is.
+        """A blob that is a JSON object, such as an image's config.
 
         Raises:
-            RosmlError: as in `blob`; or it is no JSON object.
+            RosmlError: as in `blob`; or the blob is no JSON object.
         """
         try:
             content = untrusted.json_value(self.blob(repository, digest, limit), limit)
@@ -329,10 +333,12 @@ class Registry:
         """The config of an image for one platform.
 
         Args:
-            name: what the user called the image; by default its place and digest.
+            repository: its path.
+            manifest: of the image.
+            name: the user's name of the image, for messages; by default its place and digest.
 
         Raises:
-            RosmlError: it is no image (exit code 2), or its config has another form than OCI gives it; or as in `blob`.
+            RosmlError: it is no image (exit code 2), or its config does not follow OCI's specification; or as in `blob`.
         """
         name = name or f"{self.host}/{repository}@{manifest.digest}"
         if manifest.config is None:
@@ -349,18 +355,20 @@ class Registry:
     def read_blob(
         self, repository: str, digest: str, read: Callable[[Iterator[bytes]], T], size: int | None = None
     ) -> T:
-        """Has a function read a blob while it arrives. It may stop early: the rest is not downloaded.
+        """Calls a function that reads a blob while it arrives. If the function stops early, the rest is not downloaded.
 
         Args:
-            read: gets the blob in pieces; from the beginning again if the connection breaks. Who reads to the end knows that
-                the digest is right.
-            size: of the blob, in bytes; not known if left out.
+            repository: its path.
+            digest: of the blob.
+            read: gets the blob in pieces. If the connection breaks, it is called again, from the beginning. The digest is
+                checked only if the function reads to the end.
+            size: of the blob, in bytes; None if unknown.
 
         Returns:
             What the function returns.
 
         Raises:
-            RosmlError: as in `blob`; or it is larger than `size`.
+            RosmlError: as in `blob`; or the blob is larger than `size`.
         """
 
         def once() -> T:
@@ -389,10 +397,10 @@ class Registry:
         return digest
 
     def mount(self, repository: str, digest: str, source_repository: str) -> bool:
-        """Makes a blob of another repository of this registry one of this repository, without moving it.
+        """Adds a blob of another repository of this registry to a repository, without sending it.
 
         Returns:
-            False if the registry did not.
+            Whether the registry did that.
 
         Raises:
             RosmlError: the registry does not answer or refuses.
@@ -402,14 +410,14 @@ class Registry:
         answer = self._ask("POST", path, repository, push=True, also=also, allow=(202,))
         if answer.status_code == 201:
             return True
-        self._give_up(repository, answer)  # it began an upload instead
+        self._give_up(repository, answer)  # the registry began an upload instead
         return False
 
     def copy_blob(self, repository: str, digest: str, size: int, source: Registry, source_repository: str) -> None:
-        """Copies a blob from another repository or registry, without keeping it here.
+        """Copies a blob from another repository or registry, without keeping it on this machine.
 
         Raises:
-            RosmlError: it is damaged there; a registry does not answer or refuses.
+            RosmlError: the blob is damaged; a registry does not answer or refuses.
         """
 
         def blocks() -> Iterator[bytes]:
@@ -426,28 +434,28 @@ class Registry:
         address = httpx.URL(f"{location}{'&' if '?' in location else '?'}digest={_quoted(digest)}")
         headers = {"Content-Type": "application/octet-stream", "Content-Length": str(size)}
         ended = self._send("PUT", address, scopes, headers=headers, content=content)
-        if ended.status_code == 404:  # the registry forgot the upload: another one may hold
+        if ended.status_code == 404:  # the registry forgot the upload: another attempt may work
             raise Transient("the registry no longer knows the upload")
         self._expect(ended, (), repository, push=True)
 
     def may_push(self, repository: str) -> None:
-        """Asks whether blobs may be put into a repository, by an upload that is begun and given up.
+        """Checks write access to a repository: begins an upload and cancels it.
 
         Raises:
-            RosmlError: they may not; the registry does not answer.
+            RosmlError: there is no write access; the registry does not answer.
         """
         self._give_up(repository, self._ask("POST", f"{repository}/blobs/uploads/", repository, push=True))
 
     def _location(self, begun: Answer) -> httpx.URL:
-        """Where an upload goes that was begun."""
+        """The address of an upload that was begun."""
         try:
             return web.joined(begun.url, begun.headers.get("location") or "//")
         except web.Unfit:
             text = f"{self.host} does not say where to upload to"
-            raise RosmlError(text, "check the set-up of the registry and its proxy") from None
+            raise RosmlError(text, "check the configuration of the registry and its proxy") from None
 
     def _give_up(self, repository: str, begun: Answer) -> None:
-        """Ends an upload that nobody wants. No other host is told to delete something."""
+        """Cancels an upload. Only the registry itself gets the request, no other host."""
         with contextlib.suppress(RosmlError, Transient):
             address = self._location(begun)
             if web.origin(address) == web.origin(self.base):
@@ -456,15 +464,15 @@ class Registry:
     # ---- Referrers ---------------------------------------------------------------------------------------------------
 
     def referrers(self, repository: str, digest: str, artifact_type: str = "") -> list[dict[str, Any]]:
-        """Descriptors of the artifacts that are attached to a manifest: of one type, or of all.
+        """Descriptors of the artifacts attached to a manifest, of one type or of all types.
 
-        Where the registry has no API for that, they are in an index under the tag that OCI 1.1 names for it.
+        If the registry has no API for referrers, they are in an index under the fallback tag of OCI 1.1.
 
         Raises:
             RosmlError: the registry does not answer or refuses.
         """
         if repository not in self._there and not self.head(repository, digest):
-            return []  # in a repository that does not exist, the registry may deny anything
+            return []  # if the repository does not exist, the registry may deny any request
         query = f"?artifactType={_quoted(artifact_type)}" if artifact_type else ""
         path = f"{repository}/referrers/{digest}{query}"
         pages = (
@@ -476,10 +484,10 @@ class Registry:
         return [entry for entry in found if artifact_type in ("", entry.get("artifactType"))]
 
     def _has_referrers(self, path: str, repository: str) -> bool:
-        """Whether the registry has the API for what is attached. It is asked once, by the first request of that kind.
+        """Whether the registry has the API for referrers. The first request of that kind decides.
 
-        Anything but an index says that it has not. ghcr.io redirects to a page for people, which may be missing, or
-        answer 429 for hours.
+        Any answer but an index means that it has not. ghcr.io redirects to a web page, which may be missing, or answer 429
+        for hours.
         """
         if self._keeps_account is None:
             try:
@@ -488,7 +496,7 @@ class Registry:
                 found = content is not None and not answers.misfit(content, documents.Referrers)
             except Busy:
                 found = False
-            with self._lock:  # an artifact that was put meanwhile knows it better
+            with self._lock:  # if an artifact was attached meanwhile, that answer counts
                 self._keeps_account = self._keeps_account or found
         return self._keeps_account
 
@@ -504,7 +512,12 @@ class Registry:
         """Puts an artifact with one layer under a tag. Gives its digest.
 
         Args:
-            media_type: of the part.
+            repository: its path.
+            tag: the tag.
+            artifact_type: of the artifact.
+            part: the content of the layer.
+            media_type: of the layer.
+            annotations: of the manifest.
 
         Raises:
             RosmlError: the registry does not answer or refuses.
@@ -522,10 +535,15 @@ class Registry:
         media_type: str,
         annotations: Mapping[str, str] | None = None,
     ) -> str:
-        """Attaches an artifact to a manifest of the repository; the same one again changes nothing.
+        """Attaches an artifact to a manifest of the repository. Attaching the same artifact again changes nothing.
 
         Args:
-            subject: descriptor of the manifest. media_type: of the part.
+            repository: its path.
+            subject: descriptor of the manifest.
+            artifact_type: of the artifact.
+            part: the content of the layer.
+            media_type: of the layer.
+            annotations: of the artifact's manifest.
 
         Returns:
             Digest of the artifact's manifest.
@@ -539,7 +557,7 @@ class Registry:
         digest, headers = self.send_manifest(repository, "", data, IMAGE)
         if headers.get("oci-subject") == subject["digest"]:
             self._keeps_account = True
-        else:  # this registry keeps no account of referrers
+        else:  # this registry has no API for referrers
             noted = {"annotations": dict(annotations)} if annotations else {}
             self._list(
                 repository, subject["digest"], {**descriptor(IMAGE, data), "artifactType": artifact_type, **noted}
@@ -547,7 +565,7 @@ class Registry:
         return digest
 
     def forget(self, repository: str, subject: str) -> None:
-        """Removes the list of what was attached to a manifest that is gone, from a registry that has no API for it.
+        """Removes the list of the artifacts that were attached to a removed manifest, if the registry has no API for referrers.
 
         Raises:
             RosmlError: the registry does not delete, does not answer or refuses.
@@ -556,12 +574,13 @@ class Registry:
             self.delete(repository, there)
 
     def _list(self, repository: str, subject: str, entry: Mapping[str, Any]) -> None:
-        """Adds an artifact to the index under the fallback tag, which is read again before it is written and after: what
-        another publisher wrote in between stays. Only two requests to write it at the very same time can still undo each
-        other, since registries have no conditional write.
+        """Adds an artifact to the index under the fallback tag.
+
+        The index is read again before and after the write, so that changes of other publishers stay. Only two writes at the
+        very same time can still undo each other, since registries have no conditional write.
 
         Raises:
-            RosmlError: others write it all the time; the registry does not answer or refuses.
+            RosmlError: others keep writing the index; the registry does not answer or refuses.
         """
         tag = _fallback_tag(subject)
 
@@ -583,7 +602,7 @@ class Registry:
                     if read()[2]:
                         return
                 time.sleep(random.uniform(0, failures.WAIT))
-        raise RosmlError(f"{self.host}/{repository}:{tag} is written by others all the time", "run it again")
+        raise RosmlError(f"others keep writing {self.host}/{repository}:{tag}", "run it again")
 
     # ---- Requests ----------------------------------------------------------------------------------------------------
 
@@ -609,7 +628,7 @@ class Registry:
         also: Iterable[str] = (),
         limit: int = answers.JSON_BYTES,
     ) -> Answer:
-        """A request, sent again as long as that may help. Any success is an answer, and what `allow` lists."""
+        """Sends a request, again if that may help. Gives the answer if it is a success, or has a status of `allow`."""
         scopes = self._scopes(repository, push, also)
 
         def once() -> Answer:
@@ -619,12 +638,12 @@ class Registry:
         return self._retried(once)
 
     def _look(self, method: str, path: str, repository: str) -> Answer | None:
-        """A request for what may not be there; None where it is not.
+        """Sends a request for something that may be missing; None if it is.
 
-        ghcr.io may deny what is in a repository that does not exist yet, instead of saying so. What is denied to an account
-        that it knows is not there either, therefore, and people are warned: a push says whether the account lacks a right. Not
-        so in a repository of which this client saw, or put, a manifest: it exists, and what is taken for missing there would
-        have its tag moved without a look at where it was.
+        ghcr.io may deny access to a repository that does not exist yet. If it denies a known account, the content counts as
+        missing, and a warning says so. A later push shows whether the account lacks a right. This does not hold for a
+        repository with a manifest that this client saw or put: such a repository exists, and a wrong "missing" would move a
+        tag without a record of where it was.
         """
         scopes, accept = self._scopes(repository), {"Accept": _ACCEPT} if "/manifests/" in path else {}
 
@@ -641,26 +660,26 @@ class Registry:
         answer = self._retried(once)
         if answer is None or answer.status_code == 404:
             return None
-        if not path.startswith(f"{repository}/blobs/"):  # those may be there before the repository is
+        if not path.startswith(f"{repository}/blobs/"):  # blobs may be there before the repository is
             self._there.add(repository)
         return answer
 
     def _warn(self, denied: Denied) -> None:
-        """Tells people once that what is denied counts as missing."""
+        """Warns once that denied content counts as missing."""
         with self._lock:
             warned, self._warned = self._warned, True
         if not warned:
-            _LOG.warning("%s: taken for a repository that does not exist yet, as others like it", denied)
+            _LOG.warning("%s: taken for a repository that does not exist yet; this warning comes once", denied)
 
     def _pages(self, path: str, repository: str, shape: type[BaseModel]) -> Iterator[dict[str, Any]]:
         """All pages of a list; none if the registry knows no such list.
 
         Raises:
-            RosmlError: the list has no end, or goes on elsewhere; or a page has another form.
+            RosmlError: the list has no end, or continues on another host; or a page does not follow the specification.
         """
         seen: set[str] = set()
         room = LIST_BYTES
-        while path and path not in seen:  # a registry that links to where we were would never end
+        while path and path not in seen:  # if a page links to an earlier one, the list would never end
             seen.add(path)
             answer = self._look("GET", path, repository)
             if answer is None:
@@ -684,12 +703,12 @@ class Registry:
         except web.Unfit as error:
             raise unfit("GET", answer.url, f"the next page: {error}") from None
         path = address.raw_path.decode()
-        if address.host != self.base.host or not path.startswith("/v2/"):  # it is asked for at this registry alone
+        if address.host != self.base.host or not path.startswith("/v2/"):  # no other host gets the request
             raise unfit("GET", answer.url, f"the next page is elsewhere: {named(address)}")
         return path.removeprefix("/v2/")
 
     def _retried(self, work: Callable[[], T]) -> T:
-        """Does some work, again as long as that may help: later each time, or when the registry asks for it."""
+        """Does some work, again if that may help, with longer pauses each time or those that the registry asks for."""
         attempt = 0
         while True:
             try:
@@ -719,7 +738,7 @@ class Registry:
         content: bytes | Iterator[bytes] | None = None,
         limit: int = answers.JSON_BYTES,
     ) -> Answer:
-        """One request, with who asks: again, once, if the registry then says how it wants to be told."""
+        """Sends one request with credentials; once more if the registry answers with a challenge."""
         request = self._client.build_request(method, address, headers=dict(headers or {}), content=content)
         again = not isinstance(content, Iterator)
         with self._open(request, scopes, again) as answer, transport(method, answer.url):
@@ -727,7 +746,7 @@ class Registry:
 
     @contextlib.contextmanager
     def _stream(self, repository: str, digest: str, block: int | None = None) -> Iterator[Iterator[bytes]]:
-        """The pieces of a blob while it arrives; of `block` bytes each, if that is given."""
+        """The pieces of a blob while it arrives, of `block` bytes each if that is set."""
         address = self._address(f"{repository}/blobs/{digest}")
         request = self._client.build_request("GET", address)
 
@@ -757,10 +776,10 @@ class Registry:
             answer.close()
 
     def _exchange(self, request: httpx.Request, scopes: frozenset[str], refused: str) -> tuple[httpx.Response, str]:
-        """Sends a request with who asks. Gives the answer, and what it was sent with.
+        """Sends a request with credentials. Gives the answer, and the header `Authorization` that it sent.
 
-        Redirects are followed of a blob to any storage, and of anything else within the registry. Who else answers knows
-        nothing of manifests, and would say that one is missing.
+        For a blob, redirects to any host are followed; for other requests, only within the registry, because another host
+        would answer that a manifest is missing.
         """
         header = self._login.header(request.url, scopes, refused)
         request.headers.pop("authorization", None)
@@ -775,10 +794,10 @@ class Registry:
         return answer, header
 
     def _expect(self, answer: Answer, allow: Container[int], repository: str, push: bool) -> Answer:
-        """An answer, if it is a success or one of `allow`.
+        """The answer, if it is a success or has a status of `allow`.
 
         Raises:
-            Transient: it may be another one soon.
+            Transient: the next attempt may succeed.
             RosmlError: it will not.
         """
         code = answer.status_code
@@ -796,9 +815,9 @@ class Registry:
             raise Denied(error) if passing else error
         if self.base.scheme == "http" and code == 400 and b"https" in answer.content.lower():
             raise RosmlError(f"{self.host} does not speak plain http", certificates.remedy(self.host, ""))
-        missing = "check that this is there: see the reference"
+        missing = "check the reference"
         refused = RosmlError(
-            f"{self.host}: {said}", missing if code == 404 else "ask who runs the registry, or look into its log"
+            f"{self.host}: {said}", missing if code == 404 else "ask the registry's operator, or look into its log"
         )
         if push and answer.method != "DELETE" and (code in (404, 409) or codes(answer) & _UNKNOWN):
             raise Refused(refused)
@@ -814,18 +833,18 @@ class Registry:
         if not isinstance(content, dict):
             raise RosmlError(
                 f"{self.host}: the answer to GET {named(answer.url)} is no JSON object, so no registry gave it: {why}",
-                "check the address, and HTTPS_PROXY: a proxy may answer in its place, such as with a page to sign in",
+                "check the address, and HTTPS_PROXY: a proxy may answer instead, for example with a sign-in page",
             )
         return content
 
     @contextlib.contextmanager
     def _shaped(self, answer: Answer) -> Iterator[None]:
-        """Says what is wrong with an answer that has another form than the distribution API gives it."""
+        """Turns the validation error of an answer into an error for people."""
         try:
             yield
         except ValidationError as error:
             text = f"{self.host} does not answer as a registry: GET {answer.url.path}: {first_of(error)}"
-            remedy = "check its name and the proxies (HTTPS_PROXY); if they are right, push again what is damaged there"
+            remedy = "check its name and the proxies (HTTPS_PROXY); if they are right, push the damaged content again"
             raise RosmlError(text, remedy) from None
 
 
@@ -840,7 +859,7 @@ def _manifest(repository: str, reference: str) -> str:
     """The path of a manifest.
 
     Raises:
-        RosmlError: what names it, such as an index or a record, has neither a tag nor a digest there.
+        RosmlError: the reference is neither a tag nor a digest (exit code 2).
     """
     if not is_digest(reference) and not re.fullmatch(TAG, reference):
         text = f"{reference[:200]!r} in {repository} is neither a tag nor a digest"
@@ -849,7 +868,7 @@ def _manifest(repository: str, reference: str) -> str:
 
 
 def _media_type(answer: Answer) -> str:
-    """What an answer says that its body is; empty if it says nothing that can be read."""
+    """The media type of an answer; empty if there is none, or it is malformed."""
     said = answer.headers.get("content-type", "").partition(";")[0].strip()
     return said if re.fullmatch(MEDIA_TYPE, said) else ""
 
@@ -870,24 +889,24 @@ def _hash(digest: str) -> Any:
 
 def _check(found: str, digest: str) -> None:
     if found != digest.partition(":")[2]:
-        raise RosmlError(f"what the registry has as {digest} has another digest", "it is damaged there: push it again")
+        raise RosmlError(f"the registry's content for {digest} has another digest", "it is damaged: push it again")
 
 
 def _checked(blocks: Iterable[bytes], digest: str, size: int | None) -> Iterator[bytes]:
-    """The pieces of a blob; after the last one, an error if the whole has another digest."""
+    """The pieces of a blob. After the last piece, the digest is checked."""
     state, found = _hash(digest), 0
     for block in blocks:
         found += len(block)
         if size is not None and found > size:
-            text = f"what the registry has as {digest} has more than the {size} bytes that its manifest says"
-            raise RosmlError(text, "it is damaged there: push it again")
+            text = f"the registry's content for {digest} has more than the {size} bytes that its manifest says"
+            raise RosmlError(text, "it is damaged: push it again")
         state.update(block)
         yield block
     _check(state.hexdigest(), digest)
 
 
 def _verified(data: bytes, digest: str) -> bytes:
-    """The data, if it has the digest.
+    """Gives the data if it has the digest.
 
     Raises:
         RosmlError: it has another one.

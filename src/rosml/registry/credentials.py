@@ -1,4 +1,4 @@
-"""Who the user is to a registry, as Docker knows it: a variable, its config file, and its credential helpers."""
+"""Finds the user's credentials for a registry as Docker does: in a variable, its config file, and its credential helpers."""
 
 from __future__ import annotations
 
@@ -18,30 +18,32 @@ from rosml.base.errors import RosmlError
 
 DOCKER_HUB = "docker.io"
 DOCKER_HUB_KEY = "https://index.docker.io/v1/"
-"""What Docker calls its own registry in the config file."""
+"""Docker's name for Docker Hub in the config file."""
 
 HELPER_SECONDS = 30.0
-"""A credential helper may ask a keychain, or a cloud."""
+"""Time limit of a credential helper, which may ask a keychain or a cloud."""
 
 VARIABLE = "DOCKER_AUTH_CONFIG"
-"""Holds what the config file has under `auths`: for jobs in CI. buildx and regctl read it as well."""
+"""Has the same content as `auths` in the config file, for jobs in CI. buildx and regctl read it as well."""
 
 OWN = "regctl/docker.json"
-"""Below `.state`: who writes to the local registry of a checkout, in the form of Docker's config file. regctl's is beside it."""
+"""Below `.state`: credentials for the local registry of a checkout, in the form of Docker's config file. regctl's own file is
+beside it."""
 
 TOKEN_USER = "<token>"
-"""What a helper calls the user where the secret is an identity token."""
+"""The user name of a helper's answer if the secret is an identity token."""
 
 _REMEDY = "correct it, or log in again: docker login"
 
 
 @dataclass(frozen=True)
 class Credentials:
-    """A user's name and password, or an identity token. Nothing prints them.
+    """A user's name and password, or an identity token. They appear in no message.
 
     Attributes:
-        username, password: for Basic, and to ask for a Bearer token.
-        identity_token: what a Bearer token is asked for with instead; empty if there is none.
+        username: for Basic, and to get a Bearer token.
+        password: for Basic, and to get a Bearer token.
+        identity_token: to get a Bearer token instead; empty if there is none.
     """
 
     username: str = field(default="", repr=False)
@@ -50,7 +52,7 @@ class Credentials:
 
 
 def folder() -> Path | None:
-    """The folder of Docker's config file; None for a user without a name, in a container: nobody logged in."""
+    """The folder of Docker's config file; None if the user has no home folder, as in some containers."""
     if named := os.environ.get("DOCKER_CONFIG"):
         return Path(named)
     try:
@@ -62,8 +64,8 @@ def folder() -> Path | None:
 def from_docker(host: str) -> Credentials | None:
     """The credentials of a registry as Docker has them; None if there are none.
 
-    As Docker does: the variable DOCKER_AUTH_CONFIG first, then a helper of that registry, then the helper for all, then
-    the config file itself. Before the helpers, what set-up wrote down for the local registry of the checkout.
+    The order is Docker's: the variable DOCKER_AUTH_CONFIG, the helper of that registry, the helper for all registries, the
+    config file. Only the credentials that `rosml setup` made for the local registry come before the helpers.
 
     Raises:
         RosmlError: the variable or the file is damaged, or a helper cannot be run.
@@ -90,7 +92,7 @@ def from_docker(host: str) -> Credentials | None:
 
 
 def own(state: Path) -> dict[str, Any]:
-    """What set-up wrote down for the local registry; nothing if it was never set up, or belongs to another user."""
+    """The credentials file that `rosml setup` made for the local registry; empty if there is none, or it is unreadable."""
     try:
         return untrusted.json_object((state / OWN).read_bytes()) or {}
     except OSError:
@@ -98,13 +100,13 @@ def own(state: Path) -> dict[str, Any]:
 
 
 def _from_variable(names: tuple[str, ...]) -> Credentials | None:
-    """Those of a registry in DOCKER_AUTH_CONFIG. Nothing of its text is shown."""
+    """The credentials in DOCKER_AUTH_CONFIG. Messages do not show its text."""
     text = os.environ.get(VARIABLE, "")
     if not text:
         return None
     content = untrusted.json_object(text)
     if content is None:
-        remedy = f'let it hold {{"auths": {{"{names[-1]}": {{"auth": …}}}}}}, or unset it'
+        remedy = f'set it to {{"auths": {{"{names[-1]}": {{"auth": …}}}}}}, or unset it'
         raise RosmlError(f"{VARIABLE} is no JSON object", remedy, exit_code=2)
     return _of(content.get("auths"), names, VARIABLE)
 
@@ -117,7 +119,7 @@ def _of(auths: Any, names: tuple[str, ...], place: str) -> Credentials | None:
 
 
 def _object(value: Any, what: str) -> dict[str, Any]:
-    """A JSON object of the file or the variable; an empty one where it says nothing. Nothing of its text is shown."""
+    """A JSON object of the file or the variable; empty if it is null. Messages do not show its text."""
     if value is None or isinstance(value, dict):
         return value or {}
     raise RosmlError(f"{what} is no JSON object", _REMEDY, exit_code=2)
@@ -136,12 +138,12 @@ def _read(file: Path) -> dict[str, Any]:
 
 
 def _bare(name: str) -> str:
-    """A registry as a key of `auths`, without scheme and path: old versions of Docker wrote both."""
+    """A key of `auths` without scheme and path, since old versions of Docker wrote both."""
     return name.partition("://")[2].partition("/")[0] if "://" in name else name.partition("/")[0]
 
 
 class _Entry(BaseModel):
-    """What `auths` has for a registry."""
+    """The entry of a registry in `auths`."""
 
     model_config = ConfigDict(strict=True)
 
@@ -159,20 +161,20 @@ def _entry(entry: Mapping[str, Any], place: str, host: str) -> Credentials | Non
         if found.auth:
             username, password = base64.b64decode(found.auth, validate=True).decode().split(":", 1)
             return Credentials(username, password.rstrip("\0"))
-    except ValueError:  # also of text that is not ASCII, or not UTF-8. Nothing of it is shown
-        raise RosmlError(f"{place}: what it has for {host} cannot be read", f"docker login {host}") from None
+    except ValueError:  # also if the text is not ASCII or UTF-8. Messages do not show it
+        raise RosmlError(f"{place}: its entry for {host} cannot be read", f"docker login {host}") from None
     return Credentials(found.username, found.password or "") if found.username else None
 
 
 def _program(name: Any, file: Path) -> str:
     """The program of a credential helper that the config file names."""
     if not isinstance(name, str) or "/" in name:
-        raise RosmlError(f"{file}: a credential helper has no name that a program can have", _REMEDY)
+        raise RosmlError(f"{file}: the name of a credential helper is no name of a program", _REMEDY)
     return f"docker-credential-{name}"
 
 
 def _helper(program: str, server: str) -> Credentials | None:
-    """Asks a credential helper. One that fails has none: that is how they say so."""
+    """Asks a credential helper; None if it fails, since a helper without credentials exits with an error."""
     try:
         done = subprocess.run(
             [program, "get"],
@@ -181,19 +183,19 @@ def _helper(program: str, server: str) -> Credentials | None:
             stderr=subprocess.DEVNULL,
             text=True,
             encoding="utf-8",
-            errors="replace",  # or the error would have its text, which may hold the secret
+            errors="replace",  # otherwise the error would contain the text, which may hold the secret
             timeout=HELPER_SECONDS,
             check=False,
         )
     except (OSError, ValueError, subprocess.TimeoutExpired) as error:
         slow = f"no answer within {HELPER_SECONDS:.0f} s"
         reason = getattr(error, "strerror", None) or (str(error) if isinstance(error, ValueError) else slow)
-        remedy = f"install it, or take it out of Docker's config file and log in again: docker login {server}"
+        remedy = f"install it, or remove it from Docker's config file and log in again: docker login {server}"
         raise RosmlError(f"{program}, which Docker's config file names for {server}: {reason}", remedy) from None
     if done.returncode != 0:
         return None
     answer = untrusted.json_object(done.stdout) or {}
     username, secret = answer.get("Username"), answer.get("Secret")
-    if not isinstance(username, str) or not isinstance(secret, str):  # its text may hold the secret: it is not shown
+    if not isinstance(username, str) or not isinstance(secret, str):  # the text may hold the secret: do not show it
         raise RosmlError(f"{program} does not answer as credential helpers do", f"docker login {server}")
     return Credentials(identity_token=secret) if username == TOKEN_USER else Credentials(username, secret)

@@ -1,7 +1,6 @@
-"""What registries send, in the form that the OCI specifications give it: manifests, indexes, configs and lists.
+"""Models of what registries send, by the OCI specifications: manifests, indexes, configs and lists.
 
-Each model has what this program reads. A document may have more, which stays in its content and is passed on. Who read a
-document by one of these need not ask again what is in it.
+Each model has the fields that this program reads. Further fields of a document stay in its content, and are passed on.
 """
 
 from __future__ import annotations
@@ -23,7 +22,7 @@ Size = Annotated[int, Field(ge=0, lt=1 << 62)]
 
 
 def _texts(found: Any) -> dict[str, str]:
-    """Annotations as text: anybody may write anything there, and an image is none the worse for it."""
+    """Annotations as text. Anybody may write anything there, and the image is still good."""
     return {str(name): str(text) for name, text in found.items()} if isinstance(found, Mapping) else {}
 
 
@@ -35,7 +34,7 @@ class _Shape(BaseModel):
 
 
 class Platform(_Shape):
-    """Where an image runs, as an entry of an index says it."""
+    """Where an image runs, by its entry in an index."""
 
     os: str | None = None
     architecture: str | None = None
@@ -43,7 +42,7 @@ class Platform(_Shape):
 
 
 class Descriptor(_Shape):
-    """What points at a manifest or a blob. `size` is in bytes."""
+    """A pointer to a manifest or a blob. `size` is in bytes."""
 
     mediaType: str
     digest: Digest
@@ -67,7 +66,7 @@ class Image(_Shape):
 
 
 class Index(_Shape):
-    """The index of images, one for each platform; or of what is attached to one."""
+    """An index of images, one for each platform; or of the artifacts attached to a manifest."""
 
     schemaVersion: int
     mediaType: MediaType | None = None
@@ -80,7 +79,7 @@ class Index(_Shape):
 
 
 class Referrers(_Shape):
-    """A page of what is attached to a manifest."""
+    """A page of the artifacts attached to a manifest."""
 
     manifests: list[Descriptor] | None
 
@@ -92,7 +91,7 @@ class Tags(_Shape):
 
 
 class Settings(_Shape):
-    """What a container starts with. Docker calls these fields the same."""
+    """How a container starts. Docker has the same names."""
 
     Env: list[str] | None = None
     Labels: dict[str, str] | None = None
@@ -121,20 +120,20 @@ class Config(_Shape):
 
 
 class Error(_Shape):
-    """One error of an answer."""
+    """One error in an answer."""
 
     code: str = ""
     message: str | None = None
 
 
 class Errors(_Shape):
-    """The body of an answer that is an error."""
+    """The body of an error."""
 
     errors: list[Error]
 
 
 class Token(_Shape):
-    """What a token server answers. `expires_in` is in seconds."""
+    """The answer of a token server. `expires_in` is in seconds."""
 
     token: str | None = None
     access_token: str | None = None

@@ -1,4 +1,4 @@
-"""What goes wrong with a request to a registry: what may be gone a moment later, and what stays."""
+"""Failures of requests to a registry: which ones may pass, and which ones stay."""
 
 from __future__ import annotations
 
@@ -13,28 +13,29 @@ from rosml.base import web
 from rosml.base.errors import RosmlError
 
 ATTEMPTS = 7
-"""How often a request is sent before it counts as failed: over about half a minute."""
+"""How often a request is sent before it fails, in about half a minute."""
 
 ATTEMPTS_UNREACHED = 3
-"""The same, while the registry never answered: a name that is wrong is told soon."""
+"""The same, if the registry never answered, so that a wrong name fails soon."""
 
 ATTEMPTS_REFUSED = 5
-"""The same, while the registry refuses what it may take a moment later: over about eight seconds."""
+"""The same, if the registry refuses a request that it may accept later, in about eight seconds."""
 
 WAIT, LONGEST_WAIT = 0.5, 30.0
-"""Seconds before the second attempt, which double with every further one; and what a registry may ask for at most."""
+"""Seconds before the second attempt, which double with each further one; and the most that a registry may ask for."""
 
 
 class Busy(RosmlError):
-    """The registry answered each time that it cannot answer now."""
+    """The registry answered each time that it is busy."""
 
 
 class Transient(Exception):
-    """Something that may be gone a moment later.
+    """A failure that may pass.
 
     Attributes:
-        after: seconds that the registry asks to wait. connected: whether there was somebody at all.
-        final: the kind of error that it is, if it stays.
+        after: seconds that the registry asks to wait.
+        connected: whether a server accepted the connection.
+        final: the kind of error if it does not pass.
     """
 
     def __init__(
@@ -47,11 +48,11 @@ class Transient(Exception):
 
 
 class Refused(Transient):
-    """What the registry may take a moment later, as when another machine makes the repository, or when a part of the registry
-    has not heard yet of a blob that another part has.
+    """The registry refused a request that it may accept later: another machine is creating the repository, or a part of the
+    registry does not know a new blob yet.
 
     Attributes:
-        error: what is wrong, if it stays.
+        error: the error if it does not pass.
     """
 
     def __init__(self, error: RosmlError) -> None:
@@ -60,18 +61,20 @@ class Refused(Transient):
 
 
 class Denied(Refused):
-    """What is denied to an account that the registry knows. There may be no such repository yet."""
+    """The registry denies access to a known account. Perhaps the repository does not exist yet."""
 
 
 class Untrusted(Transient):
-    """A registry whose certificate is not trusted, or none: sending it again does not help."""
+    """The registry's certificate is not trusted. Another attempt does not help."""
 
 
 def pause(error: Transient, attempt: int, reached: bool = True) -> float | None:
     """Seconds to wait before a request is sent again; None if it was sent often enough.
 
     Args:
-        attempt: how often it was sent. reached: whether the registry answered at any time.
+        error: the failure of the last attempt.
+        attempt: how often the request was sent.
+        reached: whether the registry ever answered.
     """
     most = ATTEMPTS_REFUSED if isinstance(error, Refused) else ATTEMPTS if reached else ATTEMPTS_UNREACHED
     if attempt >= most:
@@ -82,10 +85,11 @@ def pause(error: Transient, attempt: int, reached: bool = True) -> float | None:
 
 @contextlib.contextmanager
 def transport(method: str, address: httpx.URL) -> Iterator[None]:
-    """Turns what goes wrong on the way into something that may be gone a moment later, or into an error.
+    """Turns httpx's errors into our own.
 
     Raises:
-        Transient: the first. RosmlError: the second, such as an answer that is too large.
+        Transient: the failure may pass.
+        RosmlError: it does not pass, for example because the answer is too large.
     """
     try:
         yield
@@ -102,11 +106,11 @@ def transport(method: str, address: httpx.URL) -> Iterator[None]:
 
 
 def unfit(method: str, address: httpx.URL, why: str) -> RosmlError:
-    """The error about an answer that no registry gives."""
-    remedy = "check the address, and the set-up of the registry and its proxy (HTTPS_PROXY)"
+    """The error if an answer does not come from a registry."""
+    remedy = "check the address, and the configuration of the registry and its proxy (HTTPS_PROXY)"
     return RosmlError(f"{method} {named(address)}: {why}", remedy)
 
 
 def named(address: httpx.URL) -> str:
-    """An address for messages: without a user, and without what is asked for."""
+    """An address for messages, without user and query."""
     return f"{address.host}{f':{address.port}' if address.port else ''}{address.path}"

@@ -1,7 +1,7 @@
-"""Who asks, as one registry wants to be told: by a name and a password, or by a token.
+"""Authenticates requests to one registry, by a name and password or by a token.
 
-The credentials of a registry go to that registry, and to the token server that it names itself: in an answer of its own, and
-not in one of a host that it redirects to.
+The credentials of a registry go only to that registry, and to the token server that it names in its own answer. A host that
+it redirects to cannot name a token server.
 """
 
 from __future__ import annotations
@@ -28,21 +28,22 @@ TOKEN_BYTES = 256 << 10
 """Largest answer of a token server. A token has some thousand characters."""
 
 TOKEN_SECONDS = 60.0
-"""How long a token holds whose server does not say it."""
+"""How many seconds a token is used if its server does not say how long it is valid."""
 
 LONGEST = 86400.0
-"""How long a token is kept at most, in seconds."""
+"""How many seconds a token is kept at most."""
 
 DENIED_SECONDS = 5.0
-"""How long a scope that the token server denied is not asked for again, if it only reads. A registry that is empty has thousands
-of reads denied at once. Another machine may make the repository at any time."""
+"""After the token server denied a read-only scope, it is not asked for this scope again for so many seconds. An empty registry
+would deny thousands of reads at once. The time is short because another machine may create the repository."""
 
 
 class Login:
-    """Who asks one registry. Safe to share among threads.
+    """Authenticates the requests to one registry. Safe to share among threads.
 
     Attributes:
-        host: of the registry, as references have it. known: the credentials; None before the registry asked for them.
+        host: the registry, as in references.
+        known: the credentials; None until the registry asks for them, or if there are none.
     """
 
     def __init__(
@@ -50,8 +51,10 @@ class Login:
     ) -> None:
         """
         Args:
-            base: the address of the registry's root. client: for the token server.
-            find: gives the credentials of a host; they are asked for once, when the registry wants them.
+            host: the registry, as in references.
+            base: the address of the registry's root.
+            client: for the token server.
+            find: gives the credentials of a host; it is called once, when the registry asks for them.
         """
         self.host = host
         self.known: Credentials | None = None
@@ -60,12 +63,12 @@ class Login:
         self._challenge: Challenge | None = None
         self._tokens: dict[frozenset[str], tuple[str, float]] = {}
         self._denied: dict[frozenset[str], tuple[RosmlError, float]] = {}
-        self._lock = threading.Lock()  # of its own state; never held while somebody is asked
-        self._asking: defaultdict[frozenset[str], threading.Lock] = defaultdict(threading.Lock)  # none: for the log-in
-        self._logged_in = False  # it has taken the credentials
+        self._lock = threading.Lock()  # guards the state of this object; never held during a request
+        self._asking: defaultdict[frozenset[str], threading.Lock] = defaultdict(threading.Lock)  # no scope: the log-in
+        self._logged_in = False  # the token server has accepted the credentials
 
     def challenged(self, answer: httpx.Response) -> bool:
-        """Whether an answer is the registry's own that asks who it is, in a way that is known."""
+        """Whether an answer comes from the registry itself and asks for credentials, in a known scheme."""
         if answer.status_code != 401 or web.origin(answer.url) != web.origin(self._base):
             return False
         found = challenge.read(answer.headers.get_list("www-authenticate"))
@@ -74,14 +77,16 @@ class Login:
         return found is not None
 
     def header(self, address: httpx.URL, scopes: frozenset[str], refused: str) -> str:
-        """The header that says who asks; empty for another host than the registry, and as long as the registry did not want to
-        know.
+        """The header `Authorization` for a request; empty for another host, or if the registry has not asked for credentials.
 
         Args:
-            refused: the header that the registry just refused.
+            address: of the request.
+            scopes: what the request needs.
+            refused: the header that the registry just refused; empty if it refused none.
 
         Raises:
-            Transient, RosmlError: there is none.
+            Transient: the token server is busy, or denies a scope to a known account.
+            RosmlError: there are no credentials, or the token server refuses them.
         """
         with self._lock:
             wanted = self._challenge
@@ -96,7 +101,7 @@ class Login:
             if self.known is None:
                 raise self.denied("log in", "it asks for a user's name and a password")
             return "Basic " + base64.b64encode(f"{self.known.username}:{self.known.password}".encode()).decode()
-        with self._turn(scopes):  # one thread asks for all that need the same token
+        with self._turn(scopes):  # one thread asks for all threads that need the same token
             if header := self._kept(scopes, refused):
                 return header
             try:
@@ -111,26 +116,31 @@ class Login:
             return f"Bearer {token}"
 
     def reconsider(self, scopes: frozenset[str]) -> None:
-        """Has scopes asked for again that were denied: there is the repository now."""
+        """Forgets that scopes were denied, because the repository exists now."""
         with self._lock:
             self._denied.pop(scopes, None)
 
     def denied(self, what: str, said: str) -> RosmlError:
-        """The error about something that who asks may not do."""
+        """The error if access is denied.
+
+        Args:
+            what: the denied action.
+            said: what the registry said.
+        """
         known = "with the account that is logged in" if self.known else "without an account"
-        remedy = f"docker login {self.host}, with an account that may; or check that there is such a repository"
+        remedy = f"docker login {self.host}, with an account that has access; or check that the repository exists"
         return RosmlError(f"{self.host}: access denied: cannot {what} {known} ({said})", remedy)
 
     def _turn(self, scopes: frozenset[str]) -> threading.Lock:
-        """What threads wait for that need the same."""
+        """The lock of threads that need the same scopes."""
         with self._lock:
             return self._asking[scopes]
 
     def _kept(self, scopes: frozenset[str], refused: str) -> str:
-        """The header with the token that is there for some scopes; empty if there is none, or it does not hold.
+        """The header with the kept token for some scopes; empty if there is none, or it is no longer valid.
 
         Raises:
-            Denied: the token server denied them a moment ago.
+            Denied: the token server denied the scopes a moment ago.
         """
         with self._lock:
             token, end = self._tokens.get(scopes, ("", 0.0))
@@ -148,14 +158,14 @@ class Login:
             realm = web.joined(self._base, wanted.realm)
         except web.Unfit:
             text = f"{self.host} does not say where to ask for a token"
-            raise RosmlError(text, "check the registry's set-up") from None
+            raise RosmlError(text, "check the registry's configuration") from None
         plain = realm.scheme == "http" and not is_local(realm.host)
         if realm.scheme != "https" and (self._base.scheme == "https" or (plain and realm.host != self._base.host)):
-            raise RosmlError(f"{self.host} wants passwords sent in the clear, to {realm.host}", "take another registry")
+            raise RosmlError(f"{self.host} wants passwords sent in the clear, to {realm.host}", "use another registry")
         return realm
 
     def _token(self, wanted: Challenge, scopes: frozenset[str]) -> tuple[str, float]:
-        """A Bearer token for some scopes, and for how many seconds it holds."""
+        """A Bearer token for some scopes, and how many seconds it is valid."""
         realm, known = self._realm(wanted), self.known
         fields = {"service": wanted.service} if wanted.service else {}
         with transport("asking for a token at", realm):
@@ -174,7 +184,7 @@ class Login:
             raise Transient(said, web.after(answer.headers))
         if answer.status_code == 403 and known and scopes:
             with self._turn(frozenset()):
-                if not self._logged_in:  # without a repository, it is the log-in alone that can be refused
+                if not self._logged_in:  # if this request without a repository fails, the log-in itself is wrong
                     self._token(wanted, frozenset())
             raise Denied(self.denied(f"have {' '.join(sorted(scopes))}", said))
         if not answer.is_success:
@@ -189,13 +199,13 @@ class Login:
         found = Token.model_validate(content)
         token, seconds = found.token or found.access_token or "", found.expires_in
         if not re.fullmatch(r"[\x21-\x7e]+", token):
-            text = f"{self.host} gave no token that can be sent, although it asks for one"
-            raise RosmlError(text, "run it again; if it stays, its operator has to correct the token server")
+            text = f"{self.host} asks for a token, but gave none that can be sent"
+            raise RosmlError(text, "run it again; if it fails again, its operator has to correct the token server")
         holds = isinstance(seconds, int | float) and seconds > 0
         return token, min(float(seconds), LONGEST) if holds else TOKEN_SECONDS
 
 
 def is_local(name: str) -> bool:
-    """Whether a host is this machine itself. It may have a port."""
+    """Whether a host, with or without a port, is this machine itself."""
     name = name.rpartition(":")[0] if re.search(r":[0-9]+$", name) and name != "::1" else name
     return name in ("localhost", "[::1]", "::1") or re.fullmatch(r"127(\.[0-9]+){3}", name) is not None

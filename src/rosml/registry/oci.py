@@ -1,4 +1,4 @@
-"""What the OCI specifications call things: media types, descriptors, and manifests and configs as they were read.
+"""Media types and descriptors of the OCI specifications, and manifests and configs as they were read.
 
 https://github.com/opencontainers/image-spec
 """
@@ -25,7 +25,7 @@ DOCKER_INDEX = "application/vnd.docker.distribution.manifest.list.v2+json"
 INDEXES = (INDEX, DOCKER_INDEX)
 
 EMPTY_BLOB = b"{}"
-"""The blob that the descriptor of type EMPTY points at: the config of an artifact that has none."""
+"""The blob of type EMPTY: the config of an artifact without a config."""
 
 
 def digest_of(data: bytes) -> str:
@@ -34,12 +34,12 @@ def digest_of(data: bytes) -> str:
 
 
 def encoded(content: Mapping[str, Any]) -> bytes:
-    """A JSON object as it is stored: the same bytes for the same content, on any machine."""
+    """A JSON object as bytes. The same content gives the same bytes on every machine."""
     return json.dumps(content, sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode()
 
 
 def descriptor(media_type: str, data: bytes) -> dict[str, Any]:
-    """What a manifest says of a blob."""
+    """The descriptor of a blob."""
     return {"mediaType": media_type, "digest": digest_of(data), "size": len(data)}
 
 
@@ -53,7 +53,11 @@ def artifact(
     """The manifest of an artifact with one layer. Its blobs are the part and EMPTY_BLOB.
 
     Args:
-        media_type: of the part. subject: descriptor of the manifest that it is attached to, if to one.
+        artifact_type: of the artifact.
+        part: the content of the layer.
+        media_type: of the layer.
+        annotations: of the manifest.
+        subject: descriptor of the manifest that the artifact is attached to; None if it is attached to none.
     """
     return {
         "schemaVersion": 2,
@@ -71,7 +75,10 @@ class Manifest:
     """A manifest or index as a registry holds it. `size` is in bytes.
 
     Attributes:
-        content: all that it has, to pass it on. To read it, there are the properties: they have the form that OCI gives them.
+        content: the whole document, to pass it on. To read it, use the properties, which are checked and typed.
+        digest: of the document.
+        media_type: of the document.
+        size: of the document.
     """
 
     content: dict[str, Any]
@@ -84,52 +91,52 @@ class Manifest:
         return self.read()
 
     def read(self) -> documents.Image | documents.Index:
-        """The content in the form that OCI gives it.
+        """The content as a model.
 
         Raises:
-            ValidationError: it has another one.
+            ValidationError: the content does not follow OCI's specification.
         """
         return (documents.Index if self.is_index else documents.Image).model_validate(self.content)
 
     @property
     def is_index(self) -> bool:
-        """Whether it lists manifests, one for each platform."""
+        """Whether this is an index, which lists manifests."""
         return self.media_type in INDEXES
 
     @property
     def descriptor(self) -> dict[str, Any]:
-        """What points at it: as subject, or in an index."""
+        """The descriptor of this manifest, for an index or as a subject."""
         return {"mediaType": self.media_type, "digest": self.digest, "size": self.size}
 
     @property
     def members(self) -> list[Descriptor]:
-        """The manifests that an index lists; none of an image."""
+        """The manifests that an index lists; none if this is an image."""
         return self._document.manifests or []
 
     @property
     def layers(self) -> list[Descriptor]:
-        """The layers of an image, lowest first; none of an index."""
+        """The layers of an image, lowest first; none if this is an index."""
         return self._document.layers or []
 
     @property
     def config(self) -> Descriptor | None:
-        """What points at the config of an image; None of an index, and of some artifacts."""
+        """The descriptor of an image's config; None if this is an index, and for some artifacts."""
         return self._document.config
 
     @property
     def annotations(self) -> dict[str, str]:
-        """What it says of itself."""
+        """The annotations of the manifest itself."""
         return self._document.annotations
 
     @property
     def subject(self) -> str:
-        """The digest of the manifest that it is attached to; empty if it is attached to none."""
+        """The digest of the manifest that this one is attached to; empty if it is attached to none."""
         found = self._document.subject
         return found.digest if found else ""
 
     @property
     def artifact_type(self) -> str:
-        """Of which kind an artifact is; empty of an image."""
+        """The type of an artifact; empty if this is an image."""
         return self._document.artifactType or ""
 
 
@@ -138,7 +145,8 @@ class Config:
     """The config of an image.
 
     Attributes:
-        content: all that it has, to pass it on. facts: what of it this program reads.
+        content: the whole document, to pass it on.
+        facts: the fields that this program reads.
     """
 
     content: dict[str, Any]
@@ -151,7 +159,7 @@ class Config:
 
     @property
     def environment(self) -> list[str]:
-        """The variables that containers get: `NAME=value`."""
+        """The environment of containers, as `NAME=value`."""
         return (self.facts.config and self.facts.config.Env) or []
 
     @property

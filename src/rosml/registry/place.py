@@ -1,4 +1,4 @@
-"""Where images are, and go: a registry, the path before the names of its repositories, and paths below it."""
+"""Where images are: a registry, and the path before the names of its repositories."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from rosml.registry import oci, references
 from rosml.registry.client import Registry
 
 MADE = "application/vnd.rosml.repository.v1"
-"""The type of the artifact by which a repository is made. It has no tag."""
+"""The type of the artifact that creates a repository. It has no tag."""
 
 
 @dataclass(frozen=True)
 class Place:
-    """A registry, and a path in it below which images go.
+    """A registry, and a path in it for images.
 
     Attributes:
         client: talks to the registry.
@@ -26,9 +26,10 @@ class Place:
 
     @classmethod
     def at(cls, text: str, ca_bundle: str = "") -> Place:
-        """The place that a text such as `ghcr.io/me/rosml` names. Nothing is asked of the registry.
+        """The place that a text such as `ghcr.io/me/rosml` names. This sends no request to the registry.
 
         Args:
+            text: registry and path.
             ca_bundle: a file of certificates to trust.
 
         Raises:
@@ -45,20 +46,20 @@ class Place:
         return f"{self.prefix}/{repository}" if self.prefix else repository
 
     def reference(self, repository: str, digest: str = "") -> str:
-        """A repository with the registry before it; with a digest, of a manifest there."""
+        """The reference of a repository with its registry; or, with a digest, of a manifest in it."""
         return f"{self.client.host}/{self.path(repository)}" + (f"@{digest}" if digest else "")
 
     def __str__(self) -> str:
-        """As people write it."""
+        """The place as people write it."""
         return f"{self.client.host}/{self.prefix}".rstrip("/")
 
     def make(self, repository: str) -> bool:
-        """Has the registry make a repository, by an artifact of some bytes, if it did not do so before.
+        """Creates a repository by a push of a small artifact, unless the artifact is there.
 
-        Registries such as ghcr.io make a repository when somebody pushes into it first, and refuse others who push there meanwhile.
+        Registries such as ghcr.io create a repository at its first push, and refuse other pushes into it meanwhile.
 
         Returns:
-            Whether it was made now.
+            Whether the artifact was pushed now.
 
         Raises:
             RosmlError: the registry does not answer or refuses.

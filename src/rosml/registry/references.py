@@ -17,7 +17,7 @@ _REFERENCE = re.compile(rf"({_HOST})/({_PATH})(?::({TAG}))?(?:@({DIGEST}))?")
 
 
 class Reference(NamedTuple):
-    """Where something is: the registry, the repository, and a tag or digest."""
+    """The registry, the repository, and the tag or digest of a manifest."""
 
     host: str
     repository: str
@@ -28,11 +28,11 @@ class Reference(NamedTuple):
 
 
 def parse(reference: str) -> Reference:
-    """The parts of a complete reference, ``ghcr.io/me/ros:jazzy-base``. The tag is `latest` where there is none, and a
-    digest counts more than a tag.
+    """Splits a complete reference such as ``ghcr.io/me/ros:jazzy-base``. Without a tag, it is `latest`. If there are a tag and
+    a digest, the digest counts.
 
     Raises:
-        RosmlError: it is none, or names no registry (exit code 2).
+        RosmlError: the text is no reference, or names no registry (exit code 2).
     """
     found = _REFERENCE.fullmatch(reference)
     host = found[1] if found else ""
@@ -43,20 +43,20 @@ def parse(reference: str) -> Reference:
 
 
 def has_registry(name: str) -> bool:
-    """Whether the name of an image begins with a registry; Docker tells it so from a path of Docker Hub's."""
+    """Whether the name of an image begins with a registry, by Docker's rule; otherwise it is a path on Docker Hub."""
     host, slash, _ = name.partition("/")
     return bool(slash) and (re.search(r"[.:]", host) is not None or host == "localhost")
 
 
 def complete(name: str) -> str:
-    """The name of an image with its registry: without one, it is Docker Hub's."""
+    """The name of an image with its registry; a name without one belongs to Docker Hub."""
     if has_registry(name):
         return name
     return f"{DOCKER_HUB}/{name}" if "/" in name else f"{DOCKER_HUB}/library/{name}"
 
 
 def is_place(host: str, path: str) -> bool:
-    """Whether they can be a registry and a path in it."""
+    """Whether a host and a path can be a registry and a path in it."""
     if not re.fullmatch(_HOST, host) or not re.fullmatch(_PATH, path):
         return False
     try:
@@ -68,5 +68,5 @@ def is_place(host: str, path: str) -> bool:
 
 
 def is_digest(reference: str) -> bool:
-    """Whether it is a digest; a tag otherwise."""
+    """Whether a reference is a digest, not a tag."""
     return re.fullmatch(DIGEST, reference) is not None
