@@ -55,7 +55,7 @@ def test_a_ros_that_the_matrix_does_not_have(services: Services, monkeypatch: py
 
 def test_an_image_that_cannot_be_looked_at(services: Services, monkeypatch: pytest.MonkeyPatch) -> None:
     leaves(monkeypatch, *(f"etc/os-release/{number}" for number in range(300)))
-    with pytest.raises(RosmlError, match=r"vendor:1 cannot be looked at: .*200 files") as caught:
+    with pytest.raises(RosmlError, match=r"vendor:1 cannot be examined: .*200 files") as caught:
         adopted.look(services, "vendor:1", "linux/amd64", ["jazzy"])
     assert caught.value.remedy == "name another base image"
     assert not [*services.state.rglob("*.tar")], "it may be large"

@@ -386,7 +386,7 @@ REST = tar("usr/", ("usr/x", "x" * 4096), (LIST, MAIN))
         (packed("usr/", ("usr/x", os.urandom(4096)))[:2000], GZIP, "Compressed file ended before"),
         (tar((LIST, b"#" * (apt_sources.SOURCE_BYTES + 1))), TAR, "sources.list has 1048577 bytes"),
         (link(), TAR, "sources.list is no file"),
-        (REST, "application/vnd.oci.image.layer.v1.tar+gzip+encrypted", "is no kind of layer"),
+        (REST, "application/vnd.oci.image.layer.v1.tar+gzip+encrypted", "is no known type of layer"),
     ],
 )
 def test_a_layer_that_cannot_be_read(

@@ -239,7 +239,7 @@ def test_the_builder_is_told_of_when_ros_repository_is(stage: Stage, monkeypatch
 
     monkeypatch.setattr(sync, "published", silent)
     assert told() == '{"alpha": ""}'
-    assert "nobody answers; taken for as it was last time: never asked" in stage.said
+    assert "nobody answers; using the date of last time: unknown" in stage.said
     assert told("monday") == '{"alpha": "monday"}', "a run that knows it asks nobody"
     monkeypatch.setattr(sync, "published", lambda source: SYNC)
     assert told() == f'{{"alpha": "{SYNC}"}}'

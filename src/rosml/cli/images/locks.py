@@ -44,7 +44,13 @@ if TYPE_CHECKING:
     " docs/installs.md; exit 1 if constraints force older releases than necessary.",
 )
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 if a lock or a base image would change.")
-@click.option("--stack", "stacks", multiple=True, metavar="NAME", help="Only the locks of this stack or row of wheels.")
+@click.option(
+    "--stack",
+    "stacks",
+    multiple=True,
+    metavar="NAME",
+    help="Only the locks of this stack, or of this distribution's wheels.",
+)
 @options.MATRIX
 @click.option(
     "--report",

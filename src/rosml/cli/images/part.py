@@ -56,7 +56,7 @@ def main(
     results = []
     for item in wanted:
         results.append(found.publish(services, image_set, item, say, namespace, again, platform))
-        with Registry(services.registry) as client:  # what 'join' compares
+        with Registry(services.registry) as client:  # attaches the list of files that 'rosml join' compares
             contents.attach(services, image_set, client, f"{namespace}/part", results[-1].digest, say)
         if not (as_json or markdown):
             done = results[-1]

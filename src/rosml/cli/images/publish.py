@@ -191,7 +191,7 @@ def _scan(
         trivy: Trivy | ScannerFailed = Trivy.find(ROOT, environment=trust.trusting(run.state.request.services))
         if fetch and isinstance(trivy, Trivy):
             trivy.fetch(rules.policy.database, database, say)
-    except ScannerFailed as error:  # every image says so
+    except ScannerFailed as error:  # the outcome of every image says so
         trivy = error
     return scan_images(run, rules, trivy, reports, results)
 

@@ -1,2 +1,1 @@
-"""Builds parts and ROS images with the builder, runs their structure tests, and lists their files. Uses join, machine
-and below."""
+"""Builds parts and ROS images with the builder, runs structure tests, and lists files. Uses join, machine and below."""

@@ -1,6 +1,6 @@
-"""ROS on an image of somebody else: the steps that make our own ROS images, on it in the place of an operating system's image.
+"""Installs ROS on an image of somebody else, with the same steps that build our own ROS images.
 
-What the image has stays: its variables, its user, its programs, its entrypoint, which ours calls.
+The image keeps its variables, its user, its programs, and its entrypoint, which our entrypoint calls.
 """
 
 from __future__ import annotations
@@ -34,21 +34,21 @@ from rosml.machine.services import Services
 from rosml.registry import oci
 
 BIN = "/usr/local/lib/rosml/bin"
-"""A folder before all others on PATH: `python3` is that of ROS there, wherever the image has others."""
+"""The first folder on PATH. Its `python3` is the Python of ROS, even if the image has others."""
 
 ENTRYPOINT = ("/tini", "--", "/entrypoint.sh")
-"""What images start with (components/base)."""
+"""The entrypoint of our images (components/base)."""
 
 MOVED = "/usr/local/lib/rosml/entrypoint.sh"
-"""Where an /entrypoint.sh of the image's own goes (components/base/contract.sh)."""
+"""Where the image's own /entrypoint.sh goes (components/base/contract.sh)."""
 
 _KEPT = ("LANG", "PYTHONIOENCODING", "NVIDIA_VISIBLE_DEVICES", "NVIDIA_DRIVER_CAPABILITIES")
-"""Variables that our images set, and that stay as the image has them if it sets them."""
+"""Variables that our images set. If the image sets them, its values stay."""
 
 _OTHERWISE = re.compile(
     r"BASH_ENV|ENV|CDPATH|HOME|TMPDIR|LANG|LANGUAGE|(LC|LD|PYTHON)_?[A-Z0-9_]+|PIP_(REQUIRE_VIRTUALENV|TARGET|PREFIX|USER)"
 )
-"""Variables by which programs of our steps would read, load or write something else. They are empty for the steps."""
+"""Variables that would change what programs of our steps read, load or write. They are empty in the steps."""
 
 _INITS = ("tini", "tini-static", "docker-init", "dumb-init", "catatonit")
 
@@ -56,7 +56,7 @@ _INTERPRETERS = re.compile(r"(python|perl|ruby|node|java|php)[\d.]*")
 _PROGRAMS = re.compile(rf"{_INTERPRETERS.pattern}|(ba|da|z)?sh")
 
 _FACTS = exported.Limits(entries=200, each=4 << 20, total=8 << 20)
-"""Of what is copied out of an image to see what it is: os-release, two programs, and files of ROS."""
+"""Limits of what is copied out of an image to examine it: os-release, two programs, and files of ROS."""
 
 
 @dataclass(frozen=True)
@@ -64,12 +64,17 @@ class Adopted:
     """An image of somebody else, on which ROS is installed.
 
     Attributes:
-        reference: by its digest, or of the user's Docker.
-        image_set: all that the matrix describes. image: the ROS image of it whose ROS the other one gets.
-        environment, user, entrypoint, shell, labels: of its config.
-        carries: CUDA and frameworks that it has.
-        sync: of when ROS's apt repository is; empty if no repository of ROS's own has the packages.
-        system: the image of the row's own operating system, if steps take a tool from it.
+        reference: by digest, or of an image in the user's Docker.
+        image_set: all that the matrix describes.
+        image: the ROS image whose ROS is installed.
+        environment: from the config.
+        user: from the config.
+        entrypoint: from the config.
+        shell: from the config.
+        labels: from the config.
+        carries: CUDA and frameworks that the image has.
+        sync: the sync date of ROS's apt repository; empty if the packages come from elsewhere.
+        system: the base image of the distribution's operating system, if steps take a tool from it.
     """
 
     reference: str
@@ -86,7 +91,7 @@ class Adopted:
 
     @cached_property
     def inputs(self) -> str:
-        """A digest of what decides the base beside the image itself and its platforms."""
+        """A digest of everything that decides the result, except the image itself and its platforms."""
         inputs = Inputs(ROOT, self.image_set)
         found = [inputs.digest(self.image.target, architecture) for architecture in self.image.architectures]
         return hashlib.sha256(oci.encoded({"inputs": found, "sync": self.sync})).hexdigest()
@@ -95,14 +100,17 @@ class Adopted:
 def look(
     services: Services, reference: str, platform: str, ros: Iterable[str], frameworks: Iterable[str] = ()
 ) -> System:
-    """What an image is. The builder copies a few files out of it, and runs nothing. Once is enough for a digest.
+    """Examines an image. The builder copies a few files out of it, and runs nothing. The result is kept for its digest.
 
     Args:
-        reference: as the builder takes it. platform: which of its images.
-        ros: the distributions to look for in /opt/ros. frameworks: Python packages to look for.
+        services: the builder.
+        reference: as the builder takes it.
+        platform: which image of an index.
+        ros: the distributions to look for in /opt/ros.
+        frameworks: Python packages to look for.
 
     Raises:
-        RosmlError: the image cannot be had.
+        RosmlError: the image is not available, or cannot be examined.
     """
     asked = {"reference": reference, "platform": platform, "ros": sorted(set(ros)), "for": sorted(set(frameworks))}
     state = services.state / "adopted" / hashlib.sha256(oci.encoded(asked)).hexdigest()
@@ -112,7 +120,7 @@ def look(
             try:
                 return _SYSTEM.validate_json(known.read_bytes())
             except ValidationError:
-                pass  # of another version of this program
+                pass  # from another version of this program
         found = _look(services, reference, platform, state, sorted(set(ros)), sorted(set(frameworks)))
         files.write(known, _SYSTEM.dump_json(found).decode())
     return found
@@ -121,21 +129,21 @@ def look(
 _SYSTEM = TypeAdapter(System)
 
 _LINK = "failed to calculate checksum of ref"
-"""What the builder says of a link that leads nowhere."""
+"""The builder's message about a link that leads nowhere."""
 
 
 def _look(
     services: Services, reference: str, platform: str, state: Path, ros: Iterable[str], frameworks: Iterable[str]
 ) -> System:
     archive = state / "system.tar"
-    # Each part of a path is a pattern: it may match nothing. Links are followed.
+    # Each part of a path is a pattern, so that it may match nothing. Links are followed.
     copies = ["/et[c]/os-releas[e] /etc/", "/us[r]/li[b]/os-releas[e] /usr/lib/"]
     copies += [f"/us[r]/bi[n]/{tool[:-1]}[{tool[-1]}] /bi[n]/{tool[:-1]}[{tool[-1]}] /bin/" for tool in TOOLS]
-    # In images for Jetson, it is in a folder of that one.
+    # Images for Jetson have it in the folder `install` of the distribution's folder.
     for name in ros:
         place = f"/op[t]/ro[s]/{name[:-1]}[{name[-1]}]"
         copies.append(f"{place}/setup.bas[h] {place}/instal[l]/setup.bas[h] /opt/ros/{name}/")
-    copies.append("/op[t]/ro[s]/*/setup.bas[h] /op[t]/ro[s]/*/instal[l]/setup.bas[h] /opt/ros/")  # of whatever name
+    copies.append("/op[t]/ro[s]/*/setup.bas[h] /op[t]/ro[s]/*/instal[l]/setup.bas[h] /opt/ros/")  # any other ROS
     copies.append("/us[r]/loca[l]/cud[a]/version.jso[n] /us[r]/loca[l]/cuda-*/version.jso[n] /carries/cuda/")
     for name in frameworks:  # where pip and apt put them
         package = f"python3*/*-packages/{name}/__init__.p[y]"
@@ -157,16 +165,14 @@ def _look(
         if _LINK not in error.message:
             raise
         files_read = "os-release, apt-get, bash or a setup.bash below /opt/ros"
-        raise RosmlError(
-            f"{reference} cannot be looked at: {files_read} is a link that leads nowhere", remedy
-        ) from None
+        raise RosmlError(f"{reference} cannot be examined: {files_read} is a link that leads nowhere", remedy) from None
     folder = state / "system"
     try:
         exported.unpack(archive, folder, limits=_FACTS)
     except RosmlError as error:
-        raise RosmlError(f"{reference} cannot be looked at: {error.message}", remedy) from None
+        raise RosmlError(f"{reference} cannot be examined: {error.message}", remedy) from None
     finally:
-        archive.unlink(missing_ok=True)  # it may be large
+        archive.unlink(missing_ok=True)  # the archive may be large
     releases = (folder / name for name in ("etc/os-release", "usr/lib/os-release"))
     text = next((path.read_text(errors="replace") for path in releases if path.is_file()), "")
     found = {path.parent.name for path in (folder / "opt/ros").glob("*/setup.bash")}
@@ -178,7 +184,8 @@ def _look(
 
 
 def stage(services: Services, adopted: Adopted) -> Path:
-    """A folder with what the steps read. buildx looks at every file of its context, and a checkout may have a million."""
+    """A folder with the files that the steps read. buildx visits every file of its context, and a checkout may have a million
+    files."""
     place = services.state / "adopted" / f"steps-{adopted.inputs}"
     if not place.is_dir():
         place.parent.mkdir(parents=True, exist_ok=True)
@@ -190,13 +197,13 @@ def stage(services: Services, adopted: Adopted) -> Path:
             try:
                 folder.rename(place)
             except OSError:
-                if not place.is_dir():  # another call was quicker otherwise
+                if not place.is_dir():  # if it exists, another call was faster
                     raise
     return place
 
 
 def empty(folder: Path) -> Path:
-    """A folder without files, for a build that gets none."""
+    """An empty folder, as the context of a build."""
     place = folder / "empty"
     place.mkdir(parents=True, exist_ok=True)
     return place
@@ -205,12 +212,14 @@ def empty(folder: Path) -> Path:
 def base_targets(
     adopted: Adopted, name: str, common: Mapping[str, Any], nothing: Path, steps: Path
 ) -> dict[str, dict[str, Any]]:
-    """The bake targets that make a base of an image, each on the one before.
+    """The bake targets that install ROS on an image, each on the one before.
 
     Args:
-        name: of the last one, which is the base; others are called after it.
-        common: what all targets of the bake file have: platforms, secrets, a network.
-        nothing: an empty folder. steps: what `stage` gave.
+        adopted: the image, and the ROS for it.
+        name: of the last target. The names of the others begin with it.
+        common: settings of all targets, such as platforms, secrets and network.
+        nothing: an empty folder.
+        steps: the folder from `stage`.
     """
     image_set = adopted.image_set
     every = targets.of(image_set)
@@ -259,7 +268,7 @@ def base_targets(
 
 
 def _plain(adopted: Adopted) -> list[str]:
-    """Lines by which steps run as on our own images, whatever the image says of shells and programs."""
+    """Lines of a Dockerfile that make steps run as on our own images, whatever shells and variables the image sets."""
     lines = [
         f"ENV {key}={'/root' if key == 'HOME' else ''}" for key in adopted.environment if _OTHERWISE.fullmatch(key)
     ]
@@ -267,11 +276,11 @@ def _plain(adopted: Adopted) -> list[str]:
 
 
 _OWN = re.compile(r"(NVIDIA_)?(CUDA|CUDNN|PYTORCH|TORCH|TENSORFLOW)_VERSION")
-"""Variables by which images say that they have CUDA or a framework."""
+"""Variables that show that an image has CUDA or a framework."""
 
 
 def _labels(adopted: Adopted, row: Mapping[str, Value]) -> dict[str, str]:
-    """What `rosml join` asks an image for, and no claim about what is somebody else's: a label cannot be taken away, but be empty."""
+    """The labels that `rosml join` reads. Other labels with our prefix become empty, since a build cannot remove labels."""
     found = {
         name: str(value) for name, value in row.items() if name.startswith(labels.PREFIX) and isinstance(value, str)
     }
@@ -281,7 +290,7 @@ def _labels(adopted: Adopted, row: Mapping[str, Value]) -> dict[str, str]:
 
 
 def _last(adopted: Adopted, kept: Iterable[str]) -> str:
-    """What stands on ROS: how the image starts, as whom, and with what."""
+    """The Dockerfile of the last target: variables, shell, user and entrypoint of the image."""
     lines = ["FROM ros"]
     for key in kept:
         lines += [f"ARG KEPT_{key}", f"ENV {key}=${{KEPT_{key}}}"]
@@ -296,8 +305,8 @@ def _last(adopted: Adopted, kept: Iterable[str]) -> str:
 
 
 def called(entrypoint: Sequence[str]) -> tuple[str, ...]:
-    """What ours calls of an image's own entrypoint, before the command: nothing of one that takes no command, such as a line for a
-    shell or an interpreter; and no init, which ours has."""
+    """The words of an image's own entrypoint that our entrypoint calls before the command: without an init, which ours has;
+    none if the entrypoint takes no command, such as a shell line or an interpreter."""
     words = list(entrypoint)
     if words and PurePosixPath(words[0]).name in _INITS:
         del words[0]
@@ -311,7 +320,7 @@ def called(entrypoint: Sequence[str]) -> tuple[str, ...]:
 
 
 def _argument(value: Value, sync: str) -> str | None:
-    """What an argument of our own images says; None if nothing."""
+    """The value of a build argument of our own images; None if it has none."""
     if isinstance(value, str):
         return value
     if isinstance(value, Overridable):

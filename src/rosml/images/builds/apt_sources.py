@@ -1,8 +1,8 @@
-"""The apt sources of a base image, read from its registry without a builder: whom apt asks in a build.
+"""The apt sources of a base image, which apt asks in a build; read from the image's registry without a builder.
 
-A layer is read while it arrives. One that is sorted by name, as those of Debian and Ubuntu are, is left as soon as it is past
-/etc/apt: that is some hundred kB of 30 MB. Any other layer is read to its end. A base image by its digest never changes, so
-what was read is kept.
+A layer is read while it arrives. If its files are sorted by name, as in Debian's and Ubuntu's images, the reading stops after
+/etc/apt: that is some hundred kB of 30 MB. Other layers are read to the end. The result is kept, since the content of a digest
+never changes.
 """
 
 from __future__ import annotations
@@ -41,24 +41,24 @@ LAYER_BYTES = 16 << 30
 FOLDER = ("etc", "apt")
 _FILE = re.compile(r"etc/apt/sources\.list(?:\.d/[A-Za-z0-9_-][A-Za-z0-9_.-]*\.(?:list|sources))?")
 _FOLDERS = ("", "etc", "etc/apt", "etc/apt/sources.list.d")
-"""Folders that hold sources: where a layer deletes one, the sources of the layers below are gone."""
+"""Folders that hold sources. If a layer deletes one, it deletes the sources of the layers below."""
 
 _WHITEOUT, _OPAQUE = ".wh.", ".wh..wh..opq"
 _NO = ("no", "false", "without", "off", "disable", "0")
-"""As apt spells it."""
+"""apt's words for no."""
 
 Texts = dict[str, str]
-"""Files of apt sources: path, without a slash at the beginning, and text."""
+"""The text of files of apt sources, by path without a slash at the beginning."""
 
 
 @dataclass(frozen=True)
 class Source:
-    """What apt asks for lists of packages.
+    """A source that apt asks for lists of packages.
 
     Attributes:
-        address: of the archive, without a slash at the end. A user and a password may be in it.
-        suite: such as bookworm-updates; the path of a flat repository, which ends in a slash.
-        components: such as main; none of a flat repository.
+        address: of the archive, without a slash at the end. It may contain a user and a password.
+        suite: such as bookworm-updates; for a flat repository its path, which ends in a slash.
+        components: such as main; none for a flat repository.
     """
 
     address: str
@@ -67,23 +67,29 @@ class Source:
 
     @property
     def flat(self) -> bool:
-        """Whether the lists of packages are beside the Release file."""
+        """Whether the repository is flat: its lists of packages are beside the Release file."""
         return self.suite.endswith("/")
 
     def release(self, address: str) -> str:
-        """Where the Release file is, below an address that is asked for this one."""
+        """The address of the Release file.
+
+        Args:
+            address: of the archive, or of its copy on a mirror.
+        """
         return f"{address}/{self.suite.lstrip('/')}Release" if self.flat else f"{address}/dists/{self.suite}/Release"
 
 
 def sources(services: Services, systems: Mapping[str, OperatingSystem], name: str) -> tuple[Source, ...]:
-    """The apt sources of an operating system's base image, of this machine's architecture, that answer over HTTP.
+    """The HTTP apt sources of an operating system's base image, for this machine's architecture.
 
     Args:
-        services: this machine's. systems: those of matrix.yaml. name: of one of them.
+        services: of this machine.
+        systems: the operating systems of matrix.yaml.
+        name: of one of them.
 
     Raises:
-        RosmlError: the base image cannot be had or read, or its sources are no apt sources; a variable names no base image by
-            its digest (exit code 2).
+        RosmlError: the base image is not available or cannot be read, or its sources are malformed; or a variable names no
+            base image by digest (exit code 2).
     """
     reference = base_images.reference(services, systems, name)
     architecture = base_images.native_architecture()
@@ -117,14 +123,15 @@ def _keep(file: Path, texts: Texts) -> None:
 
 
 def parse(texts: Mapping[str, str], image: str) -> tuple[Source, ...]:
-    """The sources in some files, in apt's order, each suite of an archive once. Those that do not answer over HTTP, and those of
-    source packages, are left out.
+    """The sources in some files, in apt's order, with each suite of an archive once. Only sources over HTTP count, and no
+    sources of source packages.
 
     Args:
-        texts: by path. image: whose they are, for errors.
+        texts: texts by path.
+        image: the image that has them, for errors.
 
     Raises:
-        RosmlError: apt could not read them either.
+        RosmlError: a source is malformed, so that apt cannot read it either.
     """
     found: dict[tuple[str, str], dict[str, None]] = {}
     for path in sorted(texts):
@@ -146,16 +153,16 @@ _Entry = tuple[int, list[str], list[str], list[str]]
 
 
 def _lines(text: str) -> Iterator[_Entry]:
-    """The binary sources of a file with one on each line: ``deb [options] URI suite components…``."""
+    """The binary sources of a file in the one-line format: ``deb [options] URI suite components…``."""
     for number, line in enumerate(text.split("\n"), 1):
         if found := re.match(r"\s*deb\s+(?:\[[^]]*\]\s*)?([^#]*)", line):
-            # The name of a CD is in brackets, and may have spaces in it.
+            # The name of a CD is in brackets, and may contain spaces.
             words = re.sub(r"^(\w+:)\[[^]]*\]", r"\1", found[1]).split()
             yield number, words[:1], words[1:2], words[2:]
 
 
 def _stanzas(text: str) -> Iterator[_Entry]:
-    """The binary sources of a file with a paragraph of fields for each (deb822)."""
+    """The binary sources of a file in the deb822 format, with a paragraph of fields for each."""
     fields: dict[str, list[str]] = {}
     start, name = 0, ""
     for number, line in enumerate([*text.split("\n"), ""], 1):
@@ -180,10 +187,10 @@ def _stanzas(text: str) -> Iterator[_Entry]:
 
 
 def _read(services: Services, reference: str, architecture: str) -> Texts:
-    """The files of apt sources in a base image.
+    """Reads the files of apt sources in a base image.
 
     Raises:
-        RosmlError: the registry does not answer; the image is not there for the architecture; a layer cannot be read.
+        RosmlError: the registry does not answer; the image does not exist for the architecture; a layer cannot be read.
     """
     with Registries(services.ca_bundle) as registries:
         for place in _places(services, reference):
@@ -199,14 +206,14 @@ def _read(services: Services, reference: str, architecture: str) -> Texts:
 
 
 def _places(services: Services, reference: str) -> list[references.Reference]:
-    """Where a base image is: the local registry first, where that is the builder's mirror of Docker Hub."""
+    """The places of a base image. If the local registry is the builder's mirror of Docker Hub, it comes first."""
     place = references.parse(references.complete(reference))
     mirrored = place.host == DOCKER_HUB and services.bases and services.registry
     return [place._replace(host=services.registry), place] if mirrored else [place]
 
 
 def _manifest(registry: Registry, place: references.Reference, architecture: str) -> Manifest | None:
-    """The manifest of an image for an architecture; None where the registry has no such image."""
+    """The manifest of an image for an architecture; None if the registry has no such image."""
     found = registry.manifest(place.repository, place.reference)
     if found is None or not found.is_index:
         return found
@@ -217,9 +224,10 @@ def _manifest(registry: Registry, place: references.Reference, architecture: str
 
 
 def read_layer(registry: Registry, place: references.Reference, layer: Descriptor) -> tuple[Texts, set[str]]:
-    """The files of apt sources in a layer, and what of them it deletes from the layers below.
+    """The files of apt sources in a layer, and the paths of those that it deletes from the layers below.
 
-    The digest of a layer that was not read to its end is not known to be right: whom we ask depends on it, and no content.
+    If a layer is not read to its end, its digest is not checked. The result decides only which archives are asked, and no
+    content of an image.
     """
 
     def read(blocks: Iterator[bytes]) -> tuple[Texts, set[str]]:
@@ -229,7 +237,7 @@ def read_layer(registry: Registry, place: references.Reference, layer: Descripto
                 tarfile.open(fileobj=stream, mode="r|", tarinfo=archives.Entry) as archive,
             ):
                 found, whole = _found(archive)
-            for _ in blocks if whole else ():  # to the end, where the digest is checked
+            for _ in blocks if whole else ():  # at the end, the digest is checked
                 pass
             return found
         except (tarfile.TarError, zlib.error, EOFError, OSError, OverflowError, ValueError) as error:
@@ -242,16 +250,16 @@ def read_layer(registry: Registry, place: references.Reference, layer: Descripto
 
 
 def _found(archive: tarfile.TarFile) -> tuple[tuple[Texts, set[str]], bool]:
-    """As `read_layer`; and whether all of the layer was read.
+    """The result of `read_layer`, and whether the whole layer was read.
 
-    It stops past /etc/apt, if there were sources and all names so far came in order.
+    The reading stops after /etc/apt, if there were sources, and all names so far were sorted.
     """
     texts: Texts = {}
     gone: set[str] = set()
     last: tuple[str, ...] = ()
     in_order = True
     while entry := archive.next():
-        archive.members.clear()  # type: ignore[attr-defined] # those that tarfile keeps, a hundred thousand in some layers
+        archive.members.clear()  # type: ignore[attr-defined] # tarfile keeps all members, a hundred thousand in some layers
         *folders, name = [part for part in entry.name.split("/") if part not in ("", ".")] or [""]
         place = (*folders, name.removeprefix(_WHITEOUT))
         in_order, last = in_order and last <= place, place
@@ -283,7 +291,7 @@ def _hidden(path: str, gone: set[str]) -> bool:
 
 
 class _Blocks(io.RawIOBase):
-    """What arrives in pieces, as a file."""
+    """A file-like object over pieces of bytes."""
 
     def __init__(self, blocks: Iterator[bytes]) -> None:
         self._blocks, self._rest = blocks, b""
@@ -301,7 +309,7 @@ class _Blocks(io.RawIOBase):
 
 @contextlib.contextmanager
 def _unpacked(blocks: Iterator[bytes], media_type: str) -> Iterator[IO[bytes]]:
-    """A layer's tar, from what the registry sends."""
+    """The unpacked tar of a layer, as a file-like object."""
     packed = io.BufferedReader(_Blocks(blocks))
     if media_type.endswith("gzip"):
         with gzip.GzipFile(fileobj=packed) as stream:
@@ -312,12 +320,13 @@ def _unpacked(blocks: Iterator[bytes], media_type: str) -> Iterator[IO[bytes]]:
     elif media_type.endswith("tar"):
         yield packed
     else:
-        raise ValueError(f"{media_type} is no kind of layer that is known")
+        raise ValueError(f"{media_type} is no known type of layer")
 
 
 @contextlib.contextmanager
 def _zstd(blocks: Iterator[bytes]) -> Iterator[IO[bytes]]:
-    """Unpacks by the program of that name, which Python 3.11 needs for it: from a file, so that nobody has to feed it."""
+    """Unpacks zstd with the program of that name, since Python 3.11 cannot. The program reads a file, so that no thread has to
+    feed it."""
     with tempfile.TemporaryFile() as file:
         for block in blocks:
             file.write(block)

@@ -1,10 +1,10 @@
-"""Base images by digest: those that matrix.yaml names, or others that this machine was told to take in their place.
+"""Base images by digest: those that matrix.yaml names, or others that this machine uses instead.
 
-A variable names another one: `OS_BOOKWORM=registry.example.com/debian:bookworm@sha256:…`. Without it, a machine's set-up may
-name a command (`Services.bases`), for where the images of matrix.yaml cannot be had. It is called with an image by its digest
-and prints a JSON object: `{"reference": …}`, which the builder can pull, or `{"error": …, "remedy": …}` and a failure. With
-`--check` it says in `{"missing": …}` why there is none; with `--assembler 3.12`, the image may be another one that parts for
-that Python are built on, and `{"python": …}` says which Python it has.
+A variable names another image: `OS_BOOKWORM=registry.example.com/debian:bookworm@sha256:…`. A machine that cannot pull the
+images of matrix.yaml may have a command for them (`Services.bases`). rosml calls the command with an image by digest. The
+command prints a JSON object: `{"reference": …}`, which the builder can pull; or `{"error": …, "remedy": …}`, if it fails. With
+`--check`, it prints `{"missing": …}` with the reason why the image is not available. With `--assembler 3.12`, it may give
+another image to build parts for that Python on, and `{"python": …}` says which Python this image has.
 """
 
 from __future__ import annotations
@@ -28,7 +28,12 @@ PINNED = re.compile(r"[^\s@]+@sha256:[0-9a-f]{64}")
 
 @dataclass(frozen=True)
 class Assembler:
-    """What parts are built on: a reference by digest, and the version of Python there; empty where it has not the wanted one."""
+    """The image that parts are built on.
+
+    Attributes:
+        reference: by digest.
+        python: the version of Python in it; empty if it lacks the wanted one.
+    """
 
     reference: str
     python: str
@@ -44,13 +49,14 @@ def reference(services: Services, systems: Mapping[str, OperatingSystem], name: 
     """The reference by digest of an operating system's base image, which the builder can pull.
 
     Args:
-        services: this machine's.
-        systems: those of matrix.yaml. name: of one of them.
-        architecture: `amd64` or `arm64`; the machine's own if empty. The image has both where it is not: parts are built on
-            the machine's own.
+        services: of this machine.
+        systems: the operating systems of matrix.yaml.
+        name: of one of them.
+        architecture: `amd64` or `arm64`; the machine's own if empty. For another architecture than its own, the machine's
+            command gives an image that has both, because parts are built on the machine's own.
 
     Raises:
-        RosmlError: the image cannot be had here, or a variable names none by its digest (exit code 2).
+        RosmlError: the image is not available here, or a variable names no image by digest (exit code 2).
     """
     if given := _given(name):
         return given
@@ -61,15 +67,16 @@ def reference(services: Services, systems: Mapping[str, OperatingSystem], name: 
 
 
 def assembler(services: Services, systems: Mapping[str, OperatingSystem], name: str, python: str) -> Assembler:
-    """What parts for an operating system and a Python are built on, on this machine's own architecture.
+    """The image that parts for an operating system and a Python are built on, for this machine's own architecture.
 
     Args:
-        services: this machine's.
-        systems: those of matrix.yaml. name: of the one that has that Python.
-        python: such as `3.12`; `any` where no Python is needed.
+        services: of this machine.
+        systems: the operating systems of matrix.yaml.
+        name: of the one that has that Python.
+        python: such as `3.12`; `any` if no Python is needed.
 
     Raises:
-        RosmlError: as for `reference`.
+        RosmlError: as in `reference`.
     """
     if _given(name) or not services.bases:
         return Assembler(reference(services, systems, name), systems[name].python)
@@ -77,10 +84,10 @@ def assembler(services: Services, systems: Mapping[str, OperatingSystem], name: 
 
 
 def missing(services: Services, systems: Mapping[str, OperatingSystem], name: str) -> str:
-    """Why an operating system's base image cannot be had on this machine; empty where it can.
+    """Why an operating system's base image is not available on this machine; empty if it is.
 
     Raises:
-        RosmlError: nobody can tell, or a variable names no image by its digest (exit code 2).
+        RosmlError: the machine's command fails, or a variable names no image by digest (exit code 2).
     """
     if _given(name) or not services.bases:
         return ""
@@ -88,7 +95,7 @@ def missing(services: Services, systems: Mapping[str, OperatingSystem], name: st
 
 
 def name_another(name: str) -> str:
-    """What helps where an operating system's base image cannot be had, in words."""
+    """The remedy if an operating system's base image is not available."""
     return f"name one that answers: {names.os_variable(name)}=registry.example.com/image:tag@sha256:…"
 
 
@@ -98,10 +105,10 @@ def _official(system: OperatingSystem) -> str:
 
 
 def _given(name: str) -> str:
-    """The reference that a variable names; empty where none does.
+    """The reference in an operating system's variable; empty if it is not set.
 
     Raises:
-        RosmlError: it names no image by its digest (exit code 2).
+        RosmlError: the variable names no image by digest (exit code 2).
     """
     variable = names.os_variable(name)
     text = os.environ.get(variable, "").removeprefix("docker-image://")
@@ -112,10 +119,10 @@ def _given(name: str) -> str:
 
 @functools.cache
 def _answer(services: Services, name: str, image: str, keys: tuple[str, ...], *arguments: str) -> tuple[str, ...]:
-    """What the machine's command says of an image; asked once in a process. What it tells people goes to standard error.
+    """Values of the machine's command for an image. A process calls it once. Its messages for people go to standard error.
 
     Raises:
-        RosmlError: it fails, or says nothing of use.
+        RosmlError: the command fails, or prints something else.
     """
     command = [*services.bases, image, *arguments]
     try:

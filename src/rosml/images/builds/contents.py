@@ -1,6 +1,6 @@
-"""What is in an image that was pushed, attached to it: the list of its files, and its SBOM.
+"""Attaches its list of files and its SBOM to a pushed image.
 
-Both are made by the builder that built the image, which has its layers: nobody pulls an image to know what is in it.
+The builder that built the image makes both: it has the layers already, so that nobody pulls an image to see its content.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ from rosml.registry.client import Registry
 from rosml.registry.oci import Manifest
 
 TARGET = "contents"
-"""The bake target that says what is in an image."""
+"""The bake target that lists the content of an image."""
 
 PACKAGES = "packages.json"
-"""The packages of an image, as components/containerize/contents.py writes them."""
+"""The packages of an image, written by components/containerize/contents.py."""
 
 FILES = "files.gz"
-"""The list of its files."""
+"""The list of files of an image."""
 
 
 def attach(
@@ -40,21 +40,24 @@ def attach(
     digest: str,
     say: Callable[[str], None],
 ) -> dict[str, str]:
-    """Attaches to an image that was pushed what is in it, for each of its platforms.
+    """Attaches a list of files and an SBOM to a pushed image, for each of its platforms.
 
-    The builder mounts the image, which it has where it built it, and runs nothing of it: no emulation is needed.
-    A manifest that has a list of files keeps it. The same packages give the same SBOM, by its digest.
+    The builder mounts the image and runs nothing of it, so no emulation is needed. If a manifest has a list of files, it keeps
+    that list. The same packages give an SBOM with the same digest.
 
     Args:
-        services: the builder. image_set: for the system whose tools look into the image.
-        registry: where the image is. repository: its path there. digest: of a manifest, or of an index.
-        say: told what is going on, a line at a time.
+        services: the builder.
+        image_set: names the operating system whose tools read the image.
+        registry: of the image.
+        repository: path of the image.
+        digest: of a manifest or an index.
+        say: prints a line of progress.
 
     Returns:
-        Digests of the SBOMs' artifacts, by those of the manifests.
+        Digests of the SBOMs' artifacts, by digest of the manifest.
 
     Raises:
-        RosmlError: the image is not there; the build failed; the registry refuses.
+        RosmlError: the image is missing; the build failed; the registry refuses.
     """
     found = {}
     for manifest in manifests(registry, repository, digest):
@@ -70,16 +73,16 @@ def attach(
 
 
 def manifests(registry: Registry, repository: str, digest: str) -> list[Manifest]:
-    """A manifest itself, or those of an index that are for a platform.
+    """The manifest itself; or, of an index, the manifests for platforms.
 
     Raises:
-        RosmlError: the image is not there, or is none.
+        RosmlError: the image is missing, or the manifest is no image (exit code 2).
     """
     found = _there(registry, repository, digest)
     digests = [entry.digest for entry in found.members if "unknown" not in platform(entry.platform)]
     images = [_there(registry, repository, name) for name in dict.fromkeys(digests)] if found.is_index else [found]
     for image in images:
-        if image.config is None:  # also of an index within an index
+        if image.config is None:  # also if an index contains an index
             text = f"{registry.host}/{repository}@{image.digest} is no image: it has no config"
             raise RosmlError(text, "check its name", exit_code=2)
     return images
@@ -95,7 +98,7 @@ def _there(registry: Registry, repository: str, digest: str) -> Manifest:
 def _made(
     services: Services, image_set: ImageSet, registry: Registry, repository: str, manifest: Manifest
 ) -> tuple[bytes, bytes]:
-    """The packages and the list of files."""
+    """The packages and the list of files of a manifest."""
     config = registry.config(repository, manifest)
     os_name = image_set.matrix.default.assembler
     base = base_images.reference(services, image_set.matrix.operating_systems, os_name)

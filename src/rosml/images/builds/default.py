@@ -1,4 +1,4 @@
-"""Which image is built where none is named."""
+"""Which image is built if none is named."""
 
 from __future__ import annotations
 
@@ -12,14 +12,16 @@ from rosml.machine.services import Services
 
 
 def default(services: Services, image_set: ImageSet, architecture: str, say: Callable[[str], None]) -> Image:
-    """The first of the matrix's default images that this machine can build; the last one is not asked about.
+    """The first of the matrix's default images that this machine can build. If it can build none, the last one.
 
     Args:
-        services: this machine's. image_set: all that the matrix describes. architecture: what is built for.
-        say: told which one it is, and why, in a line.
+        services: of this machine.
+        image_set: all that the matrix describes.
+        architecture: to build for.
+        say: prints a line with the image and the reason.
 
     Raises:
-        RosmlError: what the user said of a base image or a repository is wrong (exit code 2).
+        RosmlError: a base image or repository that the user set is wrong (exit code 2).
     """
     why = ""
     *preferred, last = (image_set.by_target[name] for name in image_set.matrix.default.targets)
@@ -33,7 +35,7 @@ def default(services: Services, image_set: ImageSet, architecture: str, say: Cal
 
 
 def _hindrance(services: Services, image_set: ImageSet, image: Image, architecture: str) -> str:
-    """Why an image cannot be built on this machine, in some words; empty where it can."""
+    """Why an image cannot be built on this machine; empty if it can."""
     if missing := base_images.missing(services, image_set.matrix.operating_systems, image.os):
         return missing
     try:

@@ -1,4 +1,4 @@
-"""Disk space: what a build will need, checked, or made, before it starts instead of in its middle."""
+"""Disk space for a build, checked or freed before the build starts."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ from rosml.images.matrix import rules
 from rosml.machine.services import Services
 
 RESERVE_MB = 2_000
-"""Left free beside the forecast: logs, the builder's bookkeeping, everybody else's."""
+"""Kept free beside the forecast, for logs, the builder's database and other programs."""
 
 PRUNE_SECONDS = 600.0
-"""How long the builder may take to remove what it keeps."""
+"""Time limit of the builder to prune its cache."""
 
 
 def needed_mb(image_set: ImageSet, image: Image, built: Iterable[str]) -> int:
     """Megabytes that building an image takes, without the parts that are built already.
 
-    A part stands unpacked twice in the builder (assembled, and as the layer that is joined) and compressed twice
-    (in the builder and in the registry); a ROS image unpacked once and compressed twice.
+    The builder holds a part unpacked twice: as it was built, and as the layer that is joined. It holds a ROS image unpacked
+    once. The builder and the registry each hold both compressed.
 
     Args:
         image_set: all that the matrix describes.
-        image: what is to be built.
-        built: names of the parts and targets that are there already.
+        image: the image to build.
+        built: names of the parts and targets that are built already.
     """
     done = built if isinstance(built, Set) else set(built)
     total = 0
@@ -41,27 +41,29 @@ def needed_mb(image_set: ImageSet, image: Image, built: Iterable[str]) -> int:
 
 
 def part_mb(part: Part) -> int:
-    """Megabytes that assembling a part takes."""
+    """Megabytes that building a part takes."""
     return 2 * part.disk.unpacked + 2 * part.disk.compressed
 
 
 def tested_mb(image_set: ImageSet, image: Image, there: Set[str]) -> int:
-    """Megabytes that testing an image takes that was made before, elsewhere for all that is known: it is fetched and unpacked.
+    """Megabytes that testing an image takes if it was perhaps made elsewhere: it is pulled and unpacked.
 
     Args:
-        there: names of the parts, and targets, that the builder has.
+        image_set: all that the matrix describes.
+        image: the image to test.
+        there: names of the parts and targets that the builder has.
     """
     parts = [image_set.part_by_name[name].disk for name in image.parts if name not in there]
     return _ros_mb(image_set, _ros(image_set, image), there) + sum(size.unpacked + size.compressed for size in parts)
 
 
 def _ros(image_set: ImageSet, image: Image) -> Image:
-    """The ROS image that an image is, or that parts are joined to, with the size that the image set says."""
+    """The image itself if it is a ROS image, or the ROS image below it; with the size in the image set."""
     return image_set.by_target[image.parent if image.stack else image.target]
 
 
 def _ros_mb(image_set: ImageSet, image: Image, done: Set[str]) -> int:
-    """Megabytes for a ROS image and what it stands on, down to the first one that is built."""
+    """Megabytes for a ROS image and the images below it, down to the first one that is built already."""
     if image.target in done:
         return 0
     below = image_set.by_target.get(image.parent)
@@ -73,16 +75,18 @@ def _ros_mb(image_set: ImageSet, image: Image, done: Set[str]) -> int:
 
 
 def make_room(services: Services, needed: int, say: Callable[[str], None]) -> bool:
-    """Has the builder forget what no build uses, the oldest first, until there is room for a build.
+    """Prunes the builder's cache, the oldest entries first, until there is room for a build.
 
-    The builder prunes its cache by itself, after a build and down to a limit that is the same for all; an image with CUDA needs
-    more at once. A builder that somebody brought may be on another machine, and is left alone.
+    The builder also prunes its cache itself, after a build and down to a fixed limit. An image with CUDA needs more room at
+    once. The user's own builder may be on another machine, and is left alone.
 
     Args:
-        needed: forecast in megabytes. say: told of it, and if there is too little even so.
+        services: the builder.
+        needed: forecast in megabytes.
+        say: prints a line of progress, and a warning if there is still too little room.
 
     Returns:
-        Whether the builder may have forgotten something.
+        Whether the builder may have removed something.
     """
     if services.builder_kind == "user" or _free_mb(services.state) >= needed + RESERVE_MB:
         return False
@@ -104,7 +108,7 @@ def make_room(services: Services, needed: int, say: Callable[[str], None]) -> bo
         say(f"the builder's cache was not pruned: {error}")
     if (free := _free_mb(services.state)) < needed + RESERVE_MB:
         say(
-            f"{gigabytes(free)} are free now: if the disk gets full, take a machine with more (architectures.*.runner in matrix.yaml)"
+            f"{gigabytes(free)} are free now: if the disk gets full, use a larger machine (architectures.*.runner in matrix.yaml)"
         )
     return True
 
@@ -113,19 +117,19 @@ def require(path: Path, needed: int, target: str) -> None:
     """Checks that a file system has room for a build.
 
     Args:
-        path: a folder on the file system that the builder and the registry use.
+        path: a folder on the file system of the builder and the registry.
         needed: forecast in megabytes.
         target: for the message.
 
     Raises:
-        RosmlError: there is too little, with the numbers.
+        RosmlError: there is too little room; the message has the numbers.
     """
     free = _free_mb(path)
     if needed and free < needed + RESERVE_MB:
         raise RosmlError(
             f"not enough disk space to build {target}: {gigabytes(needed + RESERVE_MB)} are needed (forecast and reserve),"
             f" {gigabytes(free)} are free at {path}",
-            "free some space ('rosml setup clean' removes what was made here), or take a smaller target: rosml list",
+            "free some space ('rosml setup clean' removes what was made here), or choose a smaller target: rosml list",
         )
 
 

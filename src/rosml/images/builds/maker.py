@@ -1,6 +1,6 @@
-"""Who makes what a publishing run publishes: builds parts and ROS images, joins them, and tests the result.
+"""Builds, joins and tests images for a publishing run.
 
-`Maker` is all that a run asks of it; what comes of it is in the registry, by digest. `BuildKitMaker` does it with the
+`Maker` is the interface for the run. It pushes results into the registry by digest. `BuildKitMaker` implements it with the
 builder. The run itself decides what is due, writes the records, and moves tags.
 """
 
@@ -30,18 +30,19 @@ from rosml.registry.place import Place
 from rosml.registry.references import Reference
 
 SAID = 8
-"""So many lines of each test that failed are kept: its last ones, which say why."""
+"""How many lines of each failed test are kept: the last ones, which say why."""
 
 
 @dataclass(frozen=True)
 class Made:
-    """What building an image or part came to.
+    """The result of building an image or part.
 
     Attributes:
-        digest: of its manifest. parts: digests of what it stands on, by target.
-        package_state: of the repositories that its packages came from; empty if no repository decides.
-        base: reference of the operating system's image that it starts from; empty where that is one of its parts.
-        sbom: digest of the artifact with its SBOM; empty of one that was joined.
+        digest: of its manifest.
+        parts: digests of the images and parts below it, by target.
+        package_state: state of the repositories that its packages came from; empty if it does not depend on any.
+        base: reference of the base image that it starts from; empty if it starts from one of its parts.
+        sbom: digest of the artifact with its SBOM; empty for a joined image.
     """
 
     digest: str
@@ -53,13 +54,14 @@ class Made:
 
 @dataclass(frozen=True)
 class Checked:
-    """What the structure tests of an image came to.
+    """The result of an image's structure tests.
 
     Attributes:
-        passed: how many passed. failures: those that did not.
-        unpacked: bytes of the image's root file system; 0 where nobody counted.
-        versions: what was found inside the image.
-        said: the last lines of each test that failed, below its name.
+        passed: how many tests passed.
+        failures: the tests that failed.
+        unpacked: bytes of the image's root file system; 0 if unknown.
+        versions: of packages and programs found in the image.
+        said: the last lines of each failed test, below its name.
     """
 
     passed: int = 0
@@ -73,9 +75,9 @@ def require_buildable(image: Image, architecture: str) -> None:
     """Checks, before anything is set up, that an image can be built for an architecture.
 
     Raises:
-        RosmlError: a lock is missing, or there is no such image (exit code 2).
+        RosmlError: a lock is missing, or the image does not exist for the architecture (exit code 2).
     """
-    # Tags are for all platforms, and need all locks; one platform alone needs its own.
+    # Tags cover all platforms, and need all locks. A build for another platform needs only its own lock.
     native = base_images.native_architecture()
     if missing.on(image, architecture) or (image.unlocked and architecture == native):
         text = f"{image.target} cannot be built yet: {missing.reason(image)}"
@@ -84,15 +86,15 @@ def require_buildable(image: Image, architecture: str) -> None:
         raise RosmlError(
             f"{image.target} exists for {listed(image.architectures)} only"
             + (f", and this machine is {native}" if architecture == native else ""),
-            "use such a machine, or another target: rosml list",
+            "use such a machine, or choose another target: rosml list",
             exit_code=2,
         )
 
 
 class Maker(Protocol):
-    """Makes images and parts for one architecture at a time, and pushes them by digest; it moves no tag.
+    """Makes images and parts for one architecture at a time, and pushes them by digest. It moves no tag.
 
-    Every method raises RosmlError where it fails.
+    Every method raises RosmlError if it fails.
     """
 
     def build_part(self, part: Part, architecture: str) -> Made:
@@ -102,25 +104,31 @@ class Maker(Protocol):
         """Builds a ROS image, and pushes it.
 
         Args:
-            parts: digest of the image below it, by target; none for the first component, which starts from the
-                operating system's image.
-            packages: the state of the package repositories; empty if no repository decides.
+            image: the ROS image.
+            architecture: to build for.
+            parts: digest of the image below it, by target; none for the first component, which starts from the base image.
+            packages: the state of the package repositories; empty if the image does not depend on any.
         """
 
     def join(self, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
         """Joins a ROS image and parts in the registry; gives the digest of the manifest.
 
         Args:
-            parts: digests of the ROS image, which is the first, and of the parts, by target.
+            image: the joined image.
+            architecture: to join for.
+            parts: digests by target: first the ROS image, then the parts.
         """
 
     def test(
         self, image: Image, architecture: str, digest: str, parts: Mapping[str, str], names: tuple[str, ...]
     ) -> Checked:
-        """Runs structure tests of an image. Tests that do not pass are no error.
+        """Runs structure tests of an image. Failed tests are no error.
 
         Args:
-            digest: of the image's manifest. parts: digests of what it was joined from or stands on, by target.
+            image: the image.
+            architecture: to test on.
+            digest: of the image's manifest.
+            parts: digests of the images and parts below it, by target.
             names: of the tests' files.
         """
 
@@ -130,11 +138,12 @@ class BuildKitMaker:
     """Builds and tests in the builder, and joins in the registry.
 
     Attributes:
-        services: the builder and the registry of this checkout. image_set: what there is to make.
+        services: the builder and the registry of this checkout.
+        image_set: all that the matrix describes.
         place: where images go.
-        say: told what is going on, a line at a time.
-        force: whether to build past the builder's cache.
-        forecast: the image set with what is known of sizes; by what the matrix says if None.
+        say: prints a line of progress.
+        force: whether to build without the builder's cache.
+        forecast: the image set with measured sizes; the matrix's sizes count if None.
     """
 
     services: Services
@@ -143,7 +152,7 @@ class BuildKitMaker:
     say: Callable[[str], None]
     force: bool = False
     forecast: ImageSet | None = None
-    _there: set[str] = field(default_factory=set)  # names of parts, and targets, that the builder has
+    _there: set[str] = field(default_factory=set)  # names of the parts and targets that the builder has
 
     def build_part(self, part: Part, architecture: str) -> Made:
         """Builds a part from its lock."""
@@ -155,16 +164,16 @@ class BuildKitMaker:
         return Made(digest, base=start.reference, sbom=self._describe(part, digest))
 
     def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], packages: str) -> Made:
-        """Builds a ROS image on the one below it, as it is in the registry."""
+        """Builds a ROS image on the image below it, which it takes from the registry."""
         self._require_builder(architecture)
         self._make_room(disk.needed_mb(self._sizes, image, self._there), image.parent, image.target)
         given = self.variables(image, architecture, package_state.ros_date(packages)) | {"DIGESTS": json.dumps(parts)}
         sets = [f"{image.target}.tags="]
-        # The first component brings the essentials, which are the operating system's own packages.
+        # The first component is built with its parent, the essentials, which are packages of the operating system.
         installing = [image.target] if parts else [image.parent, image.target]
         if self.force:
             sets += [f"{target}.no-cache=true" for target in installing]
-        elif packages:  # packages that moved are installed anew: the builder cannot know that they did
+        elif packages:  # makes the builder install the packages again after they moved, which it cannot know itself
             folder = self._changes_with(image, packages)
             sets += [f"{target}.contexts.upstream={folder}" for target in installing]
         bake_file = write_excerpt(self.services, self.image_set, image.target)
@@ -173,7 +182,7 @@ class BuildKitMaker:
         return Made(digest, parts, packages, "" if parts else base(image, given), self._describe(image, digest))
 
     def join(self, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
-        """Joins an image by a manifest: no layer is read or sent that the registry has."""
+        """Joins an image by its manifest. No layer in the registry is read or sent."""
         registry = self.place.client
         ros, *others = (
             Reference(registry.host, self.place.path(self._repositories[target]), digest)
@@ -184,10 +193,10 @@ class BuildKitMaker:
     def test(
         self, image: Image, architecture: str, digest: str, parts: Mapping[str, str], names: tuple[str, ...]
     ) -> Checked:
-        """Tests an image in a root file system of the layers that its manifest names.
+        """Tests an image in a root file system of the layers in its manifest.
 
-        A ROS image is taken by its digest. A joined one is joined in the builder from the same parts by their digests:
-        its layers are theirs, and parts that were unpacked once need not be unpacked for each image.
+        The builder takes a ROS image by its digest. It joins a joined image from the same parts by their digests. The layers
+        are the same, and the builder needs to unpack each part only once, not for each image.
         """
         self._require_builder(architecture)
         manifest = self.place.client.manifest(self.place.path(image.repository), digest)
@@ -213,7 +222,7 @@ class BuildKitMaker:
         return Checked(report.passed, failures, report.unpacked, report.versions, report.failures(SAID))
 
     def variables(self, image: Image, architecture: str, date: str = "") -> dict[str, str]:
-        """Variables of the bake file for an image; `build/variables.py` says which."""
+        """Variables of the bake file for an image; see `builds/variables.py`."""
         return variables(self.services, self.image_set, image, architecture, str(self.place), self.say, date)
 
     @property
@@ -221,14 +230,19 @@ class BuildKitMaker:
         return self.forecast or self.image_set
 
     def _make_room(self, needed: int, *coming: str) -> None:
-        """Makes room for a build, by which the builder will have some parts and ROS images."""
+        """Makes room for a build.
+
+        Args:
+            needed: megabytes.
+            coming: names of the parts and targets that the builder will have after it.
+        """
         if disk.make_room(self.services, needed, self.say):
             self._there.clear()
         self._there.update(coming)
 
     @cached_property
     def _joiner(self) -> Joiner:
-        """What puts images together; it reads each part once."""
+        """Joins images. It reads each part once."""
         return Joiner(lambda _: self.place.client, say=self.say)
 
     @cached_property
@@ -241,12 +255,12 @@ class BuildKitMaker:
         return self.image_set.matrix.architectures[architecture].platform
 
     def _require_builder(self, architecture: str) -> None:
-        """Checks that the builder runs, and runs programs of an architecture."""
+        """Checks that the builder is up, and can run programs of an architecture."""
         native = architecture == base_images.native_architecture()
         self.services.require_builder("" if native else self._platform(architecture))
 
     def _describe(self, thing: Image | Part, digest: str) -> str:
-        """Attaches to what was pushed the list of its files, for whoever joins it to others, and its SBOM; gives that."""
+        """Attaches the list of files, for joins, and the SBOM to a pushed image or part. Gives the digest of the SBOM."""
         where = self.place.path(repository_of(thing))
         return contents.attach(self.services, self.image_set, self.place.client, where, digest, self.say)[digest]
 
@@ -254,19 +268,21 @@ class BuildKitMaker:
         """A folder that changes with the state of a distribution's package repositories, for the builder's cache."""
         folder = self.services.state / "package-state" / image.distribution
         folder.mkdir(parents=True, exist_ok=True)
-        files.write(folder / "moment", packages + "\n")  # the file's name is part of the cache's keys
+        files.write(
+            folder / "moment", packages + "\n"
+        )  # the cache's keys contain the file's name, so it stays "moment"
         return folder
 
     def _digests(self, parts: Mapping[str, str]) -> dict[str, str]:
-        """Digests of parts by the names that the bake file's DIGESTS has for them."""
+        """Digests by name, as the bake file's variable DIGESTS needs them."""
         known = {part.target: part.name for part in self.image_set.parts}
         return {known.get(target, target): digest for target, digest in parts.items()}
 
     def _require_same_layers(self, image: Image, parts: Mapping[str, str], manifest: Manifest) -> None:
-        """Checks that a joined image is the sum of its parts, which is what the tests see.
+        """Checks that a joined image has exactly the layers of its parts, since the tests use these.
 
         Raises:
-            RosmlError: it is not.
+            RosmlError: it has other layers.
         """
         layers: list[str] = []
         for target, digest in parts.items():

@@ -1,8 +1,8 @@
 """Fingerprints of the apt repositories that ROS images are built from. A change triggers a rebuild.
 
-Every image has packages of its operating system, whatever its ROS comes from: the apt sources of its base image are asked for
-their lists of packages, as apt does in a build, and ROS's own repository for its date, as `sync` does.
-What is pinned (base images, wheels) is an input like any other, and not asked for.
+Every image has packages of its operating system, so the apt sources of its base image are asked for their lists of packages,
+as apt does in a build. If ROS comes from its own repository, that is asked for its date, by `sync`. Base images and wheels are
+pinned, so they are ordinary inputs.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ from rosml.machine.services import Services
 
 MIRROR = "OS_APT_MIRROR"
 RELEASE_BYTES = 1 << 22
-"""More than any Release file has; Debian's have some hundred kB."""
+"""More than any Release file has. Debian's files have some hundred kB."""
 
 ARCHITECTURES = ("all", "amd64", "arm64")
 
 _LISTED = re.compile(r"^ ([0-9a-f]{64}) +\d+ (\S+)$", re.MULTILINE)
 _ORIGIN = re.compile(r"^Origin: *(\S.*)$", re.MULTILINE)
 _NOT_AUTOMATIC = re.compile(r"^NotAutomatic: *yes$", re.MULTILINE)
-"""apt installs nothing from such a suite on its own, such as backports."""
+"""From a suite with this field, such as backports, apt installs nothing on its own."""
 
 SEPARATOR = ", "
 _OF_AN_ARCHIVE = re.compile(r"\S+ \S+ [0-9a-f]{16}")
@@ -38,11 +38,11 @@ _OF_AN_ARCHIVE = re.compile(r"\S+ \S+ [0-9a-f]{16}")
 
 @dataclass(frozen=True)
 class Release:
-    """What the Release file of a source says.
+    """What the Release file of a source says. The date does not count: it changes several times a day, without other changes.
 
     Attributes:
-        origin: whose packages these are, as one word, such as debian. lists: digests of the lists of packages. Its date changes
-            several times a day, with nothing else.
+        origin: whose packages these are, as one word, such as debian.
+        lists: digests of the lists of packages.
     """
 
     origin: str
@@ -50,13 +50,13 @@ class Release:
 
 
 def state(services: Services, matrix: Matrix, distribution: str, environ: Mapping[str, str] = os.environ) -> str:
-    """Of when a distribution's packages are: the date of ROS's repository, a digest of the lists of packages in the archives
-    of its operating system, or both; empty where there is neither.
+    """The state of a distribution's package repositories: the date of ROS's repository, a digest of the operating system's
+    lists of packages, or both; empty if there is neither.
 
-    It is the same for all architectures: an archive and its ports have the same Release files.
+    It is the same on all architectures, because an archive and its ports have the same Release files.
 
     Raises:
-        RosmlError: a repository does not answer, or with something else; the apt sources of the base image cannot be read.
+        RosmlError: a repository does not answer, or gives something else; or the apt sources of the base image cannot be read.
     """
     source = apt_repository.of(matrix, distribution, environ)
     found = [sync.published(source, environ) if source else "", _archives(services, matrix, distribution, environ)]
@@ -66,7 +66,7 @@ def state(services: Services, matrix: Matrix, distribution: str, environ: Mappin
 def lacking(
     services: Services, matrix: Matrix, distribution: str, architecture: str, wanted: Iterable[str]
 ) -> list[str]:
-    """The packages of ROS that the repository of a distribution does not have; none where the operating system has them itself.
+    """The wanted packages that ROS's repository lacks; none if the packages come from the operating system.
 
     Raises:
         RosmlError: the repository does not answer.
@@ -76,7 +76,7 @@ def lacking(
 
 
 def ros_date(state: str) -> str:
-    """The date of ROS's repository in a state; empty where ROS is not from there."""
+    """The date of ROS's repository in a state; empty if ROS comes from elsewhere."""
     first = state.partition(SEPARATOR)[0]
     return "" if _OF_AN_ARCHIVE.fullmatch(first) else first
 
@@ -96,8 +96,8 @@ def _sources(services: Services, matrix: Matrix, distribution: str) -> tuple[Sou
 
 
 def repositories(services: Services, matrix: Matrix, distribution: str, state: str) -> list[tuple[str, str]]:
-    """The addresses of the repositories that a state is of, with the state of each. The operating system's archives have one
-    together; they are left out where the apt sources of the base image cannot be read any more."""
+    """The addresses of the repositories in a state, with the state of each. The operating system's archives share one state.
+    They are left out if the apt sources of the base image cannot be read any more."""
     source, ros = apt_repository.of(matrix, distribution), ros_date(state)
     found = {source.address: ros} if source and ros else {}
     if archives := state.removeprefix(ros).removeprefix(SEPARATOR):
@@ -107,20 +107,20 @@ def repositories(services: Services, matrix: Matrix, distribution: str, state: s
 
 
 def release(source: Source, environ: Mapping[str, str]) -> Release | None:
-    """What a source's Release file says; None if apt installs nothing from there on its own.
+    """Reads the Release file of a source; None if apt installs nothing from there on its own.
 
     Raises:
-        RosmlError: it does not answer, or with something else; the mirror is no address (exit code 2).
+        RosmlError: the source does not answer, or gives something else; the mirror is no address (exit code 2).
     """
     url = source.release(release_file.address(source.address, environ.get(MIRROR, ""), MIRROR))
     return described(source, release_file.read(url, RELEASE_BYTES, MIRROR), url)
 
 
 def described(source: Source, text: str, url: str) -> Release | None:
-    """What the text of a Release file says of a source; None if apt installs nothing from there on its own.
+    """Parses the text of a Release file; None if apt installs nothing from there on its own.
 
     Raises:
-        RosmlError: it names no lists of packages.
+        RosmlError: the text names no lists of packages.
     """
     if _NOT_AUTOMATIC.search(text):
         return None

@@ -1,8 +1,8 @@
-"""Parts as images of their own: assembled for all of their architectures, pushed by digest, then tagged.
+"""Builds parts for all their architectures, pushes them by digest, and tags them.
 
-A part is assembled on an operating system that has its Python, which compiles the bytecode. Where this machine takes
-another base image, which may have another release of that Python, or none and so no bytecode, what was done is part of the
-result: such a part has other digests than the published one.
+A part is built on an operating system that has its Python, which compiles the bytecode. If this machine uses another base
+image, that may have another release of Python, or no Python and so no bytecode. Such a part has other digests than the
+published one, and the result says so.
 """
 
 from __future__ import annotations
@@ -29,12 +29,12 @@ class Assembled:
     """A part in the registry.
 
     Attributes:
-        name: `torch-cu128-py311`.
-        reference: where it is, with its digest; with its tag, where that was moved.
-        digest: what the tag points at.
-        layers: by platform, the digest of its one layer and the layer's size in bytes.
-        assembled_on: the base image, and what is said of it.
-        bytecode: the version of Python that compiled it; empty where there is none.
+        name: such as `torch-cu128-py311`.
+        reference: with the digest, and with the tag if that was moved.
+        digest: of the index, or of the manifest if there is one platform.
+        layers: digest and size in bytes of the part's one layer, by platform.
+        assembled_on: the base image, in words.
+        bytecode: the version of Python that compiled it; empty if there is no bytecode.
         seconds: wall time.
     """
 
@@ -52,10 +52,10 @@ class Assembled:
 
 
 def find(image_set: ImageSet, name: str) -> Part:
-    """The part of a name or bake target.
+    """The part with a name or bake target.
 
     Raises:
-        RosmlError: there is none (exit code 2), or a lock is missing.
+        RosmlError: there is no such part (exit code 2).
     """
     part = image_set.part_by_name.get(name.removeprefix("part-"))
     if part is None:
@@ -73,32 +73,31 @@ def publish(
     again: bool = False,
     platform: str = "",
 ) -> Assembled:
-    """Assembles a part for all architectures that have its lock, of what the matrix says now, and moves its tag if these
-    are all that it has.
+    """Builds a part for all architectures whose lock is up to date. Moves its tag if these are all its architectures.
 
     Args:
         services: registry and builder.
         image_set: all that the matrix describes.
-        part: what to assemble.
-        say: told what is going on, a line at a time.
+        part: the part to build.
+        say: prints a line of progress.
         namespace: first part of the repository's name.
-        again: assemble it even if the builder has it: the same inputs give the same digests.
-        platform: only for this one, where the wheels of another cannot be had; no tag moves then.
+        again: build without the builder's cache. The same inputs give the same digests.
+        platform: build only for this one. Then no tag moves.
 
     Raises:
-        RosmlError: a lock is missing, no base image can be had, a service is down, or the build failed.
+        RosmlError: a lock is missing, the base image is not available, a service is down, or the build failed.
     """
     started = time.monotonic()
     if platform and platform not in part.platforms:
         known = ", ".join(part.platforms)
-        raise RosmlError(f"part {part.name} is for {known}", f"take one of them, not {platform}", exit_code=2)
+        raise RosmlError(f"part {part.name} is for {known}", f"choose one of them, not {platform}", exit_code=2)
     platforms = [
         name
         for name, lock in zip(part.platforms, part.locks, strict=True)
         if platform in ("", name) and lock not in part.unlocked
     ]
     if not platforms:
-        text = f"part {part.name} has no lock of what matrix.yaml says now: {listed(part.unlocked)}"
+        text = f"part {part.name} has no lock for the present matrix.yaml: {listed(part.unlocked)}"
         raise RosmlError(text, "run 'rosml locks'")
     prefix = f"{services.registry}/{namespace}"
     repository = f"{prefix}/part"
@@ -123,13 +122,13 @@ def push(
     platforms: list[str],
     again: bool = False,
 ) -> tuple[base_images.Assembler, str]:
-    """Assembles a part for some platforms and pushes it by digest into the repository `part` below a prefix.
+    """Builds a part for some platforms, and pushes it by digest into the repository `part` below a prefix.
 
     Returns:
-        What it was assembled on, and the digest: of an index, or for one platform of its manifest.
+        The image that it was built on, and the digest of the index; of the manifest, if there is one platform.
 
     Raises:
-        RosmlError: no base image can be had, or the build failed.
+        RosmlError: the base image is not available, or the build failed.
     """
     base = base_images.assembler(services, image_set.matrix.operating_systems, part.os, part.python)
     file = write_excerpt(services, image_set, part.target)
@@ -142,23 +141,23 @@ def push(
     if again:
         sets.append(f"{part.target}.no-cache=true")
     variables = {"REGISTRY": prefix, names.os_variable(part.os): f"docker-image://{base.reference}"}
-    say(f"part {part.name} for {', '.join(platforms)}, assembled on {_said(part, base)}")
+    say(f"part {part.name} for {', '.join(platforms)}, built on {_said(part, base)}")
     call = buildx.Bake(part.target, part.target, file, tuple(sets), variables)
     _, digest = push_by_digest(services, call, f"{prefix}/part")
     return base, digest
 
 
 def _said(part: Part, base: base_images.Assembler) -> str:
-    """What a part is assembled on, in words."""
+    """The base image that a part is built on, in words."""
     without = f", without bytecode: it has no Python {part.python}"
     return base.reference + ("" if base.python or part.python == ANY_PYTHON else without)
 
 
 def _layers(services: Services, reference: str, platforms: list[str]) -> Iterator[tuple[str, tuple[str, int]]]:
-    """The layer of each platform.
+    """The layer of each platform, as digest and size in bytes.
 
     Raises:
-        RosmlError: the registry's answer is not that of parts.
+        RosmlError: the manifest in the registry is not that of a part.
     """
     repository = reference.partition("@")[0]
     try:

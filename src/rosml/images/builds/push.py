@@ -1,4 +1,4 @@
-"""What a build from the bake file needs: an excerpt of the file, and a push by digest."""
+"""Builds from an excerpt of the bake file, and pushes by digest."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from rosml.machine.progress import BuildProgress
 from rosml.machine.services import Services
 
 COMPRESSION = "compression=zstd,compression-level=7,oci-mediatypes=true"
-"""Level 7 makes parts a seventh smaller than level 3 in several times the time: they are compressed once, and pulled
-by everybody."""
+"""Level 7 makes parts a seventh smaller than level 3. It takes several times longer, but parts are compressed once and pulled
+often."""
 
 
 def write_excerpt(services: Services, image_set: ImageSet, target: str, *others: str) -> Path:
-    """Writes the part of the bake file that targets need, under the first one's name."""
+    """Writes the piece of the bake file that targets need into a file with the name of the first target."""
     folder = services.state / "bake"
     folder.mkdir(parents=True, exist_ok=True)
     file = folder / f"{target}.hcl"
@@ -28,7 +28,7 @@ def write_excerpt(services: Services, image_set: ImageSet, target: str, *others:
 
 
 def push_by_digest(services: Services, call: buildx.Bake, repository: str) -> tuple[BuildProgress, str]:
-    """Builds a target and pushes it into a repository by its digest alone: nobody sees it before a tag points at it.
+    """Builds a target and pushes it into a repository by digest, without a tag, so that nobody sees it yet.
 
     Returns:
         The progress with all steps, and the digest.

@@ -1,4 +1,4 @@
-"""Reads what an apt repository says of itself: its Release file, directly or from a mirror."""
+"""Reads files of apt repositories, such as Release files, directly or from a mirror."""
 
 from __future__ import annotations
 
@@ -11,14 +11,16 @@ from rosml.base.errors import RosmlError
 
 SECONDS = 20.0
 MIRROR = re.compile(r"https?://[A-Za-z0-9._~:@/-]+")
-"""As components/build/network.sh and components/ros/apt.sh take it."""
+"""The same pattern as in components/build/network.sh and components/ros/apt.sh."""
 
 
 def address(official: str, mirror: str, variable: str) -> str:
-    """Where a repository is asked: below a mirror, each host is a folder.
+    """The address of a repository, or of its copy on a mirror, which has a folder for each host.
 
     Args:
-        official: its address. mirror: of the mirror; none if empty. variable: what names it.
+        official: address of the repository.
+        mirror: address of the mirror; none if empty.
+        variable: the variable that names the mirror.
 
     Raises:
         RosmlError: the mirror is no address (exit code 2).
@@ -31,18 +33,20 @@ def address(official: str, mirror: str, variable: str) -> str:
 
 
 def read(url: str, limit: int, variable: str) -> str:
-    """The text of a Release file, or its beginning; as `fetched`."""
+    """The text of a Release file, read as in `fetched`."""
     return fetched(url, limit, variable).decode(errors="replace")
 
 
 def fetched(url: str, limit: int, variable: str) -> bytes:
-    """A file of a repository. A user and password in its address are sent, and never told.
+    """A file of a repository. A user and password in its address are sent, but appear in no message.
 
     Args:
-        url: where it is. limit: bytes of it that are read. variable: what names a mirror.
+        url: address of the file.
+        limit: how many bytes are read at most.
+        variable: the variable that names a mirror.
 
     Raises:
-        RosmlError: it does not answer.
+        RosmlError: the repository does not answer.
     """
     try:
         with web.client(timeout=SECONDS) as client:
@@ -58,5 +62,5 @@ def fetched(url: str, limit: int, variable: str) -> bytes:
 
 
 def shown(url: str) -> str:
-    """An address without the users and passwords in it: below a mirror, another address is a part of the path."""
+    """An address without users and passwords. On a mirror, the path contains another address, which may have them, too."""
     return re.sub("/[^/]*@", "/", url)

@@ -1,4 +1,4 @@
-"""Structure tests of an image in a registry: how they run, what they are told, and what they found."""
+"""Structure tests of an image in a registry: their inputs, how they run, and their report."""
 
 from __future__ import annotations
 
@@ -19,12 +19,20 @@ from rosml.machine import buildx, exported, regctl
 from rosml.machine.services import Services
 
 LABEL = "io.rosml."
-"""Prefix of the labels that say what an image is made of."""
+"""Prefix of our labels about the content of an image."""
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """One structure test: the file it is in, its name, whether it passed, its duration in seconds, what it said."""
+    """The outcome of one structure test.
+
+    Attributes:
+        file: of the test.
+        name: of the test.
+        passed: whether it passed.
+        seconds: how long it took.
+        detail: its output.
+    """
 
     file: str
     name: str
@@ -37,8 +45,8 @@ def within_budget(budget: int, found: int) -> Outcome:
     """The test of a tag's size budget.
 
     Args:
-        budget: MB (10^6 bytes) that the parts of the tag may have in the registry.
-        found: bytes that they have.
+        budget: how many MB (10^6 bytes) the parts may have in the registry.
+        found: how many bytes they have.
     """
     detail = f"{found / 1e6:.0f} MB; matrix.yaml: disk.budgets allows {budget} MB"
     return Outcome("size", "the parts keep within the tag's budget", found <= budget * 1_000_000, 0.0, detail)
@@ -46,15 +54,20 @@ def within_budget(budget: int, found: int) -> Outcome:
 
 @dataclass(frozen=True)
 class Report:
-    """All structure tests of an image, the size of its unpacked root file system in bytes, and the versions of what it
-    holds, as they were recorded when its parts were built."""
+    """The report of an image's structure tests.
+
+    Attributes:
+        outcomes: of all tests.
+        unpacked: size of the root file system in bytes; 0 if unknown.
+        versions: of packages and programs in the image, as recorded when its parts were built.
+    """
 
     outcomes: tuple[Outcome, ...]
     unpacked: int
     versions: Mapping[str, str] = field(default_factory=dict)
 
     def failures(self, most: int = 0) -> str:
-        """Those that failed, with what they said; of each the last `most` lines, or all."""
+        """The failed tests with their output: of each the last `most` lines, or all if that is 0."""
         lines = list[str]()
         for outcome in self.failed:
             said = outcome.detail.strip().splitlines()[-most:]
@@ -68,12 +81,12 @@ class Report:
 
     @property
     def failed(self) -> tuple[Outcome, ...]:
-        """Those that did not."""
+        """The tests that failed."""
         return tuple(outcome for outcome in self.outcomes if not outcome.passed)
 
 
 def expected_labels(image: Image) -> dict[str, str]:
-    """Labels that say what an image is made of, from the matrix."""
+    """The labels that an image must have, from the matrix."""
     facts = {
         "distribution": image.distribution,
         "component": image.component,
@@ -89,7 +102,7 @@ def expected_labels(image: Image) -> dict[str, str]:
 
 
 def expected_environment(image: Image) -> dict[str, str]:
-    """Environment that the runtime contract promises, from the matrix."""
+    """The environment that the runtime contract promises, from the matrix."""
     promised = {
         "LANG": "C.UTF-8",
         "WORKSPACE": "/docker-ros/ws",
@@ -122,7 +135,7 @@ def metadata_test(image: Image) -> dict[str, Any]:
 def flat_config(config: Mapping[str, Any]) -> dict[str, Any]:
     """The part of an OCI config that container-structure-test's host driver reads.
 
-    Only what is tested: a label that changes with every commit would make the builder run the same tests again.
+    It has only what is tested: a label that changes with every commit would make the builder run the same tests again.
     """
     inner = config.get("config", {})
     found = inner.get("Labels") or {}
@@ -157,23 +170,27 @@ def run(
     """Runs the structure tests of an image.
 
     Args:
-        services: the builder. image, architecture: what is tested.
-        reference: of its manifest, whose config they are told.
-        bake_file, variables: what the builder is told of it.
-        names: of the tests' files. parts: bytes of its parts in the registry, for its budget.
+        services: the builder.
+        image: the image to test.
+        architecture: such as `amd64`.
+        reference: of its manifest. The tests get its config.
+        bake_file: has the image's test target.
+        variables: of the bake file.
+        names: of the tests' files.
+        parts: bytes of the image's parts in the registry, for the budget.
 
     Returns:
-        The report, and the folder with the reports of each file.
+        The report, and the folder with the report of each file.
 
     Raises:
-        RosmlError: they could not run, or left no report.
+        RosmlError: the tests could not run, or left no report.
     """
     native = architecture == base_images.native_architecture()
     folder = services.state / "tests" / (image.target if native else f"{image.target}-{architecture}")
     metadata, reports, left = folder / "metadata", folder / "report", folder / "report.tar"
     left.unlink(missing_ok=True)
     write_metadata(metadata, image, regctl.image_config(services, reference, variables["PLATFORM"]))
-    # A run that failed is in the builder's cache like any other: another attempt has to be told apart.
+    # The builder caches failed runs, too. Another number makes it run the tests again.
     attempts = folder / "failed-attempts"
     attempt = attempts.read_text() if attempts.exists() else "0"
     name = image.test_target
@@ -196,7 +213,7 @@ def run(
 
 
 def read_report(folder: Path, files: tuple[str, ...]) -> Report:
-    """Reads what the test stage left. A file without a report, or without a test, counts as one failure."""
+    """Reads the results of the test stage. A file without a report, or without a test, counts as one failure."""
     outcomes: list[Outcome] = []
     for file in files:
         outcomes += _outcomes(folder, file)
@@ -208,7 +225,7 @@ def read_report(folder: Path, files: tuple[str, ...]) -> Report:
 
 
 def _versions(file: Path) -> dict[str, str]:
-    """Versions by name from lines such as `torch 2.10.0`; none where there is no file."""
+    """Versions by name from lines such as `torch 2.10.0`; none if there is no file."""
     if not file.is_file():
         return {}
     lines = (line.split(maxsplit=1) for line in file.read_text(errors="replace").split("\n"))
@@ -216,7 +233,7 @@ def _versions(file: Path) -> dict[str, str]:
 
 
 class _Result(BaseModel):
-    """What container-structure-test writes about a test; the duration is in nanoseconds."""
+    """A test in the report of container-structure-test. The duration is in nanoseconds."""
 
     Name: str
     Pass: bool

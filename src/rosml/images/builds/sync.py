@@ -1,4 +1,4 @@
-"""ROS's apt repository: its sync date, which is when it was published last, and the packages that it lacks."""
+"""ROS's apt repository: its sync date, when it was last published, and the packages that it lacks."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ from rosml.images.image_set.apt_repository import AptRepository
 
 MIRROR = "ROS_APT_MIRROR"
 RELEASE_BYTES = 1 << 20
-"""More than any InRelease file has; ROS's have some ten kB."""
+"""More than any InRelease file has. ROS's files have some ten kB."""
 
 LIST_BYTES, LIST_UNPACKED = 64 << 20, 512 << 20
-"""More than any list of packages has, packed and unpacked; ROS's have some MB."""
+"""More than any list of packages has, packed and unpacked. ROS's lists have some MB."""
 
 
 def published(source: AptRepository, environ: Mapping[str, str] = os.environ) -> str:
-    """When a repository was published last, such as 2026-11-20T21:14:09Z.
+    """When a repository was last published, such as 2026-11-20T21:14:09Z.
 
-    The signature is not looked at: the build, which does, fails where it finds another time.
+    This does not verify the signature. The build does, and fails if it finds another time.
 
     Raises:
-        RosmlError: it does not answer, or says no date.
+        RosmlError: the repository does not answer, or its file has no date.
     """
     address = release_file.address(source.address, environ.get(MIRROR, ""), MIRROR)
     url = f"{address}/dists/{source.codename}/InRelease"
@@ -39,30 +39,33 @@ def published(source: AptRepository, environ: Mapping[str, str] = os.environ) ->
 
 
 def date_of(text: str, url: str) -> str:
-    """When a repository was published last, as its Release file says it.
+    """When a repository was last published, from the text of its Release file.
 
     Raises:
-        RosmlError: it says no date.
+        RosmlError: the file has no date.
     """
     found = re.search(r"^Date: (.+)$", text, re.MULTILINE)
     try:
         date = parsedate_to_datetime(found[1] if found else "").astimezone(UTC)
         return date.strftime("%Y-%m-%dT%H:%M:%SZ")
     except (ArithmeticError, LookupError, TypeError, ValueError):
-        raise RosmlError(f"{release_file.shown(url)} says no date", "check the mirror") from None
+        raise RosmlError(f"{release_file.shown(url)} has no date", "check the mirror") from None
 
 
 def lacking(state: Path, source: AptRepository, architecture: str, wanted: Iterable[str]) -> list[str]:
-    """The packages that a repository does not have for an architecture: a build would fail, an hour later.
+    """The packages that a repository lacks for an architecture. Without this check, a build would fail an hour later.
 
-    The list of packages is looked up by its digest in the Release file, and kept under it. Of a repository that has no list
-    in gzip nobody knows.
+    The Release file names the list of packages by its digest, and this machine keeps the list under the digest. If the
+    repository has no list in gzip, the result is empty.
 
     Args:
-        state: folder of this machine's state. wanted: names of packages.
+        state: folder of this machine's state.
+        source: the repository.
+        architecture: such as `arm64`.
+        wanted: names of packages.
 
     Raises:
-        RosmlError: the repository does not answer, or with another list than its Release file says.
+        RosmlError: the repository does not answer, or its list does not match its Release file.
     """
     address = release_file.address(source.address, os.environ.get(MIRROR, ""), MIRROR)
     suite = f"{address}/dists/{source.codename}"
@@ -78,13 +81,19 @@ def lacking(state: Path, source: AptRepository, architecture: str, wanted: Itera
 
 
 def _names(kept: Path, url: str, digest: str) -> set[str]:
-    """The names in a list of packages, by the digest of the list."""
+    """The names in a list of packages.
+
+    Args:
+        kept: file that keeps the names.
+        url: address of the list.
+        digest: of the list.
+    """
     with contextlib.suppress(OSError, UnicodeDecodeError):
         return set(kept.read_text(encoding="utf-8").split("\n"))
     packed = release_file.fetched(url, LIST_BYTES, MIRROR)
     if hashlib.sha256(packed).hexdigest() != digest:
-        remedy = "run it again: it may be just being published"
-        raise RosmlError(f"{release_file.shown(url)} is another list than its Release file names", remedy)
+        remedy = "run it again: the repository may be in the middle of an update"
+        raise RosmlError(f"{release_file.shown(url)} does not match its Release file", remedy)
     try:
         text = archives.gunzipped(packed, LIST_UNPACKED)
     except ValueError:
@@ -97,13 +106,13 @@ def _names(kept: Path, url: str, digest: str) -> set[str]:
 
 
 def remember(state: Path, source: AptRepository, when: str) -> None:
-    """Notes when a repository was published, for a time when it does not answer."""
+    """Saves when a repository was published, in case that it does not answer later."""
     known = _known(state) | {f"{source.address} {source.codename}": when}
     files.write(state / "ros-sync.json", json.dumps(known, indent=2) + "\n")
 
 
 def remembered(state: Path, source: AptRepository) -> str:
-    """What was noted; empty if nothing was."""
+    """The saved date of a repository; empty if there is none."""
     return _known(state).get(f"{source.address} {source.codename}", "")
 
 

@@ -1,4 +1,4 @@
-"""Variables of the bake file for a build on this machine: the registry, the platform, base images, and of when packages are."""
+"""Variables of the bake file for a build on this machine: registry, platform, base images and sync date."""
 
 from __future__ import annotations
 
@@ -22,18 +22,19 @@ def variables(
     say: Callable[[str], None],
     date: str = "",
 ) -> dict[str, str]:
-    """What a build or a test of an image is told.
+    """The variables to build or test an image.
 
     Args:
-        services: this machine's.
+        services: of this machine.
         image_set: all that the matrix describes.
-        image, architecture: what is built, and for what.
-        prefix: of references: the registry and the path before the names of repositories.
-        say: told what is going on, a line at a time.
-        date: the sync date of ROS's apt repository, which the build requires; the repository is asked if empty.
+        image: the image.
+        architecture: to build for.
+        prefix: the registry and the path before the names of repositories.
+        say: prints a line of progress.
+        date: the sync date of ROS's apt repository, which the build requires; if empty, the repository is asked.
 
     Raises:
-        RosmlError: no base image can be had; there is no such channel of the apt repository (exit code 2).
+        RosmlError: a base image is not available; there is no such channel of the apt repository (exit code 2).
     """
     systems = image_set.matrix.operating_systems
     wanted = {image.os, image_set.matrix.default.assembler}
@@ -54,14 +55,18 @@ def base(image: Image, variables: dict[str, str]) -> str:
 def sync_date(
     services: Services, image_set: ImageSet, distribution: str, say: Callable[[str], None], date: str = ""
 ) -> str | None:
-    """The sync date: when ROS published the apt repository that a distribution's packages come from. After a new one, they are
-    installed anew.
+    """The sync date of a distribution: when ROS published the apt repository of its packages. With a new date, the build
+    installs the packages again.
 
     Args:
-        date: the sync date, if it is known; the repository is asked if empty.
+        services: of this machine.
+        image_set: all that the matrix describes.
+        distribution: its name.
+        say: prints a line of progress.
+        date: the sync date, if it is known; if empty, the repository is asked.
 
     Returns:
-        The date; empty if nobody knows it; None if its packages come from elsewhere.
+        The date; empty if it is unknown; None if the packages come from elsewhere.
 
     Raises:
         RosmlError: there is no such channel of the repository (exit code 2).
@@ -73,10 +78,10 @@ def sync_date(
         try:
             date = sync.published(source)
             sync.remember(services.state, source, date)
-        except RosmlError as error:  # what the builder has of it may be enough
+        except RosmlError as error:  # the builder's cache may be enough
             if error.exit_code == 2:
                 raise
             date = sync.remembered(services.state, source)
-            say(f"{error.message}; taken for as it was last time: {date or 'never asked'}")
-        say(f"ROS's apt repository {source.address}, published {date or 'nobody knows when'}")
+            say(f"{error.message}; using the date of last time: {date or 'unknown'}")
+        say(f"ROS's apt repository {source.address}, published {date or 'at an unknown time'}")
     return date

@@ -1,2 +1,2 @@
-"""Joins parts and an image: first as a pure function from manifests to a manifest, then in a registry, where nothing
-is pulled. Uses records, registry and below."""
+"""Joins an image and parts: `layers.py` is a pure function from manifests to a manifest, `joiner.py` works in a registry and
+pulls no layer. Uses records, registry and below."""

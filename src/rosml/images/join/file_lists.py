@@ -1,7 +1,7 @@
 """The lists of files of images and parts: made in the builder, attached in the registry, compared before a join.
 
-Two parts that carry the same file would hide one another's: the later layer wins, without a word. Each list is an
-artifact beside the image that it is of, so that whoever joins images in a registry need not pull them to see that.
+If two parts carry the same file, the later layer silently hides the other's file. Each list is an artifact attached to its
+image, so that a join in a registry need not pull images to find such files.
 """
 
 from __future__ import annotations
@@ -18,32 +18,33 @@ ARTIFACT = "application/vnd.rosml.files.v1"
 MEDIA_TYPE = "application/vnd.rosml.files.v1+gzip"
 
 LARGEST = 64 << 20
-"""Bytes of a list, unpacked, and of the names of all folders in it. The list of the largest image has some 20 MB."""
+"""Most bytes of a list, unpacked, and of the names of all folders in it. The list of the largest image has some 20 MB."""
 
 PACKED = 16 << 20
-"""Bytes of a list as it is stored; that of the largest image has 2 MB."""
+"""Most bytes of a list as it is stored. The list of the largest image has 2 MB."""
 
 LINES = 2_000_000
-"""Files of a list. The largest image has some 300,000."""
+"""Most files of a list. The largest image has some 300,000."""
 
 LONGEST = 4096
-"""Characters of a path, as Linux has them."""
+"""Most characters of a path, as on Linux."""
 
 ATTACHED = 4
-"""Most lists of one image. It has one, or one of each publisher."""
+"""Most lists of one image. An image has one list from each publisher."""
 
 _REMEDY = "attach it again: publish the image again"
 
 _MERGED = ("bin", "lib", "lib32", "lib64", "libx32", "sbin")
-"""Links to folders below /usr in all systems that images are made of."""
+"""These are links to folders below /usr in all operating systems of the matrix."""
 
 
 @dataclass(frozen=True)
 class Files:
-    """The files and links of an image, without a slash at the beginning.
+    """The paths of an image's files and links, without a slash at the beginning.
 
     Attributes:
-        entries: as they are listed. places: the same where they really are: /lib is a link to /usr/lib.
+        entries: as they are listed.
+        places: the same with links resolved, since /lib is a link to /usr/lib.
         folders: all folders above `entries`.
     """
 
@@ -53,10 +54,10 @@ class Files:
 
     @classmethod
     def parse(cls, text: bytes) -> Files:
-        """The files of a list, which has one on each line.
+        """The files in the text of a list, which has one path on each line.
 
         Raises:
-            RosmlError: no image has such files: they are too many, or their paths are too long.
+            RosmlError: there are too many files or folders, or a path is too long.
         """
         if text.count(b"\n") > LINES:
             raise RosmlError(f"a list of files has more than {LINES:,} lines", _REMEDY)
@@ -82,16 +83,16 @@ def _place(entry: str) -> str:
 
 
 def clash(one: Files, other: Files) -> str:
-    """A file that both carry, or that is a folder in one of them; the first by name. Empty if there is none."""
+    """A file that both images carry, or that is a folder in the other one; the first by name. Empty if there is none."""
     found = (one.places & other.places) | (one.folders & other.entries) | (one.entries & other.folders)
     return min(found, default="")
 
 
 def unpacked(data: bytes) -> bytes:
-    """A list as it was before it was compressed: of all members of a gzip file.
+    """The text of a compressed list, from all members of the gzip file.
 
     Raises:
-        RosmlError: it is damaged, or larger than any list.
+        RosmlError: the list is damaged, or too large.
     """
     try:
         return archives.gunzipped(data, LARGEST)
@@ -100,7 +101,7 @@ def unpacked(data: bytes) -> bytes:
 
 
 class Lists:
-    """Lists of files by the digest of the image; each is downloaded once. Safe to share among threads."""
+    """Lists of files by image. Each is downloaded once. Safe to share among threads."""
 
     def __init__(self) -> None:
         self._known: dict[tuple[str, str, str], Files | None] = {}
@@ -111,7 +112,7 @@ class Lists:
         """The files of an image manifest; None if it has no list.
 
         Raises:
-            RosmlError: the registry does not answer; or the list is damaged.
+            RosmlError: the registry does not answer, or the list is damaged.
         """
         key = (registry.host, repository, digest)
         if key not in self._known:
@@ -121,8 +122,8 @@ class Lists:
         return self._known[key]
 
     def clash(self, one: Files, other: Files) -> str:
-        """As the function of that name; looked at once for lists that are the same objects."""
-        key = (id(one), id(other))  # lists live as long as this
+        """As the function `clash`, but computed once for the same two objects."""
+        key = (id(one), id(other))  # the lists live as long as this object
         if key not in self._clashes:
             self._clashes[key] = clash(one, other)
         return self._clashes[key]
@@ -131,7 +132,7 @@ class Lists:
         entries = registry.referrers(repository, digest, ARTIFACT)
         if not entries:
             return None
-        # Several publishers may have listed the same files. What any of them says counts, so that no list hides a file.
+        # Several publishers may have attached a list. All of them count, so that no list hides a file.
         digests = {entry["digest"] for entry in entries}
         if len(digests) > ATTACHED:
             raise RosmlError(

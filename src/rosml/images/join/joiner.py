@@ -1,7 +1,7 @@
-"""Puts images together in the registry: a new manifest and config over layers that are there, which nobody pulls.
+"""Joins images in a registry: pushes a new manifest and config for existing layers, and pulls no layer.
 
-What is pushed before the tag moves can be seen by nobody who does not know its digest, and the tag moves last. What was
-pushed is found again by its digest, so that a second call, after one that broke off, costs next to nothing.
+The tag moves last: before, only somebody who knows its digest can see the image. If a call is interrupted, the next one finds
+by digest what was pushed, and costs next to nothing.
 """
 
 from __future__ import annotations
@@ -23,20 +23,24 @@ from rosml.registry.client import Registry
 from rosml.registry.references import Reference
 
 THREADS = 8
-"""How many requests are under way at a time: registries far away take a tenth of a second for each."""
+"""How many requests are sent at a time: a distant registry takes a tenth of a second for each."""
 
 
 @dataclass
 class JoinReport:
-    """What joining an image came to.
+    """The result of a join.
 
     Attributes:
-        reference: what to put after FROM; with the tag, where one was moved.
-        digest: of the index. manifests: of the image manifest for each platform.
-        layers: how many there are, of all platforms.
-        mounted, present, copied: of how many of them the repository got a mount, had them already, or got a copy.
-        unlisted: images without a list of files, of which nobody knows whether they carry another one's.
-        uploaded: bytes that were sent to the registry. seconds: wall time.
+        reference: what to put after FROM; with the tag, if one was moved.
+        digest: of the index, or of the manifest if there is no index.
+        manifests: digest of the image manifest for each platform.
+        layers: how many layers there are, on all platforms.
+        mounted: how many layers the registry mounted from another repository.
+        present: how many layers the repository had already.
+        copied: how many layers were copied from another registry.
+        unlisted: images without a list of files, which may carry the same file as another image.
+        uploaded: bytes sent to the registry.
+        seconds: wall time.
     """
 
     reference: str = ""
@@ -56,10 +60,10 @@ class JoinReport:
 
 
 class Joiner:
-    """Joins images; what it read of ROS images and parts it need not read again. Safe to share among threads.
+    """Joins images. It reads each ROS image and part once. Safe to share among threads.
 
     Attributes:
-        allow_unlisted: go on although an image has no list of its files.
+        allow_unlisted: continue if an image has no list of files.
     """
 
     def __init__(
@@ -72,7 +76,8 @@ class Joiner:
         """
         Args:
             registries: gives the client of a host.
-            say: told what a person should know, a line at a time.
+            allow_unlisted: continue if an image has no list of files.
+            say: prints a line for people.
         """
         self.allow_unlisted = allow_unlisted
         self._registries = registries
@@ -86,26 +91,27 @@ class Joiner:
         return self
 
     def __exit__(self, failed: object, *_: object) -> None:
-        self._pool.shutdown(wait=not failed, cancel_futures=True)  # Ctrl-C waits for no registry
+        self._pool.shutdown(wait=not failed, cancel_futures=True)  # after Ctrl-C, do not wait for a registry
 
     def join(self, ros: str, parts: Sequence[str], target: str, platforms: Sequence[str] = ()) -> JoinReport:
         """Joins an image for every platform that a ROS image and parts have in common, and tags it.
 
         Args:
-            ros, parts: complete references of indexes or manifests.
+            ros: complete reference of an index or manifest.
+            parts: complete references of indexes or manifests.
             target: complete reference with the tag to move.
-            platforms: for these only, such as `linux/arm64`.
+            platforms: only these, such as `linux/arm64`; all common ones if empty.
 
         Raises:
-            RosmlError: they do not go together (exit code 2), a registry does not answer or refuses; no tag was moved.
+            RosmlError: they do not fit together (exit code 2), or a registry does not answer or refuses. No tag was moved.
         """
         started = time.monotonic()
         where = references.parse(target)
         if references.is_digest(where.reference):
-            raise RosmlError(f"{target} is a digest, and a tag is to be moved", "write it with a tag", exit_code=2)
+            raise RosmlError(f"{target} is a digest, but the target must be a tag", "write it with a tag", exit_code=2)
         if str(where) in {str(references.parse(source)) for source in (ros, *parts)}:
-            text = f"{target} is one of the images that are joined, and would be overwritten"
-            raise RosmlError(text, "name another tag", exit_code=2)
+            text = f"{target} is one of the images to join, and would be overwritten"
+            raise RosmlError(text, "choose another tag", exit_code=2)
         found = list(self._pool.map(self._platforms, [ros, *parts]))
         wanted = _common(found, platforms)
         self._say_what_is_left_out(found, wanted, platforms)
@@ -121,10 +127,13 @@ class Joiner:
         return result
 
     def manifest(self, ros: Reference, parts: Sequence[Reference], host: str, repository: str) -> JoinReport:
-        """Joins an image from manifests for one platform; by its digest alone, without an index or a tag.
+        """Joins an image from manifests for one platform, without an index or a tag.
 
         Args:
-            ros, parts: by digest. host, repository: where the image goes.
+            ros: the ROS image, by digest.
+            parts: by digest.
+            host: the registry for the image.
+            repository: the path for the image.
 
         Raises:
             RosmlError: as in `join`.
@@ -139,7 +148,7 @@ class Joiner:
         result.seconds = time.monotonic() - started
         return result
 
-    # ---- What there is -----------------------------------------------------------------------------------------------
+    # ---- Reading -----------------------------------------------------------------------------------------------------
 
     def _platforms(self, name: str) -> tuple[str, Mapping[str, Source]]:
         """An image's manifests by platform."""
@@ -156,7 +165,7 @@ class Joiner:
         sources = {
             key: self._source(name, where._replace(reference=digest))
             for key, digest in entries.items()
-            if "unknown" not in key  # what says how an image was built
+            if "unknown" not in key  # attestations of buildx
         }
         return name, sources
 
@@ -179,9 +188,9 @@ class Joiner:
         first, known = found[0]
         if left := [name for name in known if name not in wanted and not asked]:
             without = [name for name, other in found if any(item not in other for item in left)]
-            self._say(f"{first} is for {listed(left)} as well, which {listed(without)} is not: left out")
+            self._say(f"left out: {first} is also for {listed(left)}, but {listed(without)} is not")
 
-    # ---- What they make ----------------------------------------------------------------------------------------------
+    # ---- Joining -----------------------------------------------------------------------------------------------------
 
     def _joined(self, sources: Sequence[Source], result: JoinReport) -> Joined:
         image = join(sources[0], sources[1:])
@@ -189,21 +198,19 @@ class Joiner:
         return image
 
     def _compare(self, sources: Sequence[Source], result: JoinReport) -> None:
-        """Checks that no two images carry the same file, as far as they have lists.
+        """Checks by their lists that no two images carry the same file.
 
         Raises:
-            RosmlError: two do; or one has no list.
+            RosmlError: two carry the same file (exit code 2); or an image has no list, unless `allow_unlisted` is set.
         """
         lists = list(
             self._pool.map(lambda s: self._lists.of(self._registries(s.host), s.repository, s.digest), sources)
         )
         if unlisted := [source.name for source, files in zip(sources, lists, strict=True) if files is None]:
-            text = (
-                f"{listed(unlisted)} has no list of its files: whether another image carries one of them is not known"
-            )
+            text = f"{listed(unlisted)} has no list of its files, so it may carry the same file as another image"
             if not self.allow_unlisted:
-                remedy = "take one that has it: of an app, the run image, made without --no-sbom"
-                raise RosmlError(text, f"{remedy}; or go on with --allow-unlisted")
+                remedy = "use one that has it: for an app, the run image, built without --no-sbom"
+                raise RosmlError(text, f"{remedy}; or continue with --allow-unlisted")
             self._say(text)
             result.unlisted += [name for name in unlisted if name not in result.unlisted]
         known: list[tuple[Source, Files]] = [
@@ -214,15 +221,15 @@ class Joiner:
                 text = f"{one.name} and {other.name} both carry /{name}: one would hide the other's"
                 raise RosmlError(
                     text,
-                    "take the file, or the package that has it, out of one of them, and publish that again",
+                    "remove the file, or the package that has it, from one of them, and publish that image again",
                     exit_code=2,
                 )
 
     def _push(self, image: Joined, host: str, repository: str, result: JoinReport) -> str:
-        """Puts an image by its digest alone: layers, then config, then manifest."""
+        """Pushes an image by digest, without a tag: layers, then config, then manifest. Gives the digest."""
         registry = self._registries(host)
         result.layers += len(image.layers)
-        if registry.head(repository, image.digest):  # with all that belongs to it
+        if registry.head(repository, image.digest):  # then all its layers are there, too
             result.present += len(image.layers)
             return image.digest
         unique = {layer["digest"]: (layer, source) for layer, source in image.layers}
@@ -238,7 +245,7 @@ class Joiner:
         return image.digest
 
     def _bring(self, registry: Registry, repository: str, layer: Mapping[str, Any], source: Source) -> str:
-        """Makes a layer one of the repository. Gives the way in which it got there: a counter of `JoinReport`."""
+        """Adds a layer to the repository. Gives the way in which it got there, as the name of a counter in `JoinReport`."""
         digest = layer["digest"]
         if source.host == registry.host:
             if source.repository == repository:
@@ -252,25 +259,25 @@ class Joiner:
 
 
 def _common(found: Sequence[tuple[str, Mapping[str, Source]]], asked: Sequence[str]) -> list[str]:
-    """The platforms that all images have, or those asked for.
+    """The platforms that all images have, or the requested ones.
 
     Raises:
-        RosmlError: an image is not for one that was asked for, or they have none in common (exit code 2).
+        RosmlError: an image lacks a requested platform, or no platform is common to all images (exit code 2).
     """
     for name, known in found:
         for wanted in asked:
             if wanted not in known:
                 text = f"{name} is for {listed(sorted(known)) or 'no platform'}, not for {wanted}"
-                raise RosmlError(text, "ask for a platform that all of them have", exit_code=2)
+                raise RosmlError(text, "choose a platform that all of them have", exit_code=2)
     common = [name for name in sorted(found[0][1]) if all(name in known for _, known in found)]
     if not common:
         text = "; ".join(f"{name} is for {listed(sorted(known)) or 'no platform'}" for name, known in found)
-        raise RosmlError(f"no platform in common: {text}", "take images for one platform", exit_code=2)
+        raise RosmlError(f"no platform in common: {text}", "use images for one platform", exit_code=2)
     return list(dict.fromkeys(asked)) or common
 
 
 def _index(images: Sequence[Joined]) -> dict[str, Any]:
-    """The index of an image's manifests; it says of itself what they say."""
+    """The index of an image's manifests, with their labels of OCI as annotations."""
     entries = []
     for image in sorted(images, key=lambda item: item.platform):
         os, architecture, *variant = image.platform.split("/")

@@ -1,7 +1,7 @@
-"""A ROS image and parts -> the manifest and config of the image that they make together. Nothing here uses a network.
+"""Computes the manifest and config of an image from a ROS image and parts, without a network.
 
-The same inputs give the same bytes, on any machine and in any order: layers in the order in which the Dockerfile joins
-them, environment and labels as a build of the same target has them.
+The same inputs give the same bytes, on any machine and in any order. Layers have the order of the Dockerfile. Environment
+and labels are those of a build of the same target.
 """
 
 from __future__ import annotations
@@ -38,8 +38,12 @@ class Source:
     """An image for one platform, as its registry holds it.
 
     Attributes:
-        name: what the user called it. host, repository, digest: where it is.
-        manifest, config: of the image.
+        name: the user's name of the image, for messages.
+        host: the registry.
+        repository: the path in the registry.
+        digest: of the manifest.
+        manifest: of the image.
+        config: of the image.
     """
 
     name: str
@@ -51,7 +55,7 @@ class Source:
 
     @property
     def platform(self) -> str:
-        """`linux/arm64`."""
+        """Such as `linux/arm64`."""
         return platform(self.config.facts)
 
     @property
@@ -79,7 +83,15 @@ class Source:
 
 @dataclass(frozen=True)
 class Joined:
-    """An image that is not in a registry yet: its config and manifest as they will be stored, and its layers' sources."""
+    """A joined image that is not in a registry yet.
+
+    Attributes:
+        platform: such as `linux/arm64`.
+        config: as it will be stored.
+        manifest: as it will be stored.
+        labels: in the config.
+        layers: descriptors, with the image that each layer comes from.
+    """
 
     platform: str
     config: bytes
@@ -89,12 +101,12 @@ class Joined:
 
     @property
     def digest(self) -> str:
-        """Of the manifest."""
+        """The digest of the manifest."""
         return oci.digest_of(self.manifest)
 
 
 def platform(facts: Mapping[str, Any] | documents.Config | documents.Platform | None) -> str:
-    """The platform that a config, or an index' entry, is for; arm64 has one variant that matters."""
+    """The platform of a config, or of an entry in an index; on arm64 without the variant."""
     found = facts if isinstance(facts, Mapping) else vars(facts) if facts else {}
     variant = found.get("variant")
     known = f"{found.get('os') or 'unknown'}/{found.get('architecture') or 'unknown'}"
@@ -105,7 +117,7 @@ def join(ros: Source, parts: Sequence[Source]) -> Joined:
     """Joins a ROS image and parts, all for one platform.
 
     Raises:
-        RosmlError: they do not go together (exit code 2); with the reason and what to do.
+        RosmlError: they do not fit together (exit code 2).
     """
     _require_ros(ros)
     for part in parts:
@@ -130,17 +142,17 @@ def join(ros: Source, parts: Sequence[Source]) -> Joined:
     return Joined(ros.platform, config, oci.encoded(manifest), merged, layers)
 
 
-# ---- What goes together ----------------------------------------------------------------------------------------------
+# ---- What fits together ----------------------------------------------------------------------------------------------
 
 
 def _require_ros(ros: Source) -> None:
     if ros.labels.get(_PART):
-        text = f"{ros.name} is a part, and the first image has to be a ROS image"
+        text = f"{ros.name} is a part, but the first image must be a ROS image"
         raise RosmlError(text, "name the ROS image first, then the parts", exit_code=2)
     for label in (_DISTRIBUTION, _COMPONENT, _PYTHON, _ROS):
         if not ros.labels.get(label):
             text = f"{ros.name} is no ROS image of this project: it has no label {label}"
-            raise RosmlError(text, "take one of the repository ros, or one that was built on it", exit_code=2)
+            raise RosmlError(text, "use an image from the repository ros, or one that was built on it", exit_code=2)
     if stack := ros.labels.get(_STACK):
         carried = f"framework {ros.labels.get(_FRAMEWORK)} of stack {stack}"
         plain = f"the ROS image below it, ros:{names.main_tag(ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT])}"
@@ -148,8 +160,8 @@ def _require_ros(ros: Source) -> None:
             plain = "an image of the app without a framework"
         raise RosmlError(f"{ros.name} has {carried} already", f"take {plain}", exit_code=2)
     if own := ros.labels.get(labels.OWN):
-        text = f"{ros.name} has CUDA or a framework of its own, of its base image: {own}"
-        raise RosmlError(text, "take it as it is; parts go on a base image without", exit_code=2)
+        text = f"{ros.name} has CUDA or a framework from its base image: {own}"
+        raise RosmlError(text, "use it as it is; parts need a base image without these", exit_code=2)
     _require_whole(ros)
 
 
@@ -158,23 +170,25 @@ def _require_part(part: Source) -> None:
         if not part.labels.get(label):
             what = "a ROS image" if _DISTRIBUTION in part.labels else "no part"
             text = f"{part.name} is {what}: it has no label {label}"
-            raise RosmlError(text, "take one of the repository part, made by this version or a later one", exit_code=2)
+            raise RosmlError(
+                text, "use a part from the repository part, made by this version or a later one", exit_code=2
+            )
     _require_whole(part)
 
 
 def _require_whole(source: Source) -> None:
     if not source.layers or len(source.layers) != len(source.diff_ids):
-        raise RosmlError(f"{source.name} is no whole image: its config does not list its layers", "push it again")
+        raise RosmlError(f"{source.name} is incomplete: its config does not list its layers", "push it again")
 
 
 def _framework(ros: Source, parts: Sequence[Source]) -> tuple[str, tuple[str, ...]]:
-    """The framework that parts make, and its parts in their order."""
+    """The framework that parts make together, and its parts in their order."""
     if not parts:
-        raise RosmlError(f"nothing is to be joined to {ros.name}", "name the parts after it", exit_code=2)
+        raise RosmlError(f"there are no parts to join to {ros.name}", "name the parts after it", exit_code=2)
     stacks = {item.labels[_STACK]: item.name for item in parts}
     if len(stacks) > 1:
         found = listed([f"{name} is of stack {stack}" for stack, name in stacks.items()])
-        raise RosmlError(f"an image carries one stack: {found}", "take parts of one stack", exit_code=2)
+        raise RosmlError(f"an image carries one stack: {found}", "use parts of one stack", exit_code=2)
     by_kind: dict[str, Source] = {}
     for item in parts:
         kind = item.labels[_PART]
@@ -187,8 +201,8 @@ def _framework(ros: Source, parts: Sequence[Source]) -> tuple[str, tuple[str, ..
     stack = parts[0].labels[_STACK]
     for name, kinds in shared.items():
         if any(other[name] != kinds for other in known):
-            text = f"these do not agree on the parts of framework {name}: they are of different releases"
-            raise RosmlError(text, "take parts that were published together", exit_code=2)
+            text = f"the parts are of different releases: they name different parts of framework {name}"
+            raise RosmlError(text, "use parts that were published together", exit_code=2)
         if set(kinds) == set(by_kind):
             return name, kinds
     if not shared:
@@ -207,40 +221,40 @@ def _frameworks(part: Source) -> dict[str, tuple[str, ...]]:
     try:
         return labels.frameworks(part.labels[_FRAMEWORKS])
     except ValueError:
-        raise RosmlError(f"{part.name}: its label {_FRAMEWORKS} is damaged", "publish it anew", exit_code=2) from None
+        raise RosmlError(f"{part.name}: its label {_FRAMEWORKS} is damaged", "publish it again", exit_code=2) from None
 
 
 def _require_fit(ros: Source, part: Source) -> None:
     if part.platform != ros.platform:
         text = f"{part.name} is for {part.platform}, and {ros.name} for {ros.platform}"
-        raise RosmlError(text, "take images for one platform", exit_code=2)
+        raise RosmlError(text, "use images for one platform", exit_code=2)
     wanted, found = part.labels[_PYTHON], ros.labels[_PYTHON]
     if wanted not in (ANY_PYTHON, found):
         name = names.part_name(part.labels[_PART], part.labels[_STACK], found)
         text = f"{part.name} is for Python {wanted}, and {ros.name} has Python {found}"
-        raise RosmlError(text, f"take the part {name}", exit_code=2)
+        raise RosmlError(text, f"use the part {name}", exit_code=2)
 
 
 def _brought(parts: Sequence[Source]) -> tuple[Brought, ...]:
-    """What parts bring, each once: releases first, then facts of the stack."""
+    """What parts bring, without duplicates: releases first, then facts of the stack."""
     found: dict[str, tuple[Brought, str]] = {}
     for part in parts:
         try:
             brings = list(labels.brought_by(part.labels))
         except ValueError:
             text = f"{part.name}: its label {labels.BRINGS} is damaged"
-            raise RosmlError(text, "publish it anew", exit_code=2) from None
+            raise RosmlError(text, "publish it again", exit_code=2) from None
         for item in brings:
             known, whose = found.setdefault(item.name, (item, part.name))
             if known.version != item.version:
                 text = f"{whose} has {item.name} {known.version}, and {part.name} has {item.version}"
-                raise RosmlError(text, "take parts that were published together", exit_code=2)
+                raise RosmlError(text, "use parts that were published together", exit_code=2)
             if item.title:
                 found[item.name] = (item, part.name)
     return tuple(sorted((item for item, _ in found.values()), key=lambda item: not item.released))
 
 
-# ---- What they make --------------------------------------------------------------------------------------------------
+# ---- The result ------------------------------------------------------------------------------------------------------
 
 
 def _labels(ros: Source, framework: str, stack: str, brought: Sequence[Brought]) -> dict[str, str]:
@@ -252,7 +266,7 @@ def _labels(ros: Source, framework: str, stack: str, brought: Sequence[Brought])
 
 
 def _about_gpus(parts: Sequence[Source]) -> dict[str, str]:
-    """What the parts say of GPUs, the image says."""
+    """The parts' labels about GPUs, which the image gets."""
     return {name: value for part in parts for name, value in part.labels.items() if name.startswith(labels.GPU)}
 
 
@@ -268,7 +282,7 @@ def _config(
     config["rootfs"] = (config.get("rootfs") or {"type": "layers"}) | {
         "diff_ids": [digest for source in (ros, *parts) for digest in source.diff_ids]
     }
-    if config.get("history"):  # one entry for each layer, or none at all
+    if config.get("history"):  # either every layer has an entry, or there is no history
         config["history"] += [entry for part in parts for entry in _history(config, part)]
     return config
 

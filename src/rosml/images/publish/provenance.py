@@ -39,7 +39,7 @@ OWN_MACHINE = "https://rosml.invalid/builder/own-machine"
 """The builder's identity if a person calls the publisher: nobody vouches for that machine."""
 
 COVERED = "io.rosml.provenance"
-"""The annotation of an image in its index that names the artifacts with statements about it, by their digests."""
+"""The annotation of an image in its index with the digests of the statements about it."""
 
 PREDICATE_ANNOTATION = "in-toto.io/predicate-type"
 BUILDER = "io.rosml.builder"

@@ -240,7 +240,7 @@ class Pruner:
         repository, tag = item
         path = self.place.path(repository)
         digest = self.place.client.head(path, tag)
-        if not digest:  # somebody else removed it
+        if not digest:  # somebody else removed the tag
             return ""
         if digest != found.seen.get(item, digest):
             return f"{repository}:{tag}{STAYS}it moved meanwhile"

@@ -41,7 +41,7 @@ def record(run: Run, file: Path) -> None:
     try:
         data = file.read_bytes()
         content = _Handed.model_validate_json(data)
-        untrusted.json_value(data, WRITTEN_BYTES)  # within the limits: entries go into the records as they are
+        untrusted.json_value(data, WRITTEN_BYTES)  # checks its size: the entries go into the records unchanged
         entries = [_entry(item) for item in content.entries]
     except (OSError, ValueError) as error:
         reason = first_of(error) if isinstance(error, ValidationError) else getattr(error, "strerror", "") or error

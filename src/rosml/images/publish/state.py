@@ -49,7 +49,7 @@ class Item:
 
     @property
     def target(self) -> str:
-        """Its bake target."""
+        """The bake target of the image or part."""
         return self.thing.target
 
     @property
@@ -61,7 +61,7 @@ class Item:
 
     @property
     def repository(self) -> str:
-        """Without the registry's prefix."""
+        """The repository, without the registry's prefix."""
         return repository_of(self.thing)
 
     @property
@@ -163,7 +163,7 @@ class State:
 
     @property
     def place(self) -> Place:
-        """Where the images are."""
+        """The place of the images."""
         return self.request.place
 
     @property

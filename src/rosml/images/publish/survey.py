@@ -113,7 +113,7 @@ def _lacking(state: State, rows: Mapping[str, Image]) -> dict[tuple[str, str], f
             return frozenset(package_state.lacking(state.request.services, state.image_set.matrix, *key, wanted[key]))
         except RosmlError as error:
             state.remarks.append(f"{key[0]}: {error.message}; {error.remedy}")
-            return frozenset()  # the build says more
+            return frozenset()  # the build will say what is missing
 
     found = zip(wanted, side_by_side(absent, wanted, ARCHIVES), strict=True)
     return {key: names for key, names in found if names}

@@ -35,7 +35,9 @@ def undo(book: Records, date: str, run: str = "") -> list[Outcome]:
     if name not in known:
         dates = ", ".join(item.removeprefix(UNDO) for item in known[-5:])
         text = f"there is no record of {'a run of ' + run if run else 'any run'}"
-        raise RosmlError(text, f"there is: {dates}" if known else "no run has moved a tag in this registry yet")
+        raise RosmlError(
+            text, f"there are records of {dates}" if known else "no run has moved a tag in this registry yet"
+        )
     recorded = list(reversed(read_moves(book, name)))
     there = side_by_side(lambda move: book.registry.head(book.place.path(move.repository), move.tag), recorded)
     now = list(zip(recorded, there, strict=True))

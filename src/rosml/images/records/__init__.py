@@ -1,2 +1,2 @@
-"""Records of what was built, tested, scanned and indexed, and of tags that moved; kept in the registry. Uses registry
-and below."""
+"""Records, kept in the registry: what was built, tested, scanned and indexed, and which tags moved. Uses registry and
+below."""

@@ -1,9 +1,9 @@
-"""What the publisher knows of an image on one architecture, kept in the registry: any machine can carry on.
+"""What the publisher knows of images, kept in the registry, so that any machine can continue.
 
-One artifact for each image and architecture in the repository `records`, under the tag `<target>.<architecture>`. What a
-plan needs stands in its annotation, so that one request reads it; the inputs by name, which say why an image is to be
-built anew, are its layer. Of each tag the present artifact alone is kept. The same is attached to the image itself when it
-is promoted, for whoever has only that; a run that finds the repository `records` empty carries on from there.
+The repository `records` has one artifact for each image and architecture, under the tag `<target>.<architecture>`. Its
+annotation has all that a plan needs, so that one request reads it. Its layer has also the inputs by name, which explain why
+an image is rebuilt. Only the present artifact of a tag is kept. When an image is promoted, its entry is also attached to the
+image itself, for the catalogue's history.
 """
 
 from __future__ import annotations
@@ -33,10 +33,10 @@ LAYER = "application/json"
 REPOSITORY = "records"
 
 INDEX = "index"
-"""Stands for an architecture in the entry of an image's index."""
+"""The architecture in the entry of an image's index."""
 
 CREATED = "org.opencontainers.image.created"
-"""The annotation with the time by which the newest of several artifacts is known."""
+"""The annotation with the time of an artifact, which decides which of several is the newest."""
 
 
 @dataclass(frozen=True)
@@ -44,23 +44,30 @@ class Entry:
     """An image, or part, on one architecture.
 
     Attributes:
-        target: bake target. architecture: under BuildKit's name.
-        inputs: digest of what it is made from; empty where nothing was made yet.
-        package_state: of the repositories that its packages came from; empty where no repository decides.
-        repository: without the registry's prefix. digest: of the image manifest; empty where nothing was made yet.
-        parts: of an image that was put together, the digests of its parts by target.
-        size: bytes of its layers, compressed. unpacked: bytes of its root file system; 0 where nobody counted.
-        tested: digest of the tests that ran, empty before. passed: how many passed. failures: those that did not.
-        provenance: digests of the statements of where it came from that were attached when it was made, by builder.
-        sbom: of a ROS image or part, digest of the artifact with its SBOM.
-        scanned: outcome of the scan, empty before. scan: what it found by severity, the database's date, the policy's digest.
-        versions: what was found inside the image.
+        target: bake target.
+        architecture: such as `amd64`, or INDEX.
+        inputs: the inputs digest; empty if nothing was made yet.
+        package_state: state of the package repositories that its packages came from; empty if it does not depend on any.
+        repository: without the registry's prefix.
+        digest: of the image manifest or index; empty if nothing was made yet.
+        parts: digests by target of what the image was joined from or built on; of an index, its images by architecture.
+        size: bytes of the layers, compressed.
+        unpacked: bytes of the root file system; 0 if unknown.
+        tested: digest of the tests that ran; empty before.
+        passed: how many tests passed.
+        failures: the tests that failed.
+        provenance: digests of the provenance statements, by builder.
+        sbom: for a ROS image or part, digest of the artifact with its SBOM.
+        scanned: outcome of the scan; empty before.
+        scan: findings by severity, the digest and date of the database, and the digest of the policy.
+        versions: of packages and programs found in the image.
         seconds: wall time by step.
-        date: of the run that made it. changed: of the run that wrote this.
-        held: of an index, when its tags were moved back; it gets none any more.
-        failed: the step that failed last, and why; empty where none did.
-        superseded: digests that were in its place and may still be in the registry.
-        signed: of an index, when it was signed, by whose signature.
+        date: of the run that made it.
+        changed: date of the run that wrote this entry.
+        held: for an index, when its tags were moved back. It gets no more tags.
+        failed: the step that failed last, and why; empty if none did.
+        superseded: earlier digests, which may still be in the registry.
+        signed: for an index, when it was signed, by the signature's identity.
     """
 
     __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(extra="forbid")
@@ -92,11 +99,11 @@ class Entry:
 
     @property
     def tag(self) -> str:
-        """Its tag in the repository of the records."""
+        """The entry's tag in the repository of the records."""
         return tag(self.target, self.architecture)
 
     def made(self, digest: str, **facts: Any) -> Entry:
-        """The entry after something was made in its place. What was found out about the same digest before holds on."""
+        """The entry after a build, join or index. If the digest is the same as before, the earlier facts about it stay."""
         if digest == self.digest:
             return replace(self, failed={}, **facts)
         old = (*self.superseded, *((self.digest,) if self.digest else ()))
@@ -104,7 +111,7 @@ class Entry:
         return replace(fresh, **facts)
 
     def to_json(self) -> dict[str, Any]:
-        """As plain data, without what is empty."""
+        """As plain data, without empty values."""
         return {name: value for name, value in asdict(self).items() if value}
 
 
@@ -114,8 +121,8 @@ def tag(target: str, architecture: str) -> str:
 
 
 def parse(content: Any) -> Entry | None:
-    """An entry of its plain data; None if that is no entry, or of a later version of this program."""
-    if isinstance(content, dict) and "upstream" in content:  # what older versions of this program wrote
+    """The entry in plain data; None if there is none, or a later version of this program wrote it."""
+    if isinstance(content, dict) and "upstream" in content:  # from an older version of this program
         content = {**content, "package_state": content["upstream"]}
         del content["upstream"]
     try:
@@ -128,7 +135,7 @@ _ADAPTER = TypeAdapter(Entry)
 
 
 class _Inputs(BaseModel):
-    """What the layer of an entry says of its inputs."""
+    """The inputs in the layer of an entry."""
 
     inputs: dict[str, str]
 
@@ -137,8 +144,8 @@ class Records:
     """The entries of a registry.
 
     Attributes:
-        place: where they are.
-        registry: the client of that place.
+        place: the registry.
+        registry: its client.
         repository: the path of the repository with the records.
     """
 
@@ -148,7 +155,7 @@ class Records:
         self.repository = place.path(REPOSITORY)
 
     def read(self, target: str, architecture: str) -> Entry | None:
-        """The entry of an image on an architecture; None where there is none, or none that can be read."""
+        """The entry of an image on an architecture; None if there is none, or it cannot be read."""
         found = self.registry.manifest(self.repository, tag(target, architecture))
         if found is None:
             return None
@@ -159,13 +166,13 @@ class Records:
         return entry if entry and (entry.target, entry.architecture) == (target, architecture) else None
 
     def read_all(self, wanted: Iterable[tuple[str, str]]) -> dict[tuple[str, str], Entry]:
-        """Entries by target and architecture; those that are not there are left out."""
+        """Entries by target and architecture, without those that are missing."""
         keys = list(wanted)
         found = side_by_side(lambda key: self.read(*key), keys)
         return {key: entry for key, entry in zip(keys, found, strict=True) if entry}
 
     def inputs(self, target: str, architecture: str) -> dict[str, str]:
-        """The inputs by name of what an entry is about; empty where they are not known."""
+        """The inputs of an entry by name; empty if unknown."""
         found = self.registry.manifest(self.repository, tag(target, architecture))
         if found is None:
             return {}
@@ -177,11 +184,11 @@ class Records:
             return {}
 
     def write(self, entry: Entry, inputs: Mapping[str, str] | None = None) -> str:
-        """Writes an entry in the place of the one before; gives its manifest's digest.
+        """Writes an entry, and replaces the earlier one. Gives the digest of its manifest.
 
         Args:
             entry: the facts.
-            inputs: by name; those that were written before if left out.
+            inputs: by name; those of the earlier entry if None.
         """
         if inputs is None:
             inputs = self.inputs(entry.target, entry.architecture)
@@ -190,11 +197,11 @@ class Records:
         return self.artifact(entry.tag, data, {ANNOTATION: text})
 
     def attach(self, entry: Entry, inputs: Mapping[str, str]) -> None:
-        """Attaches an entry to the image that it is about, for the time when another one is in its place. The same one again
+        """Attaches an entry to its image, so that it stays when a newer entry replaces it. Attaching the same entry again
         changes nothing.
 
         Raises:
-            RosmlError: the image is not there; the registry does not answer or refuses.
+            RosmlError: the image is missing; the registry does not answer or refuses.
         """
         path = self.place.path(entry.repository)
         subject = self.registry.manifest(path, entry.digest)
@@ -204,10 +211,11 @@ class Records:
         self.registry.attach(path, subject.descriptor, ARTIFACT, data, LAYER, {CREATED: entry.changed})
 
     def attached(self, repository: str, digest: str) -> Entry | None:
-        """The newest entry that is attached to an image; None where there is none that can be read and is about that image.
+        """The newest readable entry that is attached to an image and is about this image; None if there is none.
 
         Args:
-            repository: without the registry's prefix. digest: of the manifest.
+            repository: without the registry's prefix.
+            digest: of the manifest.
         """
         path = self.place.path(repository)
         found = []
@@ -223,19 +231,19 @@ class Records:
         return max(found, key=lambda entry: entry.changed, default=None)
 
     def artifact(self, name: str, data: bytes, annotations: Mapping[str, str]) -> str:
-        """Puts an artifact with one layer of JSON under a tag of the records, in the place of the one before.
+        """Puts an artifact with one layer of JSON under a tag of the records. Gives the digest of its manifest.
 
-        That one is removed where the registry can: nobody would find it any more. Its blobs are the registry's to collect.
+        The earlier artifact of the tag is removed, if the registry can do that. The registry itself collects its blobs.
         """
         before = self.registry.head(self.repository, name)
         digest = self.registry.put_artifact(self.repository, name, ARTIFACT, data, LAYER, annotations)
         if before not in ("", digest):
-            with suppress(RosmlError):  # the artifact is written by now, whatever becomes of the one before
-                if self.registry.head(self.repository, name) != before:  # or somebody moved the tag back to it
+            with suppress(RosmlError):  # the new artifact is written, even if the earlier one cannot be removed
+                if self.registry.head(self.repository, name) != before:  # otherwise somebody moved the tag back to it
                     self.registry.discard(self.repository, before)
         return digest
 
 
 def date_of(manifest: Manifest | None) -> str:
-    """What an index says of the date of the run that made it: anybody may write anything there. Empty where it says none."""
+    """The date of the run that made an index, from its annotation; empty if it has none. Anybody may write anything there."""
     return manifest.annotations.get(DATE, "") if manifest else ""

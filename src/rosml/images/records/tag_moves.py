@@ -1,4 +1,4 @@
-"""The record of a run's moves: where each tag was before, and where it went."""
+"""The record of a run's moves: where each tag pointed before, and where it points since."""
 
 from __future__ import annotations
 
@@ -12,12 +12,19 @@ from rosml.base.errors import RosmlError
 from rosml.images.records.store import Records
 
 UNDO = "undo."
-"""How tags of records begin that say where tags were."""
+"""The tag of each record of moves begins with this."""
 
 
 @dataclass(frozen=True)
 class Move:
-    """A tag that moves: its repository without the registry's prefix, where it was (empty: nowhere), where it goes."""
+    """A move of a tag.
+
+    Attributes:
+        repository: without the registry's prefix.
+        tag: the tag.
+        old: the digest before; empty if the tag did not exist.
+        new: the digest after.
+    """
 
     repository: str
     tag: str
@@ -30,7 +37,7 @@ class Move:
 
 
 class _Record(BaseModel):
-    """What the layer of a record says."""
+    """The content of a record."""
 
     moves: list[Move]
 
@@ -41,10 +48,10 @@ def record_name(date: str) -> str:
 
 
 def read_moves(records: Records, name: str) -> list[Move]:
-    """The moves that a record tells of; none where there is no such record.
+    """The moves in a record; none if there is no such record.
 
     Raises:
-        RosmlError: it cannot be read.
+        RosmlError: the record cannot be read.
     """
     found = records.registry.manifest(records.repository, name)
     if found is None:

@@ -142,7 +142,7 @@ class _Promotion:
         tags = tags_of(thing)
         main = tags[0]
         day = dated(main, entry.date)
-        for name in chain([day], (f"{day}.{number}" for number in count(2))):  # the day's second one is its .2
+        for name in chain([day], (f"{day}.{number}" for number in count(2))):  # the second tag of a day ends in .2
             there = self._there[repository, day] if name == day else self.registry.head(repository, name)
             if not there:
                 yield Move(entry.repository, name, "", entry.digest)

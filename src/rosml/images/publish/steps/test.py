@@ -29,7 +29,7 @@ def test_at_once(run: Run, item: Item) -> None:
     """Tests an image that was just built or joined, if this machine can."""
     task = run.state.task(item, ahead=False)
     if task.steps[:1] == ("test",):
-        run.do("test", item, "(as soon as it is there)", task.why, partial(_test, run))
+        run.do("test", item, "(at once)", task.why, partial(_test, run))
 
 
 def _test(run: Run, item: Item, entry: Entry) -> Entry:
