@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
+from rosml.base.side_by_side import side_by_side
 from rosml.images.matrix.model import Matrix, OperatingSystem
 from rosml.images.matrix.source import Document
 from rosml.registry import references
@@ -64,12 +64,11 @@ def look(matrix: Matrix, registries: Callable[[str], Registry]) -> Pins:
         except RosmlError as error:
             return error
 
-    with ThreadPoolExecutor(8) as pool:
-        for name, answer in zip(systems, pool.map(asked, systems), strict=True):
-            if isinstance(answer, RosmlError):
-                found.left_out[name] = answer.message
-            elif answer != systems[name].digest:
-                found.moved.append(Pin(name, systems[name].image, systems[name].digest, answer))
+    for name, answer in zip(systems, side_by_side(asked, systems), strict=True):
+        if isinstance(answer, RosmlError):
+            found.left_out[name] = answer.message
+        elif answer != systems[name].digest:
+            found.moved.append(Pin(name, systems[name].image, systems[name].digest, answer))
     return found
 
 

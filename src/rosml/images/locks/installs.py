@@ -17,15 +17,15 @@ import tempfile
 import tomllib
 import zipfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass, replace
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 
 import httpx
 
 from rosml.base import progress_bar, web
 from rosml.base.errors import RosmlError
+from rosml.base.side_by_side import side_by_side
 from rosml.images.image_set.lock_file import package_name, versions
 from rosml.images.image_set.model import ImageSet
 from rosml.images.locks.resolve import WORKERS, Uv, compile_command
@@ -203,14 +203,14 @@ def look(
     """
     wanted = [item for item in environments(image_set) if not stacks or item.stack in stacks]
     found: dict[Environment, list[Found]] = {}
-    with web.client(timeout=60) as client, ThreadPoolExecutor(WORKERS) as pool:
+    with web.client(timeout=60) as client:
         index = Index(Uv(uv), client)
         newest = cache(lambda *about: _version(*index.resolve(about[:2], [about[2]]), about[2])[0])
         for environment in progress_bar.over(wanted, "environments", len(wanted)):
             where = _wheels(image_set, environment)
             lines = constraints(image_set, root, environment, index)
-            futures = [pool.submit(of_package, index, where, lines, package, newest) for package in PACKAGES]
-            found[environment] = [future.result() for future in futures]
+            ask = partial(of_package, index, where, lines, newest=newest)
+            found[environment] = side_by_side(ask, PACKAGES, WORKERS)
             say(f"[{len(found)} of {len(wanted)}] {words(environment)}")
     return found
 
