@@ -379,7 +379,7 @@ def test_a_framework_that_no_default_stack_has_gets_no_short_tag() -> None:
         "ros-ml:alpha-base-cu1",
         "ros-ml:alpha-base-cu1-torch2.10.0-tf2.20.0",
     )
-    assert "the row's default stack has no such framework" in str(why_not(image_set, "ros-ml:alpha-cu1"))
+    assert "the distribution's default stack has no such framework" in str(why_not(image_set, "ros-ml:alpha-cu1"))
 
 
 def test_one_of_several_default_stacks_that_nothing_has() -> None:
@@ -453,7 +453,7 @@ REASONS = {
     "alpha-torch-cpu": "alpha-torch-cpu is called alpha-base-torch-cpu.",
     "ros-torch:alpha-cpu": "there is no tag ros-torch:alpha-cpu: short ones are for stack cu1 alone; "
     "take ros-torch:alpha-base-cpu.",
-    "part-cuda-cu1": "cuda-cu1: cuda of stack cu1, assembled from locks/cu1/amd64/any/cuda.txt, in 13 images",
+    "part-cuda-cu1": "cuda-cu1: cuda of stack cu1, built from locks/cu1/amd64/any/cuda.txt, in 13 images",
 }
 
 

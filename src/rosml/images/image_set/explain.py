@@ -72,7 +72,7 @@ def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.en
         return Explained(image.target, True, tuple(_facts(image_set.matrix, image, environ)), head)
     if part := image_set.part_by_name.get(name.removeprefix("part-")):
         users = sum(part.name in image.parts for image in image_set.images)
-        text = f"{part.name}: {part.kind} of stack {part.stack}, assembled from {listed(part.locks)}, in {counted(users, 'image')}"
+        text = f"{part.name}: {part.kind} of stack {part.stack}, built from {listed(part.locks)}, in {counted(users, 'image')}"
         return Explained(part.name, True, (text,))
     if name in image_set.groups:
         listed_by = "rosml list" if name in ("parts", "tests") else f"rosml list {name}"
@@ -129,7 +129,9 @@ def _reason(image_set: ImageSet, name: str, wanted: Wanted) -> str | None:
         if ":" in name and target in image_set.by_target:
             stack = rules.default_stack(matrix, row, wanted.framework)
             why = (
-                f"short ones are for stack {stack} alone" if stack else "the row's default stack has no such framework"
+                f"short ones are for stack {stack} alone"
+                if stack
+                else "the distribution's default stack has no such framework"
             )
             return f"there is no tag {name}: {why}; take {image_set.by_target[target].tags[0]}."
         return f"{name} is called {target}."

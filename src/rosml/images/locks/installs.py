@@ -355,7 +355,7 @@ def _table(found: Mapping[Environment, Sequence[Found]]) -> Iterable[str]:
         for item in items:
             rows[item.package].setdefault((_release(item), _reason(item)), []).append(environment)
     newest = [package for package, releases in rows.items() if not any(why for _, why in releases)]
-    yield f"On every row the newest that its Python has: {', '.join(f'`{package}`' for package in newest)}."
+    yield f"On every distribution the newest that its Python has: {', '.join(f'`{package}`' for package in newest)}."
     yield ""
     yield "| package | release | Python (stacks) | why no newer one |"
     yield "| --- | --- | --- | --- |"

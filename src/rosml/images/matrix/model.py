@@ -141,7 +141,7 @@ class Default(Facts):
         description="`rosml image` builds the first of these images that this machine can build"
     )
     assembler: OsName = Field(
-        description="the operating system that assembles parts for any Python, tests images and lists their files"
+        description="the operating system that builds parts for any Python, tests images and lists their files"
     )
     group: Annotated[tuple[Target, ...], Field(min_length=1)] = Field(
         description="images of the bake file's `default` group: small and useful"
@@ -233,7 +233,7 @@ class PartEntry(Facts):
     tested: bool = Field(default=True, description="whether tests/structure has tests of its own for it")
     compiled: bool = Field(
         default=False,
-        description="whether it has more of them, in NAME-build, that run in one image of each row: they need a compiler, or take long",
+        description="whether it has more of them, in NAME-build, that run in one image of each distribution: they need a compiler, or take long",
     )
 
     @property
@@ -463,7 +463,9 @@ class Rates(Facts):
     packages: Rate = Field(default=25, description="MB unpacked per second while apt installs packages")
     parts: Rate = Field(default=60, description="MB unpacked per second while parts are built")
     test: Rate = Field(default=15, description="seconds for the tests of an image")
-    carried: Rate = Field(default=120, description="seconds for the tests that one image of a row runs for the others")
+    carried: Rate = Field(
+        default=120, description="seconds for the tests that one image of a distribution runs for the others"
+    )
 
 
 class Matrix(Facts):

@@ -64,7 +64,7 @@ def part_name(part: str, stack: str, python: str) -> str:
 
 
 def files_target(part: str) -> str:
-    """The target that assembles a part's files below /out."""
+    """The target that builds a part's files below /out."""
     return f"_files-{part}"
 
 
