@@ -89,15 +89,15 @@ Signed-By: /usr/share/keyrings/ubuntu-archive-keyring.gpg
 """
 BOOKWORM = """\
 Types: deb
-# http://snapshot.debian.org/archive/debian/20261117T000000Z
-URIs: http://deb.debian.org/debian
+# http://snapshot.example/debian/20261117T000000Z
+URIs: http://debian.example/debian
 Suites: bookworm bookworm-updates
 Components: main
 Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
 
 Types: deb
-# http://snapshot.debian.org/archive/debian-security/20261117T000000Z
-URIs: http://deb.debian.org/debian-security
+# http://snapshot.example/debian-security/20261117T000000Z
+URIs: http://debian.example/debian-security
 Suites: bookworm-security
 Components: main
 Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
@@ -122,9 +122,9 @@ OFFICIAL = {
     "debian-12": (
         {f"{PARTS}/debian.sources": BOOKWORM},
         (
-            Source("http://deb.debian.org/debian", "bookworm", ("main",)),
-            Source("http://deb.debian.org/debian", "bookworm-updates", ("main",)),
-            Source("http://deb.debian.org/debian-security", "bookworm-security", ("main",)),
+            Source("http://debian.example/debian", "bookworm", ("main",)),
+            Source("http://debian.example/debian", "bookworm-updates", ("main",)),
+            Source("http://debian.example/debian-security", "bookworm-security", ("main",)),
         ),
     ),
 }

@@ -10,6 +10,7 @@ import click
 from rosml.base import terminal
 from rosml.cli import options
 from rosml.cli.checkout import Command
+from rosml.cli.command import say
 
 KEPT = "interrupted: no tag was moved; the next call finds again what was pushed"
 """The message after Ctrl-C."""
@@ -40,9 +41,6 @@ def main(
     from rosml.base.units import duration, size
     from rosml.images.join.joiner import Joiner
     from rosml.registry.client import Registries
-
-    def say(line: str) -> None:
-        terminal.echo(line, err=True)
 
     with (
         Registries(os.environ.get("SSL_CERT_FILE", "")) as clients,

@@ -16,6 +16,7 @@ from rosml.base import files, github, terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import options
 from rosml.cli.checkout import Command
+from rosml.cli.command import say
 
 if TYPE_CHECKING:
     from rosml.images.image_set.model import ImageSet
@@ -137,10 +138,6 @@ def main(
         words = [*(["--upgrade"] if upgrade else []), *(word for stack in stacks for word in ("--stack", stack))]
         require_fresh(len(stale), pinned, words, as_json)
 
-
-def say(line: str) -> None:
-    """Prints progress."""
-    terminal.echo(line, err=True)
 
 
 def require_alone(upstream: bool, installs: bool, bases: bool, given: Mapping[str, object]) -> None:

@@ -71,19 +71,19 @@ def images_as_json(inputs: Inputs, images: Sequence[Image]) -> str:
     return json.dumps([{**facts(image), "inputs": inputs.digests(image)} for image in images], indent=2) + "\n"
 
 
-NAMED = ("torch", "tensorflow", "cuda")
-"""The versions by which people choose an image. `rosml list --json` has all of them, to the last number."""
-
 CONTENT = 20
 """As many characters of an image's versions are shown at least, if they are shown."""
 
 
 def print_images(images: Sequence[Image]) -> None:
     """Prints images, a row each. In a narrow terminal, versions are cut, and the last columns are left out."""
+    from rosml.images.matrix.rules import NVIDIA
+
     columns = ["tag", "GB", "platforms", "content", "target"]
     rows: list[list[str] | list[Text]] = []
     for image in images:
-        found = [f"{name} {short(image.versions[name])}" for name in NAMED if name in image.versions]
+        # cuDNN and NCCL follow from CUDA; 'rosml list --json' has all versions, to the last number.
+        found = [f"{name} {short(version)}" for name, version in image.versions.items() if name not in NVIDIA[1:]]
         content, size = ", ".join(found) or "ROS", f"{image.disk.unpacked / 1000:.1f}"
         row = [image.tags[0], size, ", ".join(image.architectures), content, image.target]
         rows.append(row if image.locked else [coloured(cell, "dim") for cell in row])
