@@ -1,7 +1,7 @@
 """Certificates of private authorities for registries, from the folders that Docker reads: `certs.d/<host>/*.crt`.
 
-`rosml setup` configures the builder and regctl with the same certificates. buildx, which asks for tokens, and trivy do not read
-these folders: they get a bundle with all certificates.
+`rosml setup` configures the builder and regctl with the same certificates. buildx, which asks for tokens, and trivy do
+not read these folders: they get a bundle with all certificates.
 """
 
 from __future__ import annotations

@@ -31,7 +31,8 @@ class Challenge:
 
 
 def read(headers: Iterable[str]) -> Challenge | None:
-    """The first challenge of a known scheme in an answer's headers; None if there is none. Reads each character once."""
+    """The first challenge of a known scheme in an answer's headers; None if there is none. Reads each character
+    once."""
     for text in headers:
         found = _SCHEME.match(text)
         if found is None or len(text) > LARGEST:

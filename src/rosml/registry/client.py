@@ -1,7 +1,7 @@
 """A client of container registries: the part of the OCI distribution API that the publisher needs.
 
-A request is sent again if its failure may pass. If it does not pass, the error has a remedy. No message, log line or repr
-holds a password, a token or a signed address.
+A request is sent again if its failure may pass. If it does not pass, the error has a remedy. No message, log line or
+repr holds a password, a token or a signed address.
 """
 
 from __future__ import annotations
@@ -131,8 +131,10 @@ class Registry:
         """
         Args:
             host: as in references.
-            plain: speak http. By default, only a registry on this machine without certificates in certs.d gets plain http.
-            ca_bundle: a file with the certificates to trust; by default the file that SSL_CERT_FILE names, or the usual one.
+            plain: speak http. By default, only a registry on this machine without certificates in certs.d gets plain
+                http.
+            ca_bundle: a file with the certificates to trust; by default the file that SSL_CERT_FILE names, or the usual
+                one.
             credentials: gives the credentials of a host; it is called once, when the registry asks for them.
         """
         self.host = host
@@ -302,7 +304,8 @@ class Registry:
             limit: its largest size, in bytes.
 
         Raises:
-            RosmlError: there is no such blob, it is larger, or it has another digest; the registry does not answer or refuses.
+            RosmlError: there is no such blob, it is larger, or it has another digest; the registry does not answer or
+                refuses.
         """
         _hash(digest)
         return _verified(self._ask("GET", f"{repository}/blobs/{digest}", repository, limit=limit).content, digest)
@@ -338,7 +341,8 @@ class Registry:
             name: the user's name of the image, for messages; by default its place and digest.
 
         Raises:
-            RosmlError: it is no image (exit code 2), or its config does not follow OCI's specification; or as in `blob`.
+            RosmlError: it is no image (exit code 2), or its config does not follow OCI's specification; or as in
+                `blob`.
         """
         name = name or f"{self.host}/{repository}@{manifest.digest}"
         if manifest.config is None:
@@ -360,8 +364,8 @@ class Registry:
         Args:
             repository: its path.
             digest: of the blob.
-            read: gets the blob in pieces. If the connection breaks, it is called again, from the beginning. The digest is
-                checked only if the function reads to the end.
+            read: gets the blob in pieces. If the connection breaks, it is called again, from the beginning. The digest
+                is checked only if the function reads to the end.
             size: of the blob, in bytes; None if unknown.
 
         Returns:
@@ -486,8 +490,8 @@ class Registry:
     def _has_referrers(self, path: str, repository: str) -> bool:
         """Whether the registry has the API for referrers. The first request of that kind decides.
 
-        Any answer but an index means that it has not. ghcr.io redirects to a web page, which may be missing, or answer 429
-        for hours.
+        Any answer but an index means that it has not. ghcr.io redirects to a web page, which may be missing, or answer
+        429 for hours.
         """
         if self._keeps_account is None:
             try:
@@ -565,7 +569,8 @@ class Registry:
         return digest
 
     def forget(self, repository: str, subject: str) -> None:
-        """Removes the list of the artifacts that were attached to a removed manifest, if the registry has no API for referrers.
+        """Removes the list of the artifacts that were attached to a removed manifest, if the registry has no API for
+        referrers.
 
         Raises:
             RosmlError: the registry does not delete, does not answer or refuses.
@@ -576,8 +581,8 @@ class Registry:
     def _list(self, repository: str, subject: str, entry: Mapping[str, Any]) -> None:
         """Adds an artifact to the index under the fallback tag.
 
-        The index is read again before and after the write, so that changes of other publishers stay. Only two writes at the
-        very same time can still undo each other, since registries have no conditional write.
+        The index is read again before and after the write, so that changes of other publishers stay. Only two writes at
+        the very same time can still undo each other, since registries have no conditional write.
 
         Raises:
             RosmlError: others keep writing the index; the registry does not answer or refuses.
@@ -640,10 +645,10 @@ class Registry:
     def _look(self, method: str, path: str, repository: str) -> Answer | None:
         """Sends a request for something that may be missing; None if it is.
 
-        ghcr.io may deny access to a repository that does not exist yet. If it denies a known account, the content counts as
-        missing, and a warning says so. A later push shows whether the account lacks a right. This does not hold for a
-        repository with a manifest that this client saw or put: such a repository exists, and a wrong "missing" would move a
-        tag without a record of where it was.
+        ghcr.io may deny access to a repository that does not exist yet. If it denies a known account, the content
+        counts as missing, and a warning says so. A later push shows whether the account lacks a right. This does not
+        hold for a repository with a manifest that this client saw or put: such a repository exists, and a wrong
+        "missing" would move a tag without a record of where it was.
         """
         scopes, accept = self._scopes(repository), {"Accept": _ACCEPT} if "/manifests/" in path else {}
 
@@ -778,8 +783,8 @@ class Registry:
     def _exchange(self, request: httpx.Request, scopes: frozenset[str], refused: str) -> tuple[httpx.Response, str]:
         """Sends a request with credentials. Gives the answer, and the header `Authorization` that it sent.
 
-        For a blob, redirects to any host are followed; for other requests, only within the registry, because another host
-        would answer that a manifest is missing.
+        For a blob, redirects to any host are followed; for other requests, only within the registry, because another
+        host would answer that a manifest is missing.
         """
         header = self._login.header(request.url, scopes, refused)
         request.headers.pop("authorization", None)

@@ -1,4 +1,5 @@
-"""Finds the user's credentials for a registry as Docker does: in a variable, its config file, and its credential helpers."""
+"""Finds the user's credentials for a registry as Docker does: in a variable, its config file, and its credential
+helpers."""
 
 from __future__ import annotations
 
@@ -27,8 +28,8 @@ VARIABLE = "DOCKER_AUTH_CONFIG"
 """Has the same content as `auths` in the config file, for jobs in CI. buildx and regctl read it as well."""
 
 OWN = "regctl/docker.json"
-"""Below `.state`: credentials for the local registry of a checkout, in the form of Docker's config file. regctl's own file is
-beside it."""
+"""Below `.state`: credentials for the local registry of a checkout, in the form of Docker's config file. regctl's own
+file is beside it."""
 
 TOKEN_USER = "<token>"
 """The user name of a helper's answer if the secret is an identity token."""
@@ -64,8 +65,8 @@ def folder() -> Path | None:
 def from_docker(host: str) -> Credentials | None:
     """The credentials of a registry as Docker has them; None if there are none.
 
-    The order is Docker's: the variable DOCKER_AUTH_CONFIG, the helper of that registry, the helper for all registries, the
-    config file. Only the credentials that `rosml setup` made for the local registry come before the helpers.
+    The order is Docker's: the variable DOCKER_AUTH_CONFIG, the helper of that registry, the helper for all registries,
+    the config file. Only the credentials that `rosml setup` made for the local registry come before the helpers.
 
     Raises:
         RosmlError: the variable or the file is damaged, or a helper cannot be run.
@@ -92,7 +93,8 @@ def from_docker(host: str) -> Credentials | None:
 
 
 def own(state: Path) -> dict[str, Any]:
-    """The credentials file that `rosml setup` made for the local registry; empty if there is none, or it is unreadable."""
+    """The credentials file that `rosml setup` made for the local registry; empty if there is none, or it is
+    unreadable."""
     try:
         return untrusted.json_object((state / OWN).read_bytes()) or {}
     except OSError:

@@ -48,8 +48,8 @@ class Transient(Exception):
 
 
 class Refused(Transient):
-    """The registry refused a request that it may accept later: another machine is creating the repository, or a part of the
-    registry does not know a new blob yet.
+    """The registry refused a request that it may accept later: another machine is creating the repository, or a part of
+    the registry does not know a new blob yet.
 
     Attributes:
         error: the error if it does not pass.

@@ -1,7 +1,7 @@
 """Authenticates requests to one registry, by a name and password or by a token.
 
-The credentials of a registry go only to that registry, and to the token server that it names in its own answer. A host that
-it redirects to cannot name a token server.
+The credentials of a registry go only to that registry, and to the token server that it names in its own answer. A host
+that it redirects to cannot name a token server.
 """
 
 from __future__ import annotations
@@ -34,8 +34,8 @@ LONGEST = 86400.0
 """How many seconds a token is kept at most."""
 
 DENIED_SECONDS = 5.0
-"""After the token server denied a read-only scope, it is not asked for this scope again for so many seconds. An empty registry
-would deny thousands of reads at once. The time is short because another machine may create the repository."""
+"""After the token server denied a read-only scope, it is not asked for this scope again for so many seconds. An empty
+registry would deny thousands of reads at once. The time is short because another machine may create the repository."""
 
 
 class Login:
@@ -77,7 +77,8 @@ class Login:
         return found is not None
 
     def header(self, address: httpx.URL, scopes: frozenset[str], refused: str) -> str:
-        """The header `Authorization` for a request; empty for another host, or if the registry has not asked for credentials.
+        """The header `Authorization` for a request; empty for another host, or if the registry has not asked for
+        credentials.
 
         Args:
             address: of the request.

@@ -28,8 +28,8 @@ class Reference(NamedTuple):
 
 
 def parse(reference: str) -> Reference:
-    """Splits a complete reference such as ``ghcr.io/me/ros:jazzy-base``. Without a tag, it is `latest`. If there are a tag and
-    a digest, the digest counts.
+    """Splits a complete reference such as ``ghcr.io/me/ros:jazzy-base``. Without a tag, it is `latest`. If there are a
+    tag and a digest, the digest counts.
 
     Raises:
         RosmlError: the text is no reference, or names no registry (exit code 2).

@@ -58,7 +58,7 @@ def test_the_command_says_that_nobody_knows(tmp_path: Path, small: ImageSet, mon
     monkeypatch.setattr(script, "ROOT", tmp_path)
     stopped, unknown = script.judged(small, {TORCH: PIN})
     assert stopped == [] and "the scanner is not installed; run 'rosml setup scanner'" in unknown
-    assert script.refused_table([], unknown).startswith("\nNobody knows whether the scan")
+    assert script.refused_table([], unknown).startswith("\nCannot tell which locked")
 
 
 def test_the_command_says_what_the_scan_will_stop(world: World, small: ImageSet) -> None:

@@ -172,8 +172,8 @@ class Call:
         """Asks the registry and the package repositories, and gives the state of the requested images.
 
         Args:
-            reading: nothing will be built. Then the ROS images and parts below are judged on all of their architectures,
-                and if a registry is named, no service of this machine is needed.
+            reading: nothing will be built. Then the ROS images and parts below are judged on all of their
+                architectures, and if a registry is named, no service of this machine is needed.
         """
         from rosml.base import clock
         from rosml.images.image_set import selection

@@ -34,7 +34,7 @@ from rosml.cli.checkout import Command
     type=click.IntRange(min=1),
     default=10,
     show_default=True,
-    help="describe at most this many builds of each image without a tag; builds with a tag are all described",
+    help="for each image, describe at most this many builds that have no tag; builds with a tag are all described",
 )
 @click.option("--json", "as_json", is_flag=True, help="print catalogue.json on standard output, and write no file")
 def main(registry: str, matrix: Path, only: tuple[str, ...], output: Path, history: int, as_json: bool) -> None:

@@ -17,7 +17,8 @@ from rosml.cli.checkout import Command
 @options.MATRIX
 @options.JSON
 def main(version: str, matrix: Path, as_json: bool) -> None:
-    """Lists which images differ from a git revision or another matrix file, and why. Without REVISION, compares with HEAD.
+    """Lists which images differ from a git revision or another matrix file, and why. Without REVISION, compares with
+    HEAD.
 
     \b
     Examples:

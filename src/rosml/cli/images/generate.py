@@ -37,7 +37,7 @@ COMMAND = "rosml generate"
 @click.option(
     "--output",
     type=click.Path(path_type=Path),
-    help="Write only the bake file, and write it here.",
+    help="Write only the bake file, to this path.",
 )
 def main(check: bool, matrix: Path, output: Path | None) -> None:
     if output and output.exists() and output.resolve() == matrix.resolve():

@@ -46,8 +46,8 @@ LONGEST_TAG = 128
 def main(target: str, matrix: Path, namespace: str, platform: str, on: str, force: bool, as_json: bool) -> None:
     """Builds TARGET, runs its structure tests, and moves its tags in the local registry.
 
-    Builds also the images and parts that TARGET needs, if they are missing or out of date. Sets this machine up first, if
-    necessary. 'rosml status' and the catalogue show the image afterwards.
+    Builds also the images and parts that TARGET needs, if they are missing or out of date. Sets this machine up first,
+    if necessary. 'rosml status' and the catalogue show the image afterwards.
 
     Without TARGET, builds the first of matrix.yaml's defaults that this machine can build.
 

@@ -30,8 +30,8 @@ def main(
 ) -> None:
     """Joins ROS_IMAGE and PARTs, and moves a tag to the result.
 
-    Give complete references, in any registry. The result has every platform that all of them have. rosml mounts layers from
-    the registry of the tag, and copies layers from other registries. Credentials are those of 'docker login'.
+    Give complete references, in any registry. The result has every platform that all of them have. rosml mounts layers
+    from the registry of the tag, and copies layers from other registries. Credentials are those of 'docker login'.
 
     \b
     Example:

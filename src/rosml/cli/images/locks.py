@@ -1,4 +1,5 @@
-"""`rosml locks`: writes the hash-pinned locks in locks/ from matrix.yaml, and updates the digests of base images in it."""
+"""`rosml locks`: writes the hash-pinned locks in locks/ from matrix.yaml, and updates the digests of base images in
+it."""
 
 from __future__ import annotations
 
@@ -30,9 +31,9 @@ if TYPE_CHECKING:
 @click.option(
     "--upgrade",
     is_flag=True,
-    help="Take the newest versions that fit, and the images that base images' tags point at. Without it, versions stay.",
+    help="Take the newest versions that fit, and update base images to what their tags point at. Without it, versions stay.",
 )
-@click.option("--bases", is_flag=True, help="Only take the images that base images' tags point at; resolve nothing.")
+@click.option("--bases", is_flag=True, help="Only update base images to what their tags point at; resolve nothing.")
 @click.option(
     "--upstream",
     is_flag=True,
@@ -73,7 +74,8 @@ def main(
     """Resolves every stack for every Python version and architecture, and writes the locks that changed.
 
     --upgrade and --bases also update the digests of base images in matrix.yaml; run 'rosml generate' afterwards.
-    If you have the scanner ('rosml setup scanner'), the command lists the versions that the scan will stop, by scan.yaml.
+    If you have the scanner ('rosml setup scanner'), the command lists the versions that the scan will stop, by
+    scan.yaml.
 
     \b
     Examples:
@@ -152,7 +154,7 @@ def require_alone(upstream: bool, installs: bool, bases: bool, given: Mapping[st
     if upstream and (given["--upgrade"] or given["--bases"] or given["--check"]):
         raise click.UsageError("--upstream writes no lock; leave --upgrade, --bases and --check out")
     if bases and (given["--upgrade"] or given["--stack"]):
-        raise click.UsageError("--bases takes base images alone; leave --upgrade and --stack out")
+        raise click.UsageError("--bases updates only base images; leave --upgrade and --stack out")
     if installs and (upstream or any(given.values())):
         raise click.UsageError("--installs looks at all stacks, and writes no lock; give no other option")
 
@@ -273,7 +275,8 @@ def require_fresh(locks: int, pinned: Pins | None, words: Sequence[str], as_json
 
 
 def stop(error: RosmlError, as_json: bool) -> None:
-    """Ends the command with an error. With `--json`, the one object is printed already, so the error goes to standard error."""
+    """Ends the command with an error. With `--json`, the one object is printed already, so the error goes to standard
+    error."""
     if not as_json:
         raise error
     terminal.echo(f"error: {error.message}\nremedy: {error.remedy}", err=True)

@@ -35,8 +35,8 @@ from rosml.cli.images.call import Call, sharing
 def main(everywhere: bool, shards: int, why: bool, output: Path | None, **options: Any) -> None:
     """Says which images a run will build, join or test, and why.
 
-    Compares the inputs of every image, and the dates of its packages, with the registry's records. No later step touches
-    images that are up to date. Run 'rosml setup' or 'rosml setup client' first, also if you name a --registry.
+    Compares the inputs of every image, and the dates of its packages, with the registry's records. No later step
+    touches images that are up to date. Run 'rosml setup' or 'rosml setup client' first, also if you name a --registry.
 
     \b
     Examples:

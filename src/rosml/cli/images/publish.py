@@ -76,8 +76,8 @@ def _step(name: str, help_text: str, options: tuple[str, ...] = _STEP) -> None:
 def repositories(plan_file: Path, matrix: Path, as_json: bool) -> None:
     """Creates the repositories that a plan writes into, one after the other, before several machines push at once.
 
-    Registries such as ghcr.io create a repository at its first push, and refuse other pushes into it meanwhile. Existing
-    repositories stay as they are.
+    Registries such as ghcr.io create a repository at its first push, and refuse other pushes into it meanwhile.
+    Existing repositories stay as they are.
 
     \b
     Example:
@@ -114,7 +114,7 @@ _step("test", "Runs the structure tests that images have not passed yet. They ru
 
 @main.command(name="images", short_help="Builds, joins and tests images, each as soon as possible.")
 @sharing(*_STEP)
-@click.option("--minutes", type=click.FloatRange(min=0), help="start no further image after this time")
+@click.option("--minutes", type=click.FloatRange(min=0), help="start no further image after this many minutes")
 def images(minutes: float | None, **options: Any) -> None:
     """Builds, joins and tests images, each as soon as possible: 'build', 'join-images' and 'test' in one command.
 
@@ -240,7 +240,8 @@ def scan(fetch: bool, database: str, reports: Path | None, output: Path | None, 
 @main.command(short_help="Prints the newest database of vulnerabilities.")
 @sharing("policy", "json")
 def database(policy: Path, as_json: bool) -> None:
-    """Prints the reference of the newest database of vulnerabilities, by digest: for 'scan --database' on several machines.
+    """Prints the reference of the newest database of vulnerabilities, by digest: for 'scan --database' on several
+    machines.
 
     \b
     Example:
@@ -307,8 +308,8 @@ def issue(file: Path, unpublished: int) -> None:
 def undo(run: str, **options: Any) -> None:
     """Moves the tags of RUN back to where they were before it.
 
-    RUN is the date of a run; the last run if left out. A tag that a later run moved stays where it is. With --registry, the
-    command needs no other service.
+    RUN is the date of a run; the last run if left out. A tag that a later run moved stays where it is. With --registry,
+    the command needs no other service.
 
     \b
     Examples:
@@ -372,8 +373,8 @@ def rosdep(checkout: Path | None, as_json: bool, **options: Any) -> None:
 def prune(days: int, newest: int, apply: bool, **options: Any) -> None:
     """Lists what the registry no longer needs. With --apply, removes it.
 
-    Whatever a kept tag leads to stays: its index, the images of the index, and what is attached to them. With --registry,
-    the command needs no other service.
+    Whatever a kept tag leads to stays: its index, the images of the index, and what is attached to them. With
+    --registry, the command needs no other service.
 
     \b
     Examples:

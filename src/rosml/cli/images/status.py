@@ -27,11 +27,11 @@ def main(markdown: Path | None, **options: Any) -> None:
     """Shows the state of every image, and why: published, outdated, failed, missing, lock missing, or waiting
     for a builder.
 
-    Below the table, it counts for each cause the images that this cause keeps from being published. In CI, the summary of the
-    job has the same.
+    Below the table, it counts for each cause the images that this cause keeps from being published. In CI, the summary
+    of the job has the same.
 
-    With --registry, the command needs no service of this machine. It asks that registry, and the package repositories for
-    their dates.
+    With --registry, the command needs no service of this machine. It asks that registry, and the package repositories
+    for their dates.
 
     \b
     Examples:

@@ -130,8 +130,8 @@ def shard_rows(shards: Iterable[Shard]) -> list[tuple[str, ...]]:
 
 
 def print_scan(run: Run) -> None:
-    """Prints a scan: a line for each image, and its findings that stop it or are ignored, the worst first; problems of the
-    policy's entries, and the outcome."""
+    """Prints a scan: a line for each image, and its findings that stop it or are ignored, the worst first; problems of
+    the policy's entries, and the outcome."""
     from rosml.images.scan.sarif import COLUMNS, finding_rows, summary
 
     said: set[str] = set()

@@ -184,8 +184,8 @@ def _look(
 
 
 def stage(services: Services, adopted: Adopted) -> Path:
-    """A folder with the files that the steps read. buildx visits every file of its context, and a checkout may have a million
-    files."""
+    """A folder with the files that the steps read. buildx visits every file of its context, and a checkout may have a
+    million files."""
     place = services.state / "adopted" / f"steps-{adopted.inputs}"
     if not place.is_dir():
         place.parent.mkdir(parents=True, exist_ok=True)
@@ -280,7 +280,8 @@ _OWN = re.compile(r"(NVIDIA_)?(CUDA|CUDNN|PYTORCH|TORCH|TENSORFLOW)_VERSION")
 
 
 def _labels(adopted: Adopted, row: Mapping[str, Value]) -> dict[str, str]:
-    """The labels that `rosml join` reads. Other labels with our prefix become empty, since a build cannot remove labels."""
+    """The labels that `rosml join` reads. Other labels with our prefix become empty, since a build cannot remove
+    labels."""
     found = {
         name: str(value) for name, value in row.items() if name.startswith(labels.PREFIX) and isinstance(value, str)
     }
@@ -305,8 +306,8 @@ def _last(adopted: Adopted, kept: Iterable[str]) -> str:
 
 
 def called(entrypoint: Sequence[str]) -> tuple[str, ...]:
-    """The words of an image's own entrypoint that our entrypoint calls before the command: without an init, which ours has;
-    none if the entrypoint takes no command, such as a shell line or an interpreter."""
+    """The words of an image's own entrypoint that our entrypoint calls before the command: without an init, which ours
+    has; none if the entrypoint takes no command, such as a shell line or an interpreter."""
     words = list(entrypoint)
     if words and PurePosixPath(words[0]).name in _INITS:
         del words[0]

@@ -1,8 +1,8 @@
 """The apt sources of a base image, which apt asks in a build; read from the image's registry without a builder.
 
-A layer is read while it arrives. If its files are sorted by name, as in Debian's and Ubuntu's images, the reading stops after
-/etc/apt: that is some hundred kB of 30 MB. Other layers are read to the end. The result is kept, since the content of a digest
-never changes.
+A layer is read while it arrives. If its files are sorted by name, as in Debian's and Ubuntu's images, the reading stops
+after /etc/apt: that is some hundred kB of 30 MB. Other layers are read to the end. The result is kept, since the
+content of a digest never changes.
 """
 
 from __future__ import annotations
@@ -88,8 +88,8 @@ def sources(services: Services, systems: Mapping[str, OperatingSystem], name: st
         name: of one of them.
 
     Raises:
-        RosmlError: the base image is not available or cannot be read, or its sources are malformed; or a variable names no
-            base image by digest (exit code 2).
+        RosmlError: the base image is not available or cannot be read, or its sources are malformed; or a variable names
+            no base image by digest (exit code 2).
     """
     reference = base_images.reference(services, systems, name)
     architecture = base_images.native_architecture()
@@ -123,8 +123,8 @@ def _keep(file: Path, texts: Texts) -> None:
 
 
 def parse(texts: Mapping[str, str], image: str) -> tuple[Source, ...]:
-    """The sources in some files, in apt's order, with each suite of an archive once. Only sources over HTTP count, and no
-    sources of source packages.
+    """The sources in some files, in apt's order, with each suite of an archive once. Only sources over HTTP count, and
+    no sources of source packages.
 
     Args:
         texts: texts by path.
@@ -226,8 +226,8 @@ def _manifest(registry: Registry, place: references.Reference, architecture: str
 def read_layer(registry: Registry, place: references.Reference, layer: Descriptor) -> tuple[Texts, set[str]]:
     """The files of apt sources in a layer, and the paths of those that it deletes from the layers below.
 
-    If a layer is not read to its end, its digest is not checked. The result decides only which archives are asked, and no
-    content of an image.
+    If a layer is not read to its end, its digest is not checked. The result decides only which archives are asked, and
+    no content of an image.
     """
 
     def read(blocks: Iterator[bytes]) -> tuple[Texts, set[str]]:
@@ -325,8 +325,8 @@ def _unpacked(blocks: Iterator[bytes], media_type: str) -> Iterator[IO[bytes]]:
 
 @contextlib.contextmanager
 def _zstd(blocks: Iterator[bytes]) -> Iterator[IO[bytes]]:
-    """Unpacks zstd with the program of that name, since Python 3.11 cannot. The program reads a file, so that no thread has to
-    feed it."""
+    """Unpacks zstd with the program of that name, since Python 3.11 cannot. The program reads a file, so that no thread
+    has to feed it."""
     with tempfile.TemporaryFile() as file:
         for block in blocks:
             file.write(block)

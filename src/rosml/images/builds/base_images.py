@@ -1,10 +1,11 @@
 """Base images by digest: those that matrix.yaml names, or others that this machine uses instead.
 
-A variable names another image: `OS_BOOKWORM=registry.example.com/debian:bookworm@sha256:…`. A machine that cannot pull the
-images of matrix.yaml may have a command for them (`Services.bases`). rosml calls the command with an image by digest. The
-command prints a JSON object: `{"reference": …}`, which the builder can pull; or `{"error": …, "remedy": …}`, if it fails. With
-`--check`, it prints `{"missing": …}` with the reason why the image is not available. With `--assembler 3.12`, it may give
-another image to build parts for that Python on, and `{"python": …}` says which Python this image has.
+A variable names another image: `OS_BOOKWORM=registry.example.com/debian:bookworm@sha256:…`. A machine that cannot pull
+the images of matrix.yaml may have a command for them (`Services.bases`). rosml calls the command with an image by
+digest. The command prints a JSON object: `{"reference": …}`, which the builder can pull; or, if it fails,
+`{"error": …, "remedy": …}`. With `--check`, it prints `{"missing": …}` with the reason why the image is not available.
+With `--assembler 3.12`, it may give another image to build parts for that Python on, and `{"python": …}` says which
+Python this image has.
 """
 
 from __future__ import annotations
@@ -52,8 +53,8 @@ def reference(services: Services, systems: Mapping[str, OperatingSystem], name: 
         services: of this machine.
         systems: the operating systems of matrix.yaml.
         name: of one of them.
-        architecture: `amd64` or `arm64`; the machine's own if empty. For another architecture than its own, the machine's
-            command gives an image that has both, because parts are built on the machine's own.
+        architecture: `amd64` or `arm64`; the machine's own if empty. For another architecture than its own, the
+            machine's command gives an image that has both, because parts are built on the machine's own.
 
     Raises:
         RosmlError: the image is not available here, or a variable names no image by digest (exit code 2).
@@ -119,7 +120,8 @@ def _given(name: str) -> str:
 
 @functools.cache
 def _answer(services: Services, name: str, image: str, keys: tuple[str, ...], *arguments: str) -> tuple[str, ...]:
-    """Values of the machine's command for an image. A process calls it once. Its messages for people go to standard error.
+    """Values of the machine's command for an image. A process calls it once. Its messages for people go to standard
+    error.
 
     Raises:
         RosmlError: the command fails, or prints something else.

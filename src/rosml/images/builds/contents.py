@@ -1,6 +1,7 @@
 """Attaches its list of files and its SBOM to a pushed image.
 
-The builder that built the image makes both: it has the layers already, so that nobody pulls an image to see its content.
+The builder that built the image makes both: it has the layers already, so that nobody pulls an image to see its
+content.
 """
 
 from __future__ import annotations
@@ -42,8 +43,8 @@ def attach(
 ) -> dict[str, str]:
     """Attaches a list of files and an SBOM to a pushed image, for each of its platforms.
 
-    The builder mounts the image and runs nothing of it, so no emulation is needed. If a manifest has a list of files, it keeps
-    that list. The same packages give an SBOM with the same digest.
+    The builder mounts the image and runs nothing of it, so no emulation is needed. If a manifest has a list of files,
+    it keeps that list. The same packages give an SBOM with the same digest.
 
     Args:
         services: the builder.

@@ -22,8 +22,8 @@ PRUNE_SECONDS = 600.0
 def needed_mb(image_set: ImageSet, image: Image, built: Iterable[str]) -> int:
     """Megabytes that building an image takes, without the parts that are built already.
 
-    The builder holds a part unpacked twice: as it was built, and as the layer that is joined. It holds a ROS image unpacked
-    once. The builder and the registry each hold both compressed.
+    The builder holds a part unpacked twice: as it was built, and as the layer that is joined. It holds a ROS image
+    unpacked once. The builder and the registry each hold both compressed.
 
     Args:
         image_set: all that the matrix describes.
@@ -77,8 +77,8 @@ def _ros_mb(image_set: ImageSet, image: Image, done: Set[str]) -> int:
 def make_room(services: Services, needed: int, say: Callable[[str], None]) -> bool:
     """Prunes the builder's cache, the oldest entries first, until there is room for a build.
 
-    The builder also prunes its cache itself, after a build and down to a fixed limit. An image with CUDA needs more room at
-    once. The user's own builder may be on another machine, and is left alone.
+    The builder also prunes its cache itself, after a build and down to a fixed limit. An image with CUDA needs more
+    room at once. The user's own builder may be on another machine, and is left alone.
 
     Args:
         services: the builder.

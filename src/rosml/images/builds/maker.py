@@ -1,7 +1,7 @@
 """Builds, joins and tests images for a publishing run.
 
-`Maker` is the interface for the run. It pushes results into the registry by digest. `BuildKitMaker` implements it with the
-builder. The run itself decides what is due, writes the records, and moves tags.
+`Maker` is the interface for the run. It pushes results into the registry by digest. `BuildKitMaker` implements it with
+the builder. The run itself decides what is due, writes the records, and moves tags.
 """
 
 from __future__ import annotations
@@ -106,7 +106,8 @@ class Maker(Protocol):
         Args:
             image: the ROS image.
             architecture: to build for.
-            parts: digest of the image below it, by target; none for the first component, which starts from the base image.
+            parts: digest of the image below it, by target; none for the first component, which starts from the base
+                image.
             packages: the state of the package repositories; empty if the image does not depend on any.
         """
 
@@ -195,8 +196,8 @@ class BuildKitMaker:
     ) -> Checked:
         """Tests an image in a root file system of the layers in its manifest.
 
-        The builder takes a ROS image by its digest. It joins a joined image from the same parts by their digests. The layers
-        are the same, and the builder needs to unpack each part only once, not for each image.
+        The builder takes a ROS image by its digest. It joins a joined image from the same parts by their digests. The
+        layers are the same, and the builder needs to unpack each part only once, not for each image.
         """
         self._require_builder(architecture)
         manifest = self.place.client.manifest(self.place.path(image.repository), digest)
@@ -260,7 +261,8 @@ class BuildKitMaker:
         self.services.require_builder("" if native else self._platform(architecture))
 
     def _describe(self, thing: Image | Part, digest: str) -> str:
-        """Attaches the list of files, for joins, and the SBOM to a pushed image or part. Gives the digest of the SBOM."""
+        """Attaches the list of files, for joins, and the SBOM to a pushed image or part. Gives the digest of the
+        SBOM."""
         where = self.place.path(repository_of(thing))
         return contents.attach(self.services, self.image_set, self.place.client, where, digest, self.say)[digest]
 

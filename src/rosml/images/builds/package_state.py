@@ -1,8 +1,8 @@
 """Fingerprints of the apt repositories that ROS images are built from. A change triggers a rebuild.
 
-Every image has packages of its operating system, so the apt sources of its base image are asked for their lists of packages,
-as apt does in a build. If ROS comes from its own repository, that is asked for its date, by `sync`. Base images and wheels are
-pinned, so they are ordinary inputs.
+Every image has packages of its operating system, so the apt sources of its base image are asked for their lists of
+packages, as apt does in a build. If ROS comes from its own repository, that is asked for its date, by `sync`. Base
+images and wheels are pinned, so they are ordinary inputs.
 """
 
 from __future__ import annotations
@@ -38,7 +38,8 @@ _OF_AN_ARCHIVE = re.compile(r"\S+ \S+ [0-9a-f]{16}")
 
 @dataclass(frozen=True)
 class Release:
-    """What the Release file of a source says. The date does not count: it changes several times a day, without other changes.
+    """What the Release file of a source says. The date does not count: it changes several times a day, without other
+    changes.
 
     Attributes:
         origin: whose packages these are, as one word, such as debian.
@@ -50,13 +51,14 @@ class Release:
 
 
 def state(services: Services, matrix: Matrix, distribution: str, environ: Mapping[str, str] = os.environ) -> str:
-    """The state of a distribution's package repositories: the date of ROS's repository, a digest of the operating system's
-    lists of packages, or both; empty if there is neither.
+    """The state of a distribution's package repositories: the date of ROS's repository, a digest of the operating
+    system's lists of packages, or both; empty if there is neither.
 
     It is the same on all architectures, because an archive and its ports have the same Release files.
 
     Raises:
-        RosmlError: a repository does not answer, or gives something else; or the apt sources of the base image cannot be read.
+        RosmlError: a repository does not answer, or gives something else; or the apt sources of the base image cannot
+            be read.
     """
     source = apt_repository.of(matrix, distribution, environ)
     found = [sync.published(source, environ) if source else "", _archives(services, matrix, distribution, environ)]
@@ -96,8 +98,8 @@ def _sources(services: Services, matrix: Matrix, distribution: str) -> tuple[Sou
 
 
 def repositories(services: Services, matrix: Matrix, distribution: str, state: str) -> list[tuple[str, str]]:
-    """The addresses of the repositories in a state, with the state of each. The operating system's archives share one state.
-    They are left out if the apt sources of the base image cannot be read any more."""
+    """The addresses of the repositories in a state, with the state of each. The operating system's archives share one
+    state. They are left out if the apt sources of the base image cannot be read any more."""
     source, ros = apt_repository.of(matrix, distribution), ros_date(state)
     found = {source.address: ros} if source and ros else {}
     if archives := state.removeprefix(ros).removeprefix(SEPARATOR):

@@ -1,8 +1,8 @@
 """Builds parts for all their architectures, pushes them by digest, and tags them.
 
-A part is built on an operating system that has its Python, which compiles the bytecode. If this machine uses another base
-image, that may have another release of Python, or no Python and so no bytecode. Such a part has other digests than the
-published one, and the result says so.
+A part is built on an operating system that has its Python, which compiles the bytecode. If this machine uses another
+base image, that may have another release of Python, or no Python and so no bytecode. Such a part has other digests than
+the published one, and the result says so.
 """
 
 from __future__ import annotations

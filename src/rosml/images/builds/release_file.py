@@ -62,5 +62,6 @@ def fetched(url: str, limit: int, variable: str) -> bytes:
 
 
 def shown(url: str) -> str:
-    """An address without users and passwords. On a mirror, the path contains another address, which may have them, too."""
+    """An address without users and passwords. On a mirror, the path contains another address, which may have them,
+    too."""
     return re.sub("/[^/]*@", "/", url)

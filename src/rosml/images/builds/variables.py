@@ -55,8 +55,8 @@ def base(image: Image, variables: dict[str, str]) -> str:
 def sync_date(
     services: Services, image_set: ImageSet, distribution: str, say: Callable[[str], None], date: str = ""
 ) -> str | None:
-    """The sync date of a distribution: when ROS published the apt repository of its packages. With a new date, the build
-    installs the packages again.
+    """The sync date of a distribution: when ROS published the apt repository of its packages. With a new date, the
+    build installs the packages again.
 
     Args:
         services: of this machine.

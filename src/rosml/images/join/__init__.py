@@ -1,2 +1,2 @@
-"""Joins an image and parts: `layers.py` is a pure function from manifests to a manifest, `joiner.py` works in a registry and
-pulls no layer. Uses records, registry and below."""
+"""Joins an image and parts: `layers.py` is a pure function from manifests to a manifest, `joiner.py` works in a
+registry and pulls no layer. Uses records, registry and below."""

@@ -1,7 +1,7 @@
 """The lists of files of images and parts: made in the builder, attached in the registry, compared before a join.
 
-If two parts carry the same file, the later layer silently hides the other's file. Each list is an artifact attached to its
-image, so that a join in a registry need not pull images to find such files.
+If two parts carry the same file, the later layer silently hides the other's file. Each list is an artifact attached to
+its image, so that a join in a registry need not pull images to find such files.
 """
 
 from __future__ import annotations
@@ -18,7 +18,8 @@ ARTIFACT = "application/vnd.rosml.files.v1"
 MEDIA_TYPE = "application/vnd.rosml.files.v1+gzip"
 
 LARGEST = 64 << 20
-"""Most bytes of a list, unpacked, and of the names of all folders in it. The list of the largest image has some 20 MB."""
+"""Most bytes of a list, unpacked, and of the names of all folders in it. The list of the largest image has some 20
+MB."""
 
 PACKED = 16 << 20
 """Most bytes of a list as it is stored. The list of the largest image has 2 MB."""
@@ -83,7 +84,8 @@ def _place(entry: str) -> str:
 
 
 def clash(one: Files, other: Files) -> str:
-    """A file that both images carry, or that is a folder in the other one; the first by name. Empty if there is none."""
+    """A file that both images carry, or that is a folder in the other one; the first by name. Empty if there is
+    none."""
     found = (one.places & other.places) | (one.folders & other.entries) | (one.entries & other.folders)
     return min(found, default="")
 

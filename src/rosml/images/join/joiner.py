@@ -1,7 +1,7 @@
 """Joins images in a registry: pushes a new manifest and config for existing layers, and pulls no layer.
 
-The tag moves last: before, only somebody who knows its digest can see the image. If a call is interrupted, the next one finds
-by digest what was pushed, and costs next to nothing.
+The tag moves last: before, only somebody who knows its digest can see the image. If a call is interrupted, the next one
+finds by digest what was pushed, and costs next to nothing.
 """
 
 from __future__ import annotations
@@ -103,7 +103,8 @@ class Joiner:
             platforms: only these, such as `linux/arm64`; all common ones if empty.
 
         Raises:
-            RosmlError: they do not fit together (exit code 2), or a registry does not answer or refuses. No tag was moved.
+            RosmlError: they do not fit together (exit code 2), or a registry does not answer or refuses. No tag was
+                moved.
         """
         started = time.monotonic()
         where = references.parse(target)
@@ -245,7 +246,8 @@ class Joiner:
         return image.digest
 
     def _bring(self, registry: Registry, repository: str, layer: Mapping[str, Any], source: Source) -> str:
-        """Adds a layer to the repository. Gives the way in which it got there, as the name of a counter in `JoinReport`."""
+        """Adds a layer to the repository. Gives the way in which it got there, as the name of a counter in
+        `JoinReport`."""
         digest = layer["digest"]
         if source.host == registry.host:
             if source.repository == repository:

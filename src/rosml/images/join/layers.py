@@ -1,7 +1,7 @@
 """Computes the manifest and config of an image from a ROS image and parts, without a network.
 
-The same inputs give the same bytes, on any machine and in any order. Layers have the order of the Dockerfile. Environment
-and labels are those of a build of the same target.
+The same inputs give the same bytes, on any machine and in any order. Layers have the order of the Dockerfile.
+Environment and labels are those of a build of the same target.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Signs indexes with cosign: with a key, or keyless as the workflow that runs on GitHub.
 
-cosign signs the digest of an index, before a tag points at it. The signature covers the images, too, because the index names
-their digests. A signature is an artifact beside the index. If cosign finds one, no other is made.
+cosign signs the digest of an index, before a tag points at it. The signature covers the images, too, because the index
+names their digests. A signature is an artifact beside the index. If cosign finds one, no other is made.
 """
 
 from __future__ import annotations
@@ -66,8 +66,8 @@ class Signer:
             environment: `COSIGN_KEY` names a key file or a key service; without it, signing is keyless.
 
         Raises:
-            SignerFailed: there is no cosign of the pinned version, or neither a key nor an identity, or the key cannot be
-                read.
+            SignerFailed: there is no cosign of the pinned version, or neither a key nor an identity, or the key cannot
+                be read.
         """
         program = _program(root, environment)
         key = environment.get("COSIGN_KEY", "")

@@ -50,8 +50,8 @@ def after(run: Run, item: Item, before: Entry, made: Made, started: str) -> Entr
 
 
 def _attach(run: Run, item: Item, before: Entry, made: Made, started: str) -> dict[str, str]:
-    """Attaches a provenance statement to an item; gives the digests of all its statements, by builder. If the records name a
-    statement about the same digest, it is kept."""
+    """Attaches a provenance statement to an item; gives the digests of all its statements, by builder. If the records
+    name a statement about the same digest, it is kept."""
     state, place = run.state, run.state.place
     known = dict(before.provenance) if before.digest == made.digest else {}
     inputs = state.inputs.digest(*item.key)

@@ -1,8 +1,8 @@
 """Where an image came from: SLSA provenance in an in-toto statement, attached to the image's manifest.
 
-The statement is apart from the image, so that no manifest contains times or machines: the same inputs give the same digest
-on any day. A manifest has one statement for each builder that made it, from the first time. An index names the statements
-about its images by their digests, so that its signature covers them.
+The statement is apart from the image, so that no manifest contains times or machines: the same inputs give the same
+digest on any day. A manifest has one statement for each builder that made it, from the first time. An index names the
+statements about its images by their digests, so that its signature covers them.
 https://slsa.dev/spec/v1.0/provenance says what the fields mean.
 """
 
@@ -157,7 +157,8 @@ def source(root: Path) -> list[dict[str, Any]]:
 
 
 def _public(address: str) -> str:
-    """An https address without user and password; empty for any other address, since a local path means nothing elsewhere."""
+    """An https address without user and password; empty for any other address, since a local path means nothing
+    elsewhere."""
     parts = urlsplit(address)
     if parts.scheme != "https" or not parts.hostname:
         return ""

@@ -4,8 +4,8 @@ Reachability decides. A kept tag keeps its index, an index keeps its images, and
 Everything else that the publisher knows of can go. Nothing is removed unless that is asked for.
 
 A tag may move during the removal, by an undo or by a run on another machine, and registries have no lock for that. So
-immediately before an index goes, together with the images that only this index holds, all tags of its repository and the
-records of runs are read again. Whatever these lead to stays.
+immediately before an index goes, together with the images that only this index holds, all tags of its repository and
+the records of runs are read again. Whatever these lead to stays.
 
 The search asks once for each tag, side by side. An index names its images itself. Artifacts attached to a manifest are
 looked up when that manifest is removed.
@@ -130,7 +130,8 @@ class Pruner:
         return found
 
     def _in_order(self, path: str, gone: Iterable[str]) -> list[str]:
-        """Sorts digests: each index, followed by the images that no later index holds; at the end, images in no index."""
+        """Sorts digests: each index, followed by the images that no later index holds; at the end, images in no
+        index."""
         digests = sorted(gone)
         members = {digest: self._held_by(path, digest) for digest in digests}
         last = {image: index for index in digests for image in members[index]}
@@ -162,8 +163,8 @@ class Pruner:
         return self.today - timedelta(days=self.days)
 
     def _book(self) -> tuple[Digests, Digests, list[str]]:
-        """What the records say: digests, by repository, that entries or kept records of runs name; digests that may go; and
-        records of runs that are too old."""
+        """What the records say: digests, by repository, that entries or kept records of runs name; digests that may go;
+        and records of runs that are too old."""
         book = Records(self.place)
         names = self.place.client.tags(book.repository)
         records = sorted(name for name in names if name.startswith(UNDO))
@@ -190,8 +191,8 @@ class Pruner:
     def _needed(self, repository: str, without: str = "") -> set[str]:
         """The digests of a repository that are in use now, by tags, entries or records of runs.
 
-        Entries are read once for each repository: before a tag moves to the digest of an entry, there is a record of the
-        run. If a record of a run changed meanwhile, all digests in it count.
+        Entries are read once for each repository: before a tag moves to the digest of an entry, there is a record of
+        the run. If a record of a run changed meanwhile, all digests in it count.
 
         Args:
             repository: without the registry's prefix.
@@ -212,11 +213,12 @@ class Pruner:
     def remove(self, found: Pruning) -> Iterator[str]:
         """Removes tags, then manifests, then records. Gives a line for each one that is gone or stays.
 
-        If a registry cannot delete a tag, the manifest stays as well: no digest goes while a tag points at it. A manifest
-        that came into use after the search stays, too.
+        If a registry cannot delete a tag, the manifest stays as well: no digest goes while a tag points at it. A
+        manifest that came into use after the search stays, too.
 
         Raises:
-            RosmlError: the registry does not answer, or refuses, or deletes nothing; then the message counts what stays.
+            RosmlError: the registry does not answer, or refuses, or deletes nothing; then the message counts what
+                stays.
         """
         steps: tuple[tuple[str, list[Any], Callable[[Pruning, Any], str]], ...] = (
             ("tag", found.tags, self._remove_tag),

@@ -1,7 +1,7 @@
 """A publishing run: it does a step item by item, and records each item when it is done.
 
-If a run is interrupted, the next one completes it. If an item fails, only items that are joined from it wait. What a step
-does is in `steps/`.
+If a run is interrupted, the next one completes it. If an item fails, only items that are joined from it wait. What a
+step does is in `steps/`.
 """
 
 from __future__ import annotations
@@ -106,8 +106,8 @@ class Run:
 
     @property
     def uploaded(self) -> int:
-        """Bytes sent to the registry since its client was made: new layers, configs, manifests, attached artifacts, indexes
-        and records. Signatures, of about 1 kB each, do not count: cosign sends them.
+        """Bytes sent to the registry since its client was made: new layers, configs, manifests, attached artifacts,
+        indexes and records. Signatures, of about 1 kB each, do not count: cosign sends them.
         """
         return self.pushed + self.state.place.client.uploaded
 
@@ -217,7 +217,8 @@ class Run:
         self.state.present.add((thing.target, INDEX))
 
     def _without_what_is_gone(self, entry: Entry) -> Entry:
-        """The entry; if it has many superseded digests, without those that are gone, so that it does not grow for ever."""
+        """The entry; if it has many superseded digests, without those that are gone, so that it does not grow for
+        ever."""
         if len(entry.superseded) <= SUPERSEDED:
             return entry
         place = self.state.place

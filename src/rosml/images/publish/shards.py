@@ -1,7 +1,7 @@
 """Shards: which machine of a run builds which images, so that all machines finish early, at about the same time.
 
-A unit is a distribution on an architecture. Its ROS images build on one another, and its other images on one of those, so no
-unit waits for another. Units share parts and operating systems: a shard builds each of these once.
+A unit is a distribution on an architecture. Its ROS images build on one another, and its other images on one of those,
+so no unit waits for another. Units share parts and operating systems: a shard builds each of these once.
 """
 
 from __future__ import annotations
@@ -103,8 +103,9 @@ def deal(
         image_set: all that the matrix describes.
         shards: how many machines there are at most. Each architecture with work gets at least one.
         include: whether an image is built. The ROS images below it are built with it.
-        work: what has to be done; all included images if None. Images and architectures without work get no machine, and
-            estimates of time count only work. Estimates of download and disk count whole images, since tests need these.
+        work: what has to be done; all included images if None. Images and architectures without work get no machine,
+            and estimates of time count only work. Estimates of download and disk count whole images, since tests need
+            these.
 
     Raises:
         RosmlError: the matrix names no runner for an architecture (exit code 2).
@@ -218,7 +219,8 @@ def _seconds(units: Iterable[Unit]) -> int:
 
 
 def _shares(units: dict[str, list[Unit]], shards: int) -> dict[str, int]:
-    """How many shards each architecture gets: at least one; each further one goes to the architecture that takes longest."""
+    """How many shards each architecture gets: at least one; each further one goes to the architecture that takes
+    longest."""
     shares = dict.fromkeys(units, 1)
     longest = {name: _seconds(members) for name, members in units.items()}
     while sum(shares.values()) < shards:
@@ -240,7 +242,8 @@ def _dealt(units: list[Unit], share: int) -> list[list[Unit]]:
 
 
 def _spread(units: list[Unit], share: int) -> list[list[Unit]]:
-    """Deals units, the longest first, to the shard that finishes first with it; of equal ones, to where it adds least."""
+    """Deals units, the longest first, to the shard that finishes first with it; of equal ones, to where it adds
+    least."""
     shards: list[list[Unit]] = [[] for _ in range(share)]
     known: list[Costs] = [{} for _ in range(share)]
     loads = [0] * share

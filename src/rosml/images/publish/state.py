@@ -1,7 +1,8 @@
-"""The state of a registry's images, and the steps that each of them needs: the matrix and locks, compared with the records.
+"""The state of a registry's images, and the steps that each of them needs: the matrix and locks, compared with the
+records.
 
-This module only decides: `survey.py` asks, and `run.py` carries out. A step that was done from the same inputs is not due
-again. So if a publishing run is interrupted, the next one continues, on any machine.
+This module only decides: `survey.py` asks, and `run.py` carries out. A step that was done from the same inputs is not
+due again. So if a publishing run is interrupted, the next one continues, on any machine.
 """
 
 from __future__ import annotations
@@ -106,8 +107,8 @@ class Request:
         serve: the architectures that the registry serves; all of the matrix if empty.
         force: rebuild everything.
         scanning: digest of the scan policy; empty if images need no scan.
-        package_state: the package state of distributions, from a plan. All steps of a run use the plan's state. Packages
-            that move later wait for the next run, unless a build fails because of them.
+        package_state: the package state of distributions, from a plan. All steps of a run use the plan's state.
+            Packages that move later wait for the next run, unless a build fails because of them.
         whole: judge the ROS images and parts below images on all of their architectures.
         inputs: inputs of the image set's targets, if they were read before.
     """
@@ -202,8 +203,8 @@ class State:
 
     @cached_property
     def forecast(self) -> ImageSet:
-        """The image set with the measured sizes of ROS images, as far as earlier runs measured them. For an unmeasured image,
-        the matrix's forecast of its own size is added to the size of the image below it."""
+        """The image set with the measured sizes of ROS images, as far as earlier runs measured them. For an unmeasured
+        image, the matrix's forecast of its own size is added to the size of the image below it."""
         sizes: dict[str, Size] = {}
         for image in self.image_set.images:
             if image.stack is None:
@@ -234,8 +235,8 @@ class State:
 
         Args:
             item: one of `items`.
-            ahead: for a plan: assume that the item's needs will be built, if they can be built here. If not set, they must
-                be in the registry.
+            ahead: for a plan: assume that the item's needs will be built, if they can be built here. If not set, they
+                must be in the registry.
         """
         if reason := self.hindrance(item):
             return Task(item, hindered=reason)
@@ -331,8 +332,8 @@ class State:
         return entry.tested in {self._digest_of(item, names) for names in (item.thing.tests, self._all(item.thing))}
 
     def tests(self, item: Item) -> tuple[str, ...]:
-        """The tests that an image runs: its own tests; and the tests that it shares with other images, unless these are part of
-        this run, or passed them before with the same parts."""
+        """The tests that an image runs: its own tests; and the tests that it shares with other images, unless these are
+        part of this run, or passed them before with the same parts."""
         assert isinstance(item.thing, Image)
         elsewhere = all(target in self._asked or not self._unproven(item, target) for target in item.thing.proven_by)
         return item.thing.tests if elsewhere else self._all(item.thing)
@@ -355,7 +356,8 @@ class State:
         return self.digests[key]
 
     def unproven(self, item: Item) -> str:
-        """Why shared tests in other images prove nothing for this image; empty if they passed, or the image ran all tests."""
+        """Why shared tests in other images prove nothing for this image; empty if they passed, or the image ran all
+        tests."""
         assert isinstance(item.thing, Image)
         entry = self.known[item.key]
         whole = entry.tested == self._digest_of(item, self._all(item.thing))
@@ -425,7 +427,8 @@ class State:
     # ---- Indexes -----------------------------------------------------------------------------------------------------
 
     def members(self, thing: Image | Part) -> tuple[tuple[str, str], ...]:
-        """The members of the index of an image or part, as target and architecture: the architectures that the registry serves."""
+        """The members of the index of an image or part, as target and architecture: the architectures that the registry
+        serves."""
         serve = self.request.serve
         return tuple((thing.target, name) for name in thing.architectures if not serve or name in serve)
 

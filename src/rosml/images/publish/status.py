@@ -162,7 +162,8 @@ OPEN = ("failed", "outdated", "missing")
 
 
 def causes(found: Sequence[ImageStatus], architectures: Iterable[str]) -> list[Cause]:
-    """Groups the images that are not published in their present form by state and reason. Failures and large groups come first.
+    """Groups the images that are not published in their present form by state and reason. Failures and large groups
+    come first.
 
     Args:
         found: the state of each image.
@@ -246,7 +247,8 @@ def _broken(state: State, item: Item) -> str:
 
 
 def _late(state: State, item: Item) -> str:
-    """Why an item, or something below it, is out of date, whatever machine can build it; empty if all are up to date."""
+    """Why an item, or something below it, is out of date, whatever machine can build it; empty if all are up to
+    date."""
     if own := state.reasons(item):
         return own[0]
     below = (target for target in item.needs if _late(state, state.by_key[target, item.architecture]))

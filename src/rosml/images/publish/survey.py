@@ -60,7 +60,8 @@ def present(place: Place, entries: Iterable[Entry]) -> set[tuple[str, str]]:
 
 
 def _ask(state: State) -> Mapping[str, Image]:
-    """Asks the package repositories of the distributions that can be built here. If one does not answer, a remark says so.
+    """Asks the package repositories of the distributions that can be built here. If one does not answer, a remark says
+    so.
 
     If nothing will be made, it asks only those of images that are there: to read the apt sources of a base image, this machine
     may have to make it.

@@ -15,7 +15,8 @@ from rosml.images.records.tag_moves import UNDO, Move, read_moves, record_name
 
 
 def undo(book: Records, date: str, run: str = "") -> list[Outcome]:
-    """Moves tags back to where they were before a run. The index they pointed at is held: no later run moves them to it again.
+    """Moves tags back to where they were before a run. The index they pointed at is held: no later run moves them to it
+    again.
 
     This reads only the run's record and the indexes in it: no matrix, and nothing of this machine.
 

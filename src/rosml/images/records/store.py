@@ -1,9 +1,9 @@
 """What the publisher knows of images, kept in the registry, so that any machine can continue.
 
 The repository `records` has one artifact for each image and architecture, under the tag `<target>.<architecture>`. Its
-annotation has all that a plan needs, so that one request reads it. Its layer has also the inputs by name, which explain why
-an image is rebuilt. Only the present artifact of a tag is kept. When an image is promoted, its entry is also attached to the
-image itself, for the catalogue's history.
+annotation has all that a plan needs, so that one request reads it. Its layer has also the inputs by name, which explain
+why an image is rebuilt. Only the present artifact of a tag is kept. When an image is promoted, its entry is also
+attached to the image itself, for the catalogue's history.
 """
 
 from __future__ import annotations
@@ -47,7 +47,8 @@ class Entry:
         target: bake target.
         architecture: such as `amd64`, or INDEX.
         inputs: the inputs digest; empty if nothing was made yet.
-        package_state: state of the package repositories that its packages came from; empty if it does not depend on any.
+        package_state: state of the package repositories that its packages came from; empty if it does not depend on
+            any.
         repository: without the registry's prefix.
         digest: of the image manifest or index; empty if nothing was made yet.
         parts: digests by target of what the image was joined from or built on; of an index, its images by architecture.
@@ -103,7 +104,8 @@ class Entry:
         return tag(self.target, self.architecture)
 
     def made(self, digest: str, **facts: Any) -> Entry:
-        """The entry after a build, join or index. If the digest is the same as before, the earlier facts about it stay."""
+        """The entry after a build, join or index. If the digest is the same as before, the earlier facts about it
+        stay."""
         if digest == self.digest:
             return replace(self, failed={}, **facts)
         old = (*self.superseded, *((self.digest,) if self.digest else ()))
@@ -197,8 +199,8 @@ class Records:
         return self.artifact(entry.tag, data, {ANNOTATION: text})
 
     def attach(self, entry: Entry, inputs: Mapping[str, str]) -> None:
-        """Attaches an entry to its image, so that it stays when a newer entry replaces it. Attaching the same entry again
-        changes nothing.
+        """Attaches an entry to its image, so that it stays when a newer entry replaces it. Attaching the same entry
+        again changes nothing.
 
         Raises:
             RosmlError: the image is missing; the registry does not answer or refuses.
@@ -245,5 +247,6 @@ class Records:
 
 
 def date_of(manifest: Manifest | None) -> str:
-    """The date of the run that made an index, from its annotation; empty if it has none. Anybody may write anything there."""
+    """The date of the run that made an index, from its annotation; empty if it has none. Anybody may write anything
+    there."""
     return manifest.annotations.get(DATE, "") if manifest else ""

@@ -1,7 +1,7 @@
 """The steps of a publishing run, in their order: a file for each step, with one function.
 
-Each step does only what is missing. No tag moves before the last step, and then only to an index of images that passed. If a
-run has a scan, the scan comes before the index.
+Each step does only what is missing. No tag moves before the last step, and then only to an index of images that passed.
+If a run has a scan, the scan comes before the index.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ STEPS: dict[str, Callable[[Run], object]] = {
 
 
 def images(run: Run, minutes: float = math.inf) -> None:
-    """Builds, joins and tests. Each image is tested as soon as it is finished: if a run ends early, the images tested so far
-    can get their tags.
+    """Builds, joins and tests. Each image is tested as soon as it is finished: if a run ends early, the images tested
+    so far can get their tags.
 
     Args:
         run: the run.

@@ -21,8 +21,8 @@ RESTARTS = 2
 def build(run: Run) -> None:
     """Builds ROS images and parts.
 
-    If ROS publishes new packages after the plan was made, the run rebuilds all components of that distribution from these, so
-    that all packages of an image have one sync date.
+    If ROS publishes new packages after the plan was made, the run rebuilds all components of that distribution from
+    these, so that all packages of an image have one sync date.
     """
     items = [item for item in run.state.items if item.kind != "joined"]
     for left in range(RESTARTS, -1, -1):

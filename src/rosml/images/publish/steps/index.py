@@ -1,4 +1,5 @@
-"""Makes an index of every image whose architectures are all built, tested and alike. No tag moves, so nobody sees it yet."""
+"""Makes an index of every image whose architectures are all built, tested and alike. No tag moves, so nobody sees it
+yet."""
 
 from __future__ import annotations
 
@@ -132,8 +133,8 @@ def _platform(config: Config) -> dict[str, str]:
 
 
 def _covered(run: Run, entry: Entry) -> dict[str, dict[str, str]]:
-    """Annotations of an image in its index: digests of the publisher's statements and SBOMs, so that a signature of the index
-    covers them."""
+    """Annotations of an image in its index: digests of the publisher's statements and SBOMs, so that a signature of the
+    index covers them."""
     found = {provenance.COVERED: " ".join(sorted(entry.provenance.values()))} if entry.provenance else {}
     item = run.state.by_key[entry.target, entry.architecture]
     for target in item.needs if item.kind == "joined" else (item.target,):
@@ -144,8 +145,8 @@ def _covered(run: Run, entry: Entry) -> dict[str, dict[str, str]]:
 
 
 def _checkout(run: Run) -> dict[str, str]:
-    """Annotations of an index about the checkout: its address; and its revision, unless files differ from it. Images have no
-    revision, because every commit would change all of them."""
+    """Annotations of an index about the checkout: its address; and its revision, unless files differ from it. Images
+    have no revision, because every commit would change all of them."""
     found = next(iter(run.source), {})
     address, revision = found.get("uri", "").removeprefix("git+"), found.get("digest", {}).get("gitCommit", "")
     said = {SOURCE: address, REVISION: "" if "annotations" in found else revision}

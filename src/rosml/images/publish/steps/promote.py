@@ -1,8 +1,8 @@
 """Moves tags to indexes whose images passed everything.
 
 The order matters. First the index is signed, if the run signs, and the entries are attached to its images. Then the run
-records where tags were. Then tags move: first the dated tag, which never moves again, then tags that spell versions out, and
-last the floating ones. A tag never moves to something older, or to fewer architectures.
+records where tags were. Then tags move: first the dated tag, which never moves again, then tags that spell versions
+out, and last the floating ones. A tag never moves to something older, or to fewer architectures.
 """
 
 from __future__ import annotations
@@ -34,7 +34,8 @@ BATCH = 64
 def promote(run: Run) -> list[Move]:
     """Moves the tags of all images whose index is up to date. If the registry refuses one image, the others still move.
 
-    Works on images in batches, so that if the run is ended, for example by a time limit, the first images have their tags.
+    Works on images in batches, so that if the run is ended, for example by a time limit, the first images have their
+    tags.
 
     Raises:
         RosmlError: the registry does not answer, or refuses the record of where a batch's tags were; then none of these
@@ -83,7 +84,8 @@ class _Promotion:
         return False
 
     def _prepared(self, thing: Image | Part) -> tuple[Image | Part, list[Move]]:
-        """Signs an image's index and attaches the entries to its images, then gives its moves; no moves if that fails."""
+        """Signs an image's index and attaches the entries to its images, then gives its moves; no moves if that
+        fails."""
         entry = self.state.known[thing.target, INDEX]
         moves = list(self._moves(thing, entry))
         if (moves or self.run.signer) and (wrong := self._wrong(thing, entry)):
@@ -124,8 +126,8 @@ class _Promotion:
         return True
 
     def _pointing(self) -> dict[tuple[str, str], str]:
-        """Where the tags of all indexes point, by repository and tag. Asks side by side: one after the other, this would take
-        minutes on a distant registry, although most tags need no move.
+        """Where the tags of all indexes point, by repository and tag. Asks side by side: one after the other, this
+        would take minutes on a distant registry, although most tags need no move.
         """
         known = self.state.known
         wanted = [
@@ -137,7 +139,8 @@ class _Promotion:
         return dict(zip(wanted, side_by_side(lambda item: self.registry.head(*item), wanted), strict=True))
 
     def _moves(self, thing: Image | Part, entry: Entry) -> Iterable[Move]:
-        """The moves of an image, in their order. If a move would go back or lose an architecture, it is left out and reported."""
+        """The moves of an image, in their order. If a move would go back or lose an architecture, it is left out and
+        reported."""
         repository = self.state.place.path(entry.repository)
         tags = tags_of(thing)
         main = tags[0]

@@ -20,8 +20,8 @@ CONTENT = {
     "NCCL": r"nvidia-nccl-cu\d+",
     "numpy": "numpy",
 }
-"""Versions in the images that must be the same, with a pattern for the packages that have each: wheels of one release have
-different names on different architectures. Debian packages may differ by a revision."""
+"""Versions in the images that must be the same, with a pattern for the packages that have each: wheels of one release
+have different names on different architectures. Debian packages may differ by a revision."""
 
 
 def content(versions: Mapping[str, str], released: Iterable[str] = ()) -> dict[str, str]:

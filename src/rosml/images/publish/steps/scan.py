@@ -26,8 +26,8 @@ def scan(
     reports: Path | None = None,
     results: Results | None = None,
 ) -> judge.Run:
-    """Scans all images in the registry, on all architectures: a scan reads only the registry. Each result is recorded at
-    once, so that it is kept if the run ends early.
+    """Scans all images in the registry, on all architectures: a scan reads only the registry. Each result is recorded
+    at once, so that it is kept if the run ends early.
 
     If an image was clean by the same policy and the same database before, it is not scanned again.
 
@@ -107,8 +107,8 @@ def _database(trivy: Trivy | ScannerFailed) -> str:
 
 
 def policy_digest(rules: Rules, date: str) -> str:
-    """A digest of the meaning of a scan policy on a run's date. It does not cover expired ignore entries, so that a scan which
-    was clean because of one does not count any more."""
+    """A digest of the meaning of a scan policy on a run's date. It does not cover expired ignore entries, so that a
+    scan which was clean because of one does not count any more."""
     return hashlib.sha256(rules.in_force(_time(date).date()).model_dump_json().encode()).hexdigest()
 
 

@@ -18,7 +18,8 @@ def sign(run: Run, thing: Image | Part, moving: bool = False) -> bool:
     Args:
         run: the run.
         thing: the image or part.
-        moving: a tag is about to move to the index. Then cosign has to confirm the signature, even if the records name it.
+        moving: a tag is about to move to the index. Then cosign has to confirm the signature, even if the records name
+            it.
 
     Returns:
         Whether the index has the signature that it needs.
