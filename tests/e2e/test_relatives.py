@@ -11,6 +11,7 @@ import pytest
 
 from offline import debian
 from rosml import ROOT
+from rosml.images.builds import apt_sources
 from rosml.images.builds.push import COMPRESSION
 from rosml.machine.services import Services
 from tests.e2e.conftest import NAMESPACE, run
@@ -29,7 +30,9 @@ def base_image(services: Services, suite: str, monkeypatch: pytest.MonkeyPatch) 
     """The official image, or one that is made here: of the release alone, since mirrors lack parts of old updates."""
     if not services.bases:
         return f"docker.io/library/debian:{suite}"
-    archive = f"deb http://deb.debian.org/debian {suite} main"
+    files = [Path("/etc/apt/sources.list"), *Path("/etc/apt/sources.list.d").glob("*")]
+    mirror = apt_sources.parse({str(file): file.read_text() for file in files if file.is_file()}, "this machine")[0]
+    archive = f"deb {mirror.address} {suite} main"
     lenient = {"etc/apt/apt.conf.d/lenient": (0o644, f"{LENIENT};\n")}
     monkeypatch.setattr(debian, "FILES", {**debian.FILES, **lenient})
     command = debian.command

@@ -10,7 +10,7 @@ from conftest import ROOT
 from rosml.base.errors import RosmlError
 from rosml.images.image_set import lock_file
 from rosml.images.image_set.model import Image, ImageSet
-from rosml.images.publish.steps import same_content
+from rosml.images.publish import same_content
 
 
 def config(architecture: str) -> dict[str, Any]:

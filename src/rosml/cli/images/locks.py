@@ -141,7 +141,6 @@ def main(
         require_fresh(len(stale), pinned, words, as_json)
 
 
-
 def require_alone(upstream: bool, installs: bool, bases: bool, given: Mapping[str, object]) -> None:
     """Refuses options that exclude each other.
 

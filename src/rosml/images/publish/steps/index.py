@@ -13,9 +13,8 @@ from rosml.base.problems import counted
 from rosml.base.side_by_side import side_by_side
 from rosml.images.image_set.labels import OCI, REVISION, SOURCE, TITLE, title
 from rosml.images.image_set.model import Image, Part, repository_of
-from rosml.images.publish import provenance
+from rosml.images.publish import provenance, same_content
 from rosml.images.publish.run import Outcome, Run, failure
-from rosml.images.publish.steps import same_content
 from rosml.images.publish.steps.sign import sign
 from rosml.images.records.store import DATE, INDEX, INPUTS, Entry
 from rosml.images.scan import sbom
