@@ -159,7 +159,7 @@ def test_the_committed_bake_file_works_by_itself(services: Services, published: 
         "PLATFORM": PLATFORM,
     }
     # Of when packages are, which the publisher tells the builder: so that what it built is taken from the cache.
-    moment = ("--set", f"*.contexts.upstream={services.state / 'upstream/ros1-bookworm'}")
+    moment = ("--set", f"*.contexts.upstream={services.state / 'package-state/ros1-bookworm'}")
     outcome = run(*arguments, *moment, "ros1-bookworm-core-test", env=env)
     assert outcome.code == 0, outcome.err
 

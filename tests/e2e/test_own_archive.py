@@ -77,7 +77,13 @@ def test_the_page_is_followed_to_an_image(
 ) -> None:
     """Its commands, with the key of this archive; the image is built, and not tested: there is no real ROS in it."""
     server, _ = archive
-    for name in ("matrix.schema.json", "catalogue.schema.json", "README.md", "docs/containerize.md", *ci_files.FILES):
+    for name in (
+        "matrix.schema.json",
+        "catalogue.schema.json",
+        "docs/tags.md",
+        "docs/containerize.md",
+        *ci_files.FILES,
+    ):
         (checkout / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, checkout / name)
     row(checkout)

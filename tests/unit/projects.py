@@ -22,8 +22,9 @@ def copy(folder: Path) -> Path:
     """All that images are built from, without the matrix and its locks; files have the time of the copy."""
     for name in ("components", "tests/structure"):
         shutil.copytree(ROOT / name, folder / name, copy_function=shutil.copy)
-    (folder / "tools").mkdir()
-    for name in ("Dockerfile", "README.md", "tools/requirements.txt", "tools/structure-test.txt"):
+    for name in ("docs", "tools"):
+        (folder / name).mkdir()
+    for name in ("Dockerfile", "docs/tags.md", "tools/requirements.txt", "tools/structure-test.txt"):
         shutil.copy(ROOT / name, folder / name)
     lock = folder / LOCK
     lock.parent.mkdir(parents=True)
@@ -42,12 +43,11 @@ def copy_for_generator(folder: Path) -> Path:
         bake_file.TESTS,
         "Dockerfile",
         "Makefile",
-        "README.md",
         "rosml",
     ):
         shutil.copy(ROOT / name, folder)
     shutil.copy(ROOT / "catalogue.schema.json", folder)
-    for name in ("docs/containerize.md", *ci_files.FILES):
+    for name in ("docs/containerize.md", "docs/tags.md", *ci_files.FILES):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, folder / name)
     return folder

@@ -323,7 +323,7 @@ def test_what_is_wrong_is_told_before_services_are_asked_for(repository: Path) -
 
 
 def test_a_file_that_is_no_text_is_named(repository: Path) -> None:
-    for name, given in (("Dockerfile", "list --json"), ("README.md", "generate --check")):
+    for name, given in (("Dockerfile", "list --json"), ("docs/tags.md", "generate --check")):
         file = repository / name
         whole = file.read_bytes()
         file.write_bytes(b"# \n\xff" + whole)

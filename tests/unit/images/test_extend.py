@@ -29,14 +29,14 @@ def test_a_distribution(project: Path, real: ImageSet) -> None:
     [entry] = [block for block in section("A distribution") if block.title]
     assert entry.text.count("\n") <= 10
     said = follow(project, "A distribution")
-    assert "docker-bake.hcl: written" in said and "README.md: written" in said
+    assert "docker-bake.hcl: written" in said and "docs/tags.md: written" in said
     assert "warning" not in said
     assert "example-desktop-ml-cu128" in said
     assert "example-base-torch-cu128 exists:" in said
     assert "locks/" not in said, "no lock is new"
     assert (
         "| `example` | 2 | ubuntu-24.04, 3.12 | core, base, desktop | 2032-05-31 (LTS) |"
-        in (project / "README.md").read_text()
+        in (project / "docs/tags.md").read_text()
     )
     made = load.load(project / "matrix.yaml", project)
     new = {image.target for image in made.images} - {image.target for image in real.images}
@@ -124,7 +124,7 @@ def test_a_set_of_ones_own(project: Path) -> None:
     """Two rows of ours, as a fork would keep them: what nothing uses any more is in nobody's way."""
     said = walk.own_set(project)
     assert "docker-bake.hcl: written" in said and "warning" not in said
-    assert "noetic" not in (project / "README.md").read_text().partition("<!-- images:")[2]
+    assert "noetic" not in (project / "docs/tags.md").read_text().partition("<!-- images:")[2]
     made = load.load(project / "matrix.yaml", project)
     assert {image.target.split("-")[0] for image in made.images} == {"humble", "jazzy"}
     assert made.matrix.source == "https://github.com/robots/rosml"

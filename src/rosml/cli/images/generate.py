@@ -62,7 +62,7 @@ def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
     if output:
         return {output: bake_files[bake_file.NAME]}
     from rosml.containerize import ci_files, page
-    from rosml.images.catalogue import readme
+    from rosml.images.catalogue import tags_page
     from rosml.images.catalogue.model import Published
     from rosml.images.matrix import schema
 
@@ -70,7 +70,7 @@ def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
         **{ROOT / name: content for name, content in bake_files.items()},
         ROOT / "matrix.schema.json": schema.render(),
         ROOT / "catalogue.schema.json": schema.render(Published, "src/rosml/images/catalogue/model.py", read=True),
-        ROOT / "README.md": readme.render(files.text(ROOT / "README.md"), image_set),
+        ROOT / "docs/tags.md": tags_page.render(files.text(ROOT / "docs/tags.md"), image_set),
         ROOT / "docs/containerize.md": page.render(files.text(ROOT / "docs/containerize.md")),
         **{ROOT / path: ci_files.render(path, files.text(ROOT / path)) for path in ci_files.FILES},
     }

@@ -1,4 +1,4 @@
-"""Writes the tables of images into README.md, between two markers."""
+"""Writes the tables of images into docs/tags.md, between two markers."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ BEGIN = "<!-- images: written by rosml generate -->"
 END = "<!-- /images -->"
 
 
-def render(readme: str, image_set: ImageSet) -> str:
-    """The README with the tables of this image set.
+def render(page: str, image_set: ImageSet) -> str:
+    """The page with the tables of this image set.
 
     Raises:
         RosmlError: the markers are missing.
     """
-    head, begin, rest = readme.partition(BEGIN)
+    head, begin, rest = page.partition(BEGIN)
     _, end, tail = rest.partition(END)
     if not begin or not end:
-        raise RosmlError(f"README.md: the markers {BEGIN} and {END} are missing", "put them back around the table")
+        raise RosmlError(f"docs/tags.md: the markers {BEGIN} and {END} are missing", "put them back around the table")
     return f"{head}{BEGIN}\n{tables(image_set)}{END}{tail}"
 
 
