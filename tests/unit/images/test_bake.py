@@ -260,9 +260,9 @@ def test_list_is_one_line_for_each_image(small: ImageSet, small_file: Path) -> N
     """The project has locks for few images of the small matrix, if for any."""
     lines = rosml("list", "--matrix", small_file).stdout.splitlines()
     unlocked = [image.target for image in load.load(small_file).images if not image.locked]
-    assert [line.split()[0] for line in lines[1:-2]] == [image.target for image in small.images]
-    assert [line.split()[0] for line in lines[:-2] if " missing " in line] == unlocked
-    assert lines[-2] == f"{len(small.images)} images, {len(small.parts)} parts"
+    assert [line.split()[-1] for line in lines[1:-2]] == [image.target for image in small.images]
+    assert [line.split()[-1] for line in lines[:-2] if " (no lock) " in line] == unlocked
+    assert lines[-2] == f"{len(small.images)} images, {len(small.parts)} parts; GB: unpacked, a forecast"
     assert lines[-1].startswith(f"{len(unlocked)} images without a lock, which cannot be built yet: run 'rosml locks'")
 
 

@@ -84,7 +84,8 @@ def print_images(images: Sequence[Image]) -> None:
     for image in images:
         # cuDNN and NCCL follow from CUDA; 'rosml list --json' has all versions, to the last number.
         found = [f"{name} {short(version)}" for name, version in image.versions.items() if name not in NVIDIA[1:]]
-        content, size = ", ".join(found) or "ROS", f"{image.disk.unpacked / 1000:.1f}"
+        content = (", ".join(found) or "ROS") + ("" if image.locked else " (no lock)")
+        size = f"{image.disk.unpacked / 1000:.1f}"
         row = [image.tags[0], size, ", ".join(image.architectures), content, image.target]
         rows.append(row if image.locked else [coloured(cell, "dim") for cell in row])
     out = terminal.console()
