@@ -155,7 +155,7 @@ def test_the_screen(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
     assert lines[3] == f"FROM             {HOST}/rosml/ros-torch:alpha-base-cu1"
     names = [line.split("  ")[0] for line in lines[3:]]
     assert names == [
-        *("FROM", "digest", "tags", "tags moved", "build on it", "size", "new in registry", "made now"),
+        *("FROM", "digest", "tags", "tags moved", "try it", "build on it", "size", "new in registry", "made now"),
         *("structure tests", "time"),
     ]
     assert "structure tests  5 passed, 0 failed" in lines

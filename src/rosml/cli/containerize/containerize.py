@@ -94,3 +94,5 @@ def main(folder: Path, lock: bool, as_json: bool, **given: str | bool | None) ->
         terminal.echo(f"{image.target:<5}  {image.reference}")
     for name, text in built.summary():
         terminal.echo(f"{name:<5}  {text}")
+    for image in built.images[:1]:
+        terminal.echo(f"try    {'./rosml' if IN_CHECKOUT else 'rosml'} run {image.reference}")

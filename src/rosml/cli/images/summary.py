@@ -72,6 +72,7 @@ class Summary:
         rows = [
             ("FROM", self.reference),
             *(tagged if self.tags else [("tags", "none: a tag is for all platforms of an image")]),
+            ("try it", f"./rosml run {self.reference}"),
             ("build on it", self.builder),
             ("size", f"{size(self.compressed)} compressed{shared}, {size(self.unpacked)} unpacked"),
             ("new in registry", size(self.uploaded)),
