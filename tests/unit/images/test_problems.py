@@ -25,7 +25,7 @@ WRONG = {
     "no assembler": (
         "assembler: ubuntu-24.04, ",
         "",
-        "4:1: default: 'assembler' is missing; add 'assembler: …' (the operating system that assembles parts for any "
+        "4:1: default: 'assembler' is missing; add 'assembler: …' (the operating system that builds parts for any "
         "Python, tests images and lists their files)",
     ),
     "unknown name": (

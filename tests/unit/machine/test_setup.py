@@ -595,7 +595,7 @@ def test_socket_folder_of_somebody_else(tmp_path: Path, monkeypatch: pytest.Monk
     state.prepare_socket(folder / "s")
     assert folder.stat().st_mode & 0o777 == 0o700
     monkeypatch.setattr(os, "getuid", lambda: 12345)
-    with pytest.raises(RosmlError, match="somebody else"):
+    with pytest.raises(RosmlError, match="belongs to another user"):
         state.prepare_socket(folder / "s")
 
 
