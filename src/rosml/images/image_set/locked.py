@@ -69,7 +69,7 @@ def with_locks(image_set: ImageSet, present: Collection[str], unusable: Collecti
         """The image with its shared tests in the first carrier that can be built, which may be itself."""
         carriers = tuple(name for name in image.carriers if name in locked) or image.carriers
         if carriers[:1] != (image.target,):
-            return replace(image, carriers=carriers)
+            return image if carriers == image.carriers else replace(image, carriers=carriers)
         shared = tuple(name for name in image.shared if name not in image.carried)
         return replace(
             image, carriers=carriers, tests=tuple(dict.fromkeys((*image.tests, *image.carried))), shared=shared
