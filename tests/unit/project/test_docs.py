@@ -241,3 +241,28 @@ def test_old_tags_lead_to_tags_that_there_are(real: ImageSet) -> None:
         for tag in re.findall(r"`([^`]+)`", new):
             repository = tag.partition(":")[0] if ":" in tag else repository
             assert (tag if ":" in tag else f"{repository}:{tag}") in known, new
+
+
+THEIRS = {
+    *("permission denied while trying to connect to the Docker daemon socket", "exec format error"),
+    *('could not select device driver "" with capabilities: [[gpu]]', "no space left on device"),
+    "nvidia-container-cli: requirement error: unsatisfied condition: cuda>=13.0",
+    *("manifest unknown", "pull access denied", "repository does not exist", "toomanyrequests"),
+    *("dial tcp 127.0.0.1:…: connect: connection refused", "No module named 'rclpy'", "ros2: command not found"),
+    *("detected dubious ownership in repository", "torch.cuda.is_available()", "False"),
+    *("cannot open display", "could not connect to display", "Bus error"),
+    "CUDA error: no kernel image is available for execution on the device",
+    *("DataLoader worker … is killed", 'Could not find a package configuration file provided by "…"'),
+}
+"""Messages of other programs, as people search for them."""
+
+
+def test_each_message_to_look_up_is_one_that_is_printed() -> None:
+    """Ours are in the code in these words, so that a search finds them."""
+    code = "".join(file.read_text() for file in (ROOT / "src/rosml").rglob("*.py"))
+    code = code.replace("{about.program}", "docker").replace("{engine.program}", "docker")
+    page = (ROOT / "docs/troubleshooting.md").read_text().partition("## Python packages")[0]
+    rows = [line.split(" | ")[0] for line in page.splitlines() if line.startswith("| ") and "---" not in line]
+    messages = {message for row in rows for message in re.findall(r"`([^`]+)`", row)}
+    assert messages > THEIRS
+    assert [message for message in sorted(messages - THEIRS) if message not in code] == []
