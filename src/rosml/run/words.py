@@ -19,8 +19,20 @@ NOT_OF_RUN = {
     **dict.fromkeys(("connection", "identity", "remote", "url"), _PODMAN),
     "config": "it is an option of docker itself: set DOCKER_CONFIG",
     "version": "rosml --version, or docker --version, or podman --version",
+    # Options of rocker, which people come from: https://github.com/osrf/rocker
+    "x11": "leave it out: rosml run hands in your display; --no-x11 switches that off",
+    "nvidia": "leave it out: rosml run hands in your GPUs; --no-gpu switches that off",
+    "devices": "write --device for each",
+    "home": "write -v $HOME:$HOME",
+    "git": "write -v ~/.gitconfig:$HOME/.gitconfig:ro",
+    "pulse": "write --sound",
+    "ssh": "write --ssh-agent",
+    "cuda": "take an image that has CUDA: rosml list cuda",
+    "nocleanup": "write --no-rm",
+    "persist-image": "build an image: rosml containerize, or docker build",
+    "mode": "leave it out: --dry-run prints the command, and without it the command runs",
 }
-"""Remedies for options that the engines or rosml have at another place."""
+"""Remedies for options that the engines, rosml or a similar tool have at another place."""
 
 
 @dataclass(frozen=True)
