@@ -327,7 +327,7 @@ def test_an_image_that_was_published_by_itself(real: ImageSet) -> None:
 
 def test_status(real: ImageSet) -> None:
     assert status(real.image("jazzy-base"), True) == ("built", "")
-    assert status(real.image("jazzy-base"), False) == ("not built", "it is not built yet")
+    assert status(real.image("jazzy-base"), False) == ("not built", "no publishing run has built it yet")
     lacking = ("not built", "locks/cpu/amd64/3.11/torch.txt is missing")
     assert status(real.image("ros1-bookworm-base-torch-cpu"), False) == lacking
 

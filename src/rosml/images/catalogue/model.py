@@ -183,4 +183,4 @@ def status(image: Wanted, built: bool) -> tuple[Status, str]:
     """Whether an image was built, tested and published (`built`), and if not, why."""
     if built:
         return "built", ""
-    return "not built", missing.reason(image) if image.unlocked else "it is not built yet"
+    return "not built", missing.reason(image) if image.unlocked else "no publishing run has built it yet"
