@@ -142,7 +142,7 @@ def test_a_builder_without_room(mini: Mini, services: Services, tmp_path: Path) 
     small_file_system(disk, "60m", services)
     tags = published(mini, "ros1-bookworm-core")
     try:
-        name = f"small-{os.getpid()}"
+        name = f"no-room-{os.getpid()}"
         with builder(name, tmp_path / name, services, disk / "root"):
             machine = on(mini, tmp_path / "machine", builder=name, builder_kind="user")
             outcome = machine.publish("build", "--only", "ros1-bookworm-core")
