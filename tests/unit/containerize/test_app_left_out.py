@@ -95,6 +95,15 @@ def test_what_tools_made_stays_where_it_is(tmp_path: Path) -> None:
     assert {path.parent.name for path in workspace.manifests(robot, left=LeftOut(robot))} == {"a", "build"}
 
 
+def test_a_link_to_an_environment_of_python_is_a_link(tmp_path: Path) -> None:
+    """It is sent as it is, and nothing of the folder that it leads to is looked at."""
+    robot = tmp_path / "robot"
+    write(tmp_path, "elsewhere/pyvenv.cfg", "robot/a/package.xml")
+    (robot / "env").symlink_to(tmp_path / "elsewhere")
+    assert not LeftOut(robot).whole(robot / "env")
+    assert LeftOut(tmp_path).whole(tmp_path / "elsewhere")
+
+
 def test_packages_that_dockerignore_leaves_out_are_not_built(tmp_path: Path) -> None:
     robot = tmp_path / "robot"
     write(robot, "src/a/package.xml", "src/b/package.xml")

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import dataclasses
 import gzip
+import io
 import shutil
 import sys
+import tarfile
 import types
 from pathlib import Path
 from typing import Any, ClassVar
@@ -114,6 +116,22 @@ def test_what_is_damaged_leaves_no_folder(services: Services, tmp_path: Path) ->
     assert finder.find("", base(services), "", False) is None, "who did not ask for them builds without"
     assert "cannot be unpacked" in said[0]
     assert not list((services.state / "cache/rosdep").iterdir())
+
+
+def test_lists_are_written_into_their_folder_alone(tmp_path: Path) -> None:
+    """A registry's artifact is a stranger's: a name that leads out, or a link, is left out."""
+    packed = io.BytesIO()
+    with tarfile.open(fileobj=packed, mode="w:gz") as tar:
+        for name in ("rosdep/base.yaml", "../out.yaml", "rosdep/../../out.yaml", f"{tmp_path}/out.yaml", ".git"):
+            member = tarfile.TarInfo(name)
+            member.size = 2
+            tar.addfile(member, io.BytesIO(b"{}"))
+        link = tarfile.TarInfo("rosdep/link")
+        link.type, link.linkname = tarfile.SYMTYPE, "/etc/hostname"
+        tar.addfile(link)
+    (tmp_path / "lists").mkdir()
+    rosdep_index.unpack(packed.getvalue(), tmp_path / "lists", "the lists")
+    assert [file for file in tmp_path.rglob("*") if not file.is_dir()] == [tmp_path / "lists/rosdep/base.yaml"]
 
 
 def test_what_github_has_is_cloned(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
