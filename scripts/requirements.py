@@ -39,7 +39,7 @@ def group(project: dict[str, Any], name: str) -> Iterator[str]:
 def asked(root: Path) -> dict[str, str]:
     """The requirements in pyproject.toml for each file, a line each."""
     project = tomllib.loads((root / "pyproject.toml").read_text())
-    commands = [*project["project"]["dependencies"], *project["project"]["optional-dependencies"]["images"]]
+    commands = project["project"]["dependencies"]
     return {
         file: "\n".join(sorted({*commands, *(item for name in groups for item in group(project, name))})) + "\n"
         for file, groups in FILES.items()

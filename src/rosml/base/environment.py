@@ -10,7 +10,7 @@ RUN = ("click", "yaml")
 """The modules of the packages that pyproject.toml requires. We check all at once, as some are imported late in the work."""
 
 IMAGES = ("httpx", "packageurl", "pydantic", "rich")
-"""The modules of the extra `images` in pyproject.toml. All commands need them, except `rosml run` and `rosml attach`."""
+"""The modules that all commands need, except `rosml run` and `rosml attach`."""
 
 
 def program() -> str:
@@ -22,7 +22,7 @@ def program() -> str:
 
 
 LACKING = tuple(name for name in (*RUN, *IMAGES) if importlib.util.find_spec(name) is None)
-"""The missing modules. Outside of a checkout, `rosml` runs without the extra."""
+"""The missing modules. Outside of a checkout, `rosml run` and `rosml attach` do without some of them."""
 
 if LACKING and (Path(sys.argv[0]).name != "rosml" or {*LACKING} & {*RUN}):
     remedy = (

@@ -73,7 +73,7 @@ class Rosml(Group):
                 ctx.exit()
         if LACKING and args and args[0] not in self.commands:
             text = f"no command {args[0]} here: not installed: {', '.join(LACKING)}"
-            raise RosmlError(text, "pipx install --force '.[images]' in a checkout", exit_code=2)
+            raise RosmlError(text, "pipx install --force . in a checkout, or uv tool install --force .", exit_code=2)
         return super().resolve_command(ctx, args)
 
 

@@ -256,7 +256,7 @@ def test_images_are_run_without_what_publishing_needs(wheel: Path, tmp_path: Pat
         assert done.returncode == 2 and done.stderr.startswith(
             f"error: no command {other} here: not installed: httpx, packageurl, pydantic, rich\n"
         )
-        assert "[images]" in done.stderr
+        assert "pipx install --force ." in done.stderr and "uv tool install" in done.stderr
 
 
 ABSOLUTE = "/usr/bin:/bin"

@@ -76,7 +76,7 @@ def test_each_package_has_one_version_and_hashes(name: str) -> None:
 def test_what_is_asked_for_is_there() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())
     groups = project["dependency-groups"]
-    wanted = {"app": project["project"]["dependencies"] + project["project"]["optional-dependencies"]["images"]}
+    wanted = {"app": project["project"]["dependencies"]}
     wanted["build"] = [*wanted["app"], *groups["build"]]
     assert project["build-system"]["requires"] == groups["build"]
     wanted["dev"] = [*wanted["build"], *groups["docs"], *(item for item in groups["dev"] if isinstance(item, str))]
