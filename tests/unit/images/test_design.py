@@ -172,6 +172,20 @@ def test_reasons_of_the_real_matrix(real: ImageSet, name: str) -> None:
     assert why_not(real, name) == f"{name} does not exist: {REAL_REASONS[name]}."
 
 
+@pytest.mark.parametrize(
+    ("name", "called"),
+    [
+        ("jazzy-base-tf-cu128", "jazzy-base-tensorflow-cu128"),
+        ("jazzy-base-pytorch-cu130", "jazzy-base-torch-cu130"),
+        ("JAZZY-BASE", "jazzy-base"),
+        ("rwthika/ros2-torch:jazzy", "ros-torch:jazzy"),
+        ("ros:jazzy-ros-base", "ros:jazzy-base"),
+    ],
+)
+def test_names_in_the_words_of_others(real: ImageSet, name: str, called: str) -> None:
+    assert why_not(real, name) == f"{name} is called {called}."
+
+
 def test_parts_are_assembled_for_the_architectures_that_locks_are_made_for(real: ImageSet) -> None:
     """assemble.sh runs where matrix.yaml is not at hand."""
     script = (ROOT / "components/part/assemble.sh").read_text()

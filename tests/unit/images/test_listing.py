@@ -39,8 +39,11 @@ def test_architectures_narrow_the_list_down(small: ImageSet) -> None:
     assert targets(small, "alpha", "core", "arm64") == ["alpha-core", "alpha-core-torch-cpu", "alpha-core-ml-cpu"]
 
 
-@pytest.mark.parametrize("groups", [("alpha", "robot"), ("alpha", "cu1", "arm64")])
-def test_groups_without_a_common_image(groups: tuple[str, ...], tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("groups", "example"),
+    [(("alpha", "robot"), "alpha-robot"), (("alpha", "cu1", "arm64"), "alpha-<component>-<framework>")],
+)
+def test_groups_without_a_common_image(groups: tuple[str, ...], example: str, tmp_path: Path) -> None:
     """They are no error, but somebody who mistook one for the other must not take an empty table for an answer."""
     robot = changed("components: [core, base]\n", "components: [core, base, robot]\n")
     (tmp_path / "matrix.yaml").write_text(robot)
@@ -48,7 +51,7 @@ def test_groups_without_a_common_image(groups: tuple[str, ...], tmp_path: Path) 
     done = subprocess.run(argv, cwd=ROOT, capture_output=True, text=True, check=True)
     assert done.stdout == ""
     assert done.stderr.startswith(f"no image is in all of {listed(groups)}; see why: ")
-    assert done.stderr.endswith(": rosml explain <distribution>-<component>-<framework>\n")
+    assert done.stderr.endswith(f": rosml explain {example}\n")
 
 
 def test_one_image_is_one(small: ImageSet, capsys: pytest.CaptureFixture[str]) -> None:
@@ -78,6 +81,29 @@ def test_a_group_that_does_not_exist(small: ImageSet) -> None:
         selection.members(small, ["omga"])
     assert caught.value.exit_code == 2
     assert "alpha, amd64, arm64, base, core, cpu, cu1, cuda, default, desktop" in caught.value.remedy
+
+
+@pytest.mark.parametrize(
+    ("words", "remedy"),
+    [
+        (["jazzy", "gpu"], "name the CUDA: cu128, cu130, cu132 or cu121"),
+        (["ros2"], "name a distribution: foxy, humble, "),
+        (["jazzy", "pytorch"], "rosml list jazzy torch"),
+        (["jazzy,torch"], "rosml list jazzy torch"),
+        (["jazzy-base-torch-cu130"], "rosml list jazzy base torch cu130"),
+        (["me/rosml/ros-torch:jazzy-base-cu130"], "rosml explain jazzy-base-torch-cu130"),
+    ],
+)
+def test_words_that_people_try(real: ImageSet, words: list[str], remedy: str) -> None:
+    with pytest.raises(RosmlError) as caught:
+        selection.members(real, words)
+    assert remedy in caught.value.remedy and caught.value.exit_code == 2
+
+
+def test_groups_that_share_no_image(real: ImageSet) -> None:
+    assert selection.none_in(real, ["rolling", "tensorflow"]).endswith("see why: rosml explain rolling-tensorflow")
+    assert selection.none_in(real, ["cpu38"]).endswith("rosml explain <distribution>-<component>-<framework>")
+    assert "torch and cuda are different images" in selection.none_in(real, ["jazzy", "torch", "cuda"])
 
 
 def test_images_without_a_lock_are_listed(small: ImageSet) -> None:

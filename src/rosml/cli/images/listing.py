@@ -30,7 +30,7 @@ def main(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
     image_set = load.load(matrix, ROOT)
     images = selection.members(image_set, groups)
     if not images:
-        terminal.echo(selection.none_in(groups), err=True)
+        terminal.echo(selection.none_in(image_set, groups), err=True)
     if as_json:
         from rosml.images.bake.inputs import Inputs
 

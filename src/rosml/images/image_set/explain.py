@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import product
@@ -103,7 +104,19 @@ def why_not(image_set: ImageSet, name: str) -> str | None:
     for wanted in _readings(image_set.matrix, name):
         if sentence := _reason(image_set, name, wanted):
             return sentence
-    return None
+    meant = _in_our_words(name)
+    if meant != name and (image_set.by_target.get(meant) or image_set.by_tag(meant)):
+        return f"{name} is called {meant}."
+    return why_not(image_set, meant) if meant != name else None
+
+
+def _in_our_words(name: str) -> str:
+    """A name as others write it, in our words: `jazzy-base-tf-cu128`, `rwthika/ros2-torch:jazzy-ros-base`."""
+    name = name.lower()
+    if ":" not in name:
+        return "-".join(names.OUR_WORDS.get(word, word) for word in name.split("-"))
+    repository, _, tag = name.rpartition("/")[2].partition(":")
+    return f"{re.sub('^ros2(?=-|$)', 'ros', repository)}:{tag.replace('-ros-', '-')}"
 
 
 def image(image_set: ImageSet, name: str) -> Image:

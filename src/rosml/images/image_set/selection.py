@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import fnmatch
+import re
 from collections.abc import Iterable, Sequence
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, unknown
 from rosml.images.image_set.model import Image, ImageSet
+from rosml.images.matrix.names import OUR_WORDS
+
+NVIDIA = ("gpu", "nvidia")
+"""Words that people try for the images with CUDA of any kind."""
 
 
 def select(image_set: ImageSet, only: Sequence[str]) -> tuple[Image, ...]:
@@ -58,14 +63,46 @@ def members(image_set: ImageSet, groups: Sequence[str] = ()) -> tuple[Image, ...
     known = groups_of(image_set)
     for name in groups:
         if name not in known:
-            raise RosmlError(unknown("group", name, known), f"there is {listed(known)}", exit_code=2)
+            raise _no_group(image_set, name, groups, known)
     wanted = set(groups)
     return tuple(image for image in image_set.images if wanted <= {*image.groups, *image.architectures})
 
 
-def none_in(groups: Sequence[str]) -> str:
+def _no_group(image_set: ImageSet, name: str, groups: Sequence[str], known: Sequence[str]) -> RosmlError:
+    """The error about a word that is no group: what people may have meant by it, or all groups."""
+    if name.lower() in NVIDIA:
+        stacks = [stack for stack, facts in image_set.matrix.stacks.items() if facts.cuda]
+        return RosmlError(f"no group named {name!r}", f"name the CUDA: {listed(stacks, last='or')}", exit_code=2)
+    if ros := re.fullmatch(r"(?i)ros-?([12])", name):
+        rows = [row for row, facts in image_set.matrix.distributions.items() if facts.ros == int(ros[1])]
+        return RosmlError(f"no group named {name!r}", f"name a distribution: {listed(rows, last='or')}", exit_code=2)
+    if image := image_set.by_tag(name):
+        return RosmlError(f"{name} is an image, and no group", f"rosml explain {image.target}", exit_code=2)
+    parts = [OUR_WORDS.get(word, word) for word in re.split(r"[\s,*-]+", name.lower()) if word]
+    if parts and all(part in known for part in parts):
+        words = [word for group in groups for word in (parts if group == name else [group])]
+        return RosmlError(f"no group named {name!r}", f"rosml list {' '.join(words)}", exit_code=2)
+    return RosmlError(unknown("group", name, known), f"there is {listed(known)}", exit_code=2)
+
+
+def none_in(image_set: ImageSet, groups: Sequence[str]) -> str:
     """The message if no image is in all given groups."""
-    return f"no image is in all of {listed(groups)}; see why: rosml explain <distribution>-<component>-<framework>"
+    named = {
+        kind: [group for group in groups if group in names]
+        for kind, names in (
+            ("distribution", image_set.matrix.distributions),
+            ("component", image_set.matrix.components),
+            ("framework", image_set.matrix.frameworks),
+        )
+    }
+    text = f"no image is in all of {listed(groups)}"
+    if len(named["framework"]) > 1:
+        stack = next((stack for stack, facts in image_set.matrix.stacks.items() if facts.cuda), "")
+        return f"{text}: {listed(named['framework'])} are different images; a stack such as {stack} says which CUDA is beside"
+    row = next(iter(named["distribution"]), "<distribution>")
+    rest = [*named["component"][:1], *named["framework"]] or ["<component>", "<framework>"]
+    example = "-".join([row, *rest])
+    return f"{text}; see why: rosml explain {example}"
 
 
 def architecture_of(image_set: ImageSet, platform: str) -> str:

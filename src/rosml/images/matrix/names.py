@@ -15,6 +15,9 @@ ROS = "ros"
 """Stands for a part in the paths of locks of distributions from wheels. The distribution takes the place of a stack; no stack has
 the same name."""
 
+OUR_WORDS = {"pytorch": "torch", "tf": "tensorflow", "x86_64": "amd64", "aarch64": "arm64"}
+"""Words that people try in names and groups, and the word for each."""
+
 RESERVED_GROUPS = ("all", "default", "every", "files", "image", "latest", "parts", "test", "tests")
 """Names of groups, tags and abstract targets that do not come from an axis of the matrix."""
 
