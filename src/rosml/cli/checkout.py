@@ -20,6 +20,13 @@ PARTS = ("matrix.yaml", "Dockerfile", "components", "scripts/bootstrap.py", "ros
 SETTINGS = {"help_option_names": ["-h", "--help"]}
 
 
+def _extra_words(command: click.Command) -> str:
+    """What to do about words that a command does not take; empty if it has no such option."""
+    known = {option for parameter in command.params for option in parameter.opts}
+    places = {"--only": "names of images stand after --only", "--registry": "a registry stands after --registry"}
+    return ", and ".join(text for option, text in places.items() if option in known)
+
+
 class Command(click.Command):
     """A command of `rosml`.
 
@@ -28,6 +35,7 @@ class Command(click.Command):
         prints: it only prints, so its reader may stop early.
         kept: the message after Ctrl-C.
         before: functions to call first.
+        extra: what to do if there are more words than it takes.
         failure: the exit code of every error; 0 for those of `command.run`.
     """
 
@@ -40,10 +48,20 @@ class Command(click.Command):
         prints: bool = False,
         kept: str = command.INTERRUPTED_TEXT,
         before: Sequence[Callable[[], None]] = (),
+        extra: str = "",
         **options: Any,
     ) -> None:
         super().__init__(*arguments, **{"context_settings": SETTINGS, **options})
         self.alone, self.prints, self.kept, self.before = alone, prints, kept, before
+        self.extra = extra or _extra_words(self)
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        try:
+            return super().parse_args(ctx, args)
+        except click.UsageError as error:
+            if type(error) is click.UsageError and self.extra:  # the others are about an option or a missing word
+                raise click.UsageError(f"{error.message}: {self.extra}.", ctx) from error
+            raise
 
     def invoke(self, ctx: click.Context) -> Any:
         if not self.alone:
@@ -77,6 +95,16 @@ class Group(click.Group):
     ) -> None:
         super().__init__(*arguments, **{"context_settings": SETTINGS, **options})
         self.kept, self.elsewhere, self.sections = kept, elsewhere or {}, sections
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        try:
+            return super().parse_args(ctx, args)
+        except click.NoSuchOption as error:
+            from difflib import get_close_matches  # only needed when something is wrong
+
+            if near := get_close_matches(error.option_name, error.possibilities or (), cutoff=0.75):
+                raise click.NoSuchOption(error.option_name, possibilities=near, ctx=ctx) from error
+            raise click.UsageError(f"{error.message} Options of a command stand after it.", ctx) from error
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]

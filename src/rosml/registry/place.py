@@ -37,8 +37,10 @@ class Place:
         """
         host, _, prefix = text.rstrip("/").partition("/")
         if not references.is_place(host, prefix):
-            text = f"{text!r} is no place for images"
-            raise RosmlError(text, "name a registry and a path in it, such as ghcr.io/me/rosml", exit_code=2)
+            scheme, mark, rest = text.partition("://")
+            remedy = "name a registry and a path in it, such as ghcr.io/me/rosml"
+            remedy = f"leave out {scheme}{mark}, and write {rest}" if mark and rest else remedy
+            raise RosmlError(f"{text!r} is no place for images", remedy, exit_code=2)
         return cls(Registry(host, ca_bundle=ca_bundle), prefix)
 
     def path(self, repository: str) -> str:

@@ -155,11 +155,28 @@ def test_a_command_that_is_mistyped(words: list[str], meant: str, capsys: pytest
         (["search", "jazzy"], "rosml list"),
         (["publish", "image", "x"], "rosml image"),
         (["publish", "join"], "rosml publish join-images"),
+        (["stop"], "docker stop, for a container; rosml setup down, for the local registry and the builder"),
     ],
 )
 def test_a_command_that_is_elsewhere(words: list[str], told: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert command.run(main.cli, arguments=words) == 2
     assert capsys.readouterr().err.endswith(f"It is: {told}\n")
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["--list"], "No such option '--list'. Options of a command stand after it."),
+        (["--registry", "x", "list"], "No such option '--registry'. Options of a command stand after it."),
+        (["--qiet", "list"], "Did you mean '--quiet'?"),
+        (["status", "ghcr.io/me/rosml"], "a registry stands after --registry."),
+        (["status", "--registry", "ghcr.io/me/rosml", "jazzy-base"], "names of images stand after --only, and "),
+        (["explain", "jazzy", "torch"], "it is one name, such as jazzy-base-torch-cu130"),
+    ],
+)
+def test_words_at_a_wrong_place(words: list[str], told: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.run(main.cli, arguments=words) == 2
+    assert told in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

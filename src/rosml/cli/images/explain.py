@@ -13,7 +13,13 @@ from rosml.cli import completion, options
 from rosml.cli.checkout import Command
 
 
-@click.command("explain", cls=Command, alone=True, prints=True)
+@click.command(
+    "explain",
+    cls=Command,
+    alone=True,
+    prints=True,
+    extra="it is one name, such as jazzy-base-torch-cu130; rosml list takes several words",
+)
 @click.argument("name", type=completion.Name("targets"))
 @options.MATRIX
 @options.JSON

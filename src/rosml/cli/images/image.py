@@ -44,7 +44,7 @@ LONGEST_TAG = 128
 )
 @sharing("force", "json")
 def main(target: str, matrix: Path, namespace: str, platform: str, on: str, force: bool, as_json: bool) -> None:
-    """Builds TARGET, runs its structure tests, and moves its tags in the local registry.
+    """Builds TARGET, runs its structure tests, and moves its tags in the local registry. TARGET is a name or a tag of an image.
 
     Builds also the images and parts that TARGET needs, if they are missing or out of date. Sets this machine up first,
     if necessary. 'rosml status' and the catalogue show the image afterwards.
@@ -54,6 +54,7 @@ def main(target: str, matrix: Path, namespace: str, platform: str, on: str, forc
     \b
     Examples:
       rosml image jazzy-base-torch-cu130
+      rosml image ros-torch:jazzy-base-cu130
       rosml image ros1-bookworm-base --json
       rosml image jazzy-base --on nvidia/cuda:13.0.1-cudnn-runtime-ubuntu24.04
     """
