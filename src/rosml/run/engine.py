@@ -268,9 +268,26 @@ def pull(command: str, line: Line) -> None:
         options.append(plain)
     argv = [command, "pull", *options, line.image]
     if subprocess.run(argv, stdout=2, check=False).returncode:
-        remedy = f"check its name; if it is private: {command} login REGISTRY"
+        remedy = f"{_about_the_name(line.image)}; if it is private: {command} login REGISTRY"
         remedy += f"; if its registry has no TLS: rosml run {plain} {line.image}" if plain else ""
         raise RosmlError(f"no image {line.image} here, and {command} cannot pull it", remedy)
+
+
+def _about_the_name(image: str) -> str:
+    """What may be wrong with the name of an image that cannot be pulled."""
+    if image == "IMAGE":
+        return "IMAGE stands for an image: write one that you have"
+    if image == ".." or image.startswith(("./", "../", "/")):
+        return "it is a path: rosml run -v FOLDER:/mnt IMAGE mounts it, rosml containerize FOLDER builds an image of its packages"
+    if image.startswith("ghcr.io/me/"):
+        return "ghcr.io/me is an example: write the place that has your images"
+    if "/" in image or "@" in image:
+        return "check its name"
+    if ":" in image:
+        return f"if it is one of rosml's, write its place as well, such as 127.0.0.1:40123/rosml/{image}"
+    if "-" in image:
+        return f"if it is a target, `rosml image {image}` builds it and says what to run"
+    return f"if it is the command, an image goes before it: rosml run IMAGE {image}"
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,7 @@ NOT_OF_RUN = {
     "version": "rosml --version, or docker --version, or podman --version",
     # Options of rocker, which people come from: https://github.com/osrf/rocker
     "x11": "leave it out: rosml run hands in your display; --no-x11 switches that off",
-    "nvidia": "leave it out: rosml run hands in your GPUs; --no-gpu switches that off",
+    **dict.fromkeys(("nvidia", "gpu"), "leave it out: rosml run hands in your GPUs; --no-gpu switches that off"),
     "devices": "write --device for each",
     "home": "write -v $HOME:$HOME",
     "git": "write -v ~/.gitconfig:$HOME/.gitconfig:ro",
@@ -29,10 +29,21 @@ NOT_OF_RUN = {
     "ssh": "write --ssh-agent",
     "cuda": "take an image that has CUDA: rosml list cuda",
     "nocleanup": "write --no-rm",
+    "nocache": "leave it out: rosml run builds nothing",
+    "noexecute": "write --dry-run",
+    "port": "write -p",
+    "oyr-run-arg": "write what stands in it: all options of docker run go to docker",
+    "image-name": "build an image of that name: rosml containerize --image-name, or docker build --tag",
     "persist-image": "build an image: rosml containerize, or docker build",
     "mode": "leave it out: --dry-run prints the command, and without it the command runs",
+    # docker-run's
+    "image": "write the image alone, after the options: rosml run IMAGE",
 }
 """Remedies for options that the engines, rosml or a similar tool have at another place."""
+
+
+LETTERS = ("-it", "-ti", "-v", "-e", "-p")
+"""Options of the engines with one letter that people write most. Others, such as -l, are often those of a program."""
 
 
 @dataclass(frozen=True)
@@ -89,11 +100,11 @@ class Line:
         """The values of options of the engine, in their order."""
         return [given.value or "" for given in self.engine if given.names[-1] in names]
 
-    @property
-    def late(self) -> bool:
-        """Whether an option of the engines stands after the image, and is the command therefore."""
+    def late(self, own: Collection[str] = ()) -> bool:
+        """Whether an option of the engines, or one of rosml's own, stands after the image, and is the command therefore."""
         first = next(iter(self.command), "")
-        return first.startswith("--") and first[2:].partition("=")[0] in table().names
+        name = first.partition("=")[0]
+        return name in own or first in LETTERS or (first.startswith("--") and name[2:] in table().names)
 
     @property
     def taken(self) -> str:

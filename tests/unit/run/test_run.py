@@ -48,7 +48,7 @@ def desk(tmp_path: Path) -> Desk:
         ["ubuntu", "printf", "", "%s", ""],
         ["ubuntu", "ls", "*", "?", "[a-z]"],
         ["ubuntu", "echo", "a\\b", "\\", "\n", "`id`", "$(id)"],
-        ["-it", "-v", "/a b:/c d", "ubuntu", "--dry-run", "--rm", "--json"],
+        ["-it", "-v", "/a b:/c d", "ubuntu", "env", "--dry-run", "--rm", "--json"],
     ],
 )
 def test_words_arrive_as_they_are(desk: Desk, words: list[str]) -> None:
@@ -318,6 +318,25 @@ def test_an_image_that_nobody_has(desk: Desk) -> None:
     assert "docker login" in done.stderr
 
 
+@pytest.mark.parametrize(
+    ("image", "remedy"),
+    [
+        ("jazzy-base", "if it is a target, `rosml image jazzy-base` builds it"),
+        (
+            "ros-torch:jazzy",
+            "if it is one of rosml's, write its place as well, such as 127.0.0.1:40123/rosml/ros-torch:jazzy",
+        ),
+        ("ros2", "if it is the command, an image goes before it: rosml run IMAGE ros2"),
+        ("ghcr.io/me/rosml/ros:jazzy-base", "ghcr.io/me is an example: write the place that has your images"),
+        ("no/such:image", "check its name"),
+        ("IMAGE", "IMAGE stands for an image: write one that you have"),
+        ("./my_package", "it is a path: rosml run -v FOLDER:/mnt IMAGE mounts it"),
+    ],
+)
+def test_what_may_be_wrong_with_a_name(desk: Desk, image: str, remedy: str) -> None:
+    assert f"remedy: {remedy}" in desk.call(image).stderr
+
+
 @pytest.mark.parametrize("words", [["--dry-run"], ["--json"], ["--pull=never"], ["--pull", "never"]])
 def test_where_nothing_is_pulled(desk: Desk, words: list[str]) -> None:
     desk.engine(images={}, registry={"ours": OURS})
@@ -361,6 +380,9 @@ def test_a_name_that_is_taken(desk: Desk, state: str, found: str, refused: bool,
         (["--no-rm=1", "ubuntu"], "'--no-rm' does not take a value"),
         (["--mws", "ubuntu"], "ubuntu has no workspace"),
         (["<registry>/ros:jazzy-base"], "remedy: write an image that you have"),
+        (["--user", "--home", "ubuntu"], "remedy: leave --user out"),
+        (["--user", "me/ros:jazzy-base", "bash"], "remedy: leave --user out"),
+        (["--image", "ubuntu"], "remedy: write the image alone, after the options: rosml run IMAGE"),
     ],
 )
 def test_a_call_that_is_wrong(desk: Desk, words: list[str], says: str) -> None:
@@ -375,7 +397,9 @@ def test_help_is_what_h_alone_asks_for(desk: Desk) -> None:
     assert [word for word in desk.calls[-1] if word in ("-h", "robot")] == ["-h", "robot"]
 
 
-@pytest.mark.parametrize(("word", "told"), [("--gpus", True), ("--version", False), ("-la", False)])
+@pytest.mark.parametrize(
+    ("word", "told"), [("--gpus", True), ("--mws", True), ("-it", True), ("--version", False), ("-la", False)]
+)
 def test_an_option_after_the_image(desk: Desk, word: str, told: bool) -> None:
     """It reaches the container as it is; whoever meant the engine's own is told."""
     done = desk.call("ubuntu", word)

@@ -619,10 +619,10 @@ def test_a_plugin_of_another_package(desk: Desk, tmp_path: Path) -> None:
     paths = f"{ROOT / 'src'}:{tmp_path / 'site'}"
     assert "--lidar" in desk.call("--help", PYTHONPATH=paths).stdout
     assert "--lidar" not in desk.call("--help").stdout
-    done = desk.call("--no-tz", "--lidar", "ubuntu", "--lidar", PYTHONPATH=paths)
+    done = desk.call("--no-tz", "--lidar", "ubuntu", "ls", "--lidar", PYTHONPATH=paths)
     assert (done.returncode, done.stderr) == (0, "warning: mind the robot\nremedy: stop it\n")
     before, _, after = " ".join(plain(desk)).partition(" --user")
-    assert " ".join(desk.ran) == f"{before} --device /dev/lidar --user{after} --label a=b ubuntu --lidar"
+    assert " ".join(desk.ran) == f"{before} --device /dev/lidar --user{after} --label a=b ubuntu ls --lidar"
 
 
 @pytest.mark.parametrize(

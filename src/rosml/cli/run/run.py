@@ -105,9 +105,15 @@ def main(context: click.Context, /, export: str | None) -> None:
     from rosml.run.person import person
 
     line: words.Line = context.meta[container.LINE]
-    if line.late:
+    if line.late(
+        [name for option in context.command.get_params(context) for name in option.opts if name.startswith("--")]
+    ):
         text = f"{line.command[0]} is the command in the container, since it stands after the image"
         command.warn(text, f"options come first: rosml run {line.command[0]} … {line.image}")
+    user = line.value("user")
+    if user.startswith("--") or "/" in user:  # rocker's --user takes no value
+        remedy = "leave --user out: you are you in the container"
+        raise RosmlError(f"--user takes a user, and {user} is none", remedy, exit_code=2)
     caller = person(os.environ)
     own = [f"--{name}" for plugin in found().plugins for name in plugin.options]
     files = defaults.read(line, own, [f"--{name}" for name in RESERVED], caller.folder)
