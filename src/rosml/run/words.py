@@ -38,6 +38,8 @@ NOT_OF_RUN = {
     "mode": "leave it out: --dry-run prints the command, and without it the command runs",
     # docker-run's
     "image": "write the image alone, after the options: rosml run IMAGE",
+    "cmd": "write the command after the image: rosml run IMAGE COMMAND",
+    "no-loc": "leave it out: no locale is passed without --loc",
 }
 """Remedies for options that the engines, rosml or a similar tool have at another place."""
 

@@ -383,6 +383,8 @@ def test_a_name_that_is_taken(desk: Desk, state: str, found: str, refused: bool,
         (["--user", "--home", "ubuntu"], "remedy: leave --user out"),
         (["--user", "me/ros:jazzy-base", "bash"], "remedy: leave --user out"),
         (["--image", "ubuntu"], "remedy: write the image alone, after the options: rosml run IMAGE"),
+        (["--cmd", "ls", "ubuntu"], "remedy: write the command after the image"),
+        (["--name", "robot"], "to enter a container that is there: rosml attach robot"),
     ],
 )
 def test_a_call_that_is_wrong(desk: Desk, words: list[str], says: str) -> None:

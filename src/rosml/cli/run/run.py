@@ -153,6 +153,8 @@ def enter(line: words.Line, image: str) -> None:
 
     remedy = "write the image after it: rosml run … IMAGE"
     if line.taken and not image and not set(line.engine[-1].names) <= attach.PASSED:
+        if line.engine[-1].names[-1] == "name":  # docker-run enters a container so
+            remedy += f"; to enter a container that is there: rosml attach {line.engine[-1].value}"
         raise RosmlError(f"no image is named: {line.taken}", remedy, exit_code=2)
     try:
         container.enter_folder(line, "rosml run without an image")
