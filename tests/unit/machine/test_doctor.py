@@ -48,7 +48,7 @@ def test_a_machine_without_a_gpu_lacks_nothing_that_fails(machine: Path) -> None
     found = asked()
     assert found["engine"]["found"] == "docker answers"
     assert "-cpu" in found["GPU"]["remedy"] and "GPU in containers" not in found
-    assert found["services"]["remedy"].startswith("rosml setup")
+    assert found["services"]["remedy"].startswith("./rosml setup")
 
 
 @pytest.mark.parametrize(
@@ -97,4 +97,4 @@ def test_a_service_that_does_not_answer_is_wrong(machine: Path, monkeypatch: pyt
     monkeypatch.setattr(services, "status", lambda _: facts)
     found = asked(1)
     assert (found["registry"]["state"], found["builder"]["state"]) == ("ok", "wrong")
-    assert found["builder"]["remedy"] == "rosml setup"
+    assert found["builder"]["remedy"] == "./rosml setup"

@@ -182,13 +182,13 @@ def services() -> Iterator[Finding]:
     facts = status(state_of_checkout())
     if not facts["up"]:
         yield Finding(
-            "services", "note", "not up: no local registry, and no builder", "rosml setup; make image calls it"
+            "services", "note", "not up: no local registry, and no builder", "./rosml setup; make image calls it"
         )
         return
     for name, address in (("registry", facts["registry"]["address"]), ("builder", facts["builder"]["name"])):
         answers = facts[name]["answers"]
         text = f"{address} {'answers' if answers else 'does not answer'}"
-        yield Finding(name, "ok" if answers else "wrong", text, "" if answers else "rosml setup")
+        yield Finding(name, "ok" if answers else "wrong", text, "" if answers else "./rosml setup")
     bases = "official ones, from Docker Hub" if facts["docker_hub"] else "made here from Debian's archive"
     yield Finding("base images", "ok", bases)
 

@@ -104,17 +104,18 @@ def why_not(image_set: ImageSet, name: str) -> str | None:
     for wanted in _readings(image_set.matrix, name):
         if sentence := _reason(image_set, name, wanted):
             return sentence
-    meant = _in_our_words(name)
+    meant = _in_our_words(image_set.matrix, name)
     if meant != name and (image_set.by_target.get(meant) or image_set.by_tag(meant)):
         return f"{name} is called {meant}."
     return why_not(image_set, meant) if meant != name else None
 
 
-def _in_our_words(name: str) -> str:
+def _in_our_words(matrix: Matrix, name: str) -> str:
     """A name as others write it, in our words: `jazzy-base-tf-cu128`, `rwthika/ros2-torch:jazzy-ros-base`."""
     name = name.lower()
     if ":" not in name:
-        return "-".join(names.OUR_WORDS.get(word, word) for word in name.split("-"))
+        ours = names.our_words(matrix)
+        return "-".join(ours.get(word, word) for word in name.split("-"))
     repository, _, tag = name.rpartition("/")[2].partition(":")
     return f"{re.sub('^ros2(?=-|$)', 'ros', repository)}:{tag.replace('-ros-', '-')}"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from rosml.images.matrix.model import ANY_PYTHON
+from rosml.images.matrix.model import ANY_PYTHON, Matrix
 
 DATED = re.compile(r"-(\d{8})(?:\.\d+)?$")
 """The date at the end of a tag that never moves."""
@@ -15,11 +15,15 @@ ROS = "ros"
 """Stands for a part in the paths of locks of distributions from wheels. The distribution takes the place of a stack; no stack has
 the same name."""
 
-OUR_WORDS = {"pytorch": "torch", "tf": "tensorflow", "x86_64": "amd64", "aarch64": "arm64"}
-"""Words that people try in names and groups, and the word for each."""
-
 RESERVED_GROUPS = ("all", "default", "every", "files", "image", "latest", "parts", "test", "tests")
 """Names of groups, tags and abstract targets that do not come from an axis of the matrix."""
+
+
+def our_words(matrix: Matrix) -> dict[str, str]:
+    """Words that people try in names and groups, and ours for each: titles of parts, names of repositories, machines."""
+    titles = {part.title.lower(): part.name for part in matrix.parts if part.title}
+    repositories = {facts.repository.removeprefix(f"{ROS}-"): name for name, facts in matrix.frameworks.items()}
+    return {**titles, **repositories, "x86_64": "amd64", "aarch64": "arm64"}
 
 
 def image_target(distribution: str, component: str, framework: str = "none", stack: str | None = None) -> str:
