@@ -76,7 +76,7 @@ def lacking(engine: Engine) -> tuple[str, str]:
 def _check_driver(context: Context) -> None:
     needed = context.image.labels.get(DRIVER, "")
     found = driver(context.host)
-    if not _numbers(found) or context.line.sets("NVIDIA_DISABLE_REQUIRE") or _numbers(found) >= _numbers(needed):
+    if not numbers(found) or context.line.sets("NVIDIA_DISABLE_REQUIRE") or numbers(found) >= numbers(needed):
         return
     text = f"{context.line.image} needs NVIDIA's driver {needed} or newer, and this machine has {found}"
     raise RosmlError(text, "take an image with an older CUDA, or update the driver; --no-gpu computes on the CPU")
@@ -88,7 +88,7 @@ def driver(host: Host) -> str:
     return loaded[1] if loaded else host.text("/sys/module/nvidia/version").strip()
 
 
-def _numbers(version: str) -> tuple[int, ...]:
+def numbers(version: str) -> tuple[int, ...]:
     """The numbers of a version, for comparisons; none if the text is no version, as an image may say anything."""
     found = re.fullmatch(r"[0-9]{1,9}(\.[0-9]{1,9}){0,9}", version.strip())
     return tuple(map(int, found[0].split("."))) if found else ()

@@ -8,6 +8,7 @@ import platform
 import shutil
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -106,8 +107,10 @@ def disk() -> Iterator[Finding]:
 
 
 def engine() -> Iterator[Finding]:
-    """docker or podman, which start containers."""
+    """docker or podman, which start containers, and whether it can hand in the machine's GPUs."""
     from rosml.run import engine as engines
+    from rosml.run import gpu as gpus
+    from rosml.run.host import host
 
     try:
         program = engines.program(os.environ)
@@ -120,11 +123,15 @@ def engine() -> Iterator[Finding]:
     kind = "podman" if about.podman else "docker"
     said = kind if kind == os.path.basename(program) else f"{program}, which is {kind}"
     yield Finding("engine", "ok", f"{said} answers" + (", rootless" if about.rootless else ""))
+    here = host(os.environ)
+    if words := gpus.is_nvidia(here) and gpus.handed_in(about, here):
+        yield Finding("GPU in containers", "ok", f"{about.program} hands it in: {' '.join(words)}")
+    elif gpus.is_nvidia(here):
+        yield Finding("GPU in containers", "wrong", *gpus.lacking(about))
 
 
 def gpu() -> Iterator[Finding]:
     """GPUs, their driver, and which images it runs."""
-    from rosml.run import engine as engines
     from rosml.run import gpu as gpus
     from rosml.run.host import host
 
@@ -135,40 +142,30 @@ def gpu() -> Iterator[Finding]:
     kind, driver = "Jetson" if here.has(*gpus.JETSON) else "NVIDIA", gpus.driver(here)
     stacks = _stacks(driver)
     fit = f"; CUDA images: {', '.join(stacks)}" if stacks else ""
-    remedy = "" if stacks or not driver else "update the driver: CUDA 12 needs 525 or newer, CUDA 13 needs 580"
+    needed = ", ".join(f"CUDA {cuda} needs {oldest} or newer" for cuda, oldest in _matrix().drivers.items())
+    remedy = "" if stacks or not driver else f"update the driver: {needed}"
     yield Finding("GPU", "note" if remedy else "ok", f"{kind}, driver {driver or 'unknown'}{fit}", remedy)
-    try:
-        about = engines.answering(engines.program(os.environ))
-    except RosmlError:  # told above
-        return
-    if words := gpus.handed_in(about, here):
-        yield Finding("GPU in containers", "ok", f"{about.program} hands it in: {' '.join(words)}")
-    else:
-        yield Finding("GPU in containers", "wrong", *gpus.lacking(about))
 
 
 def _stacks(driver: str) -> list[str]:
     """The stacks with CUDA that a driver runs, the newest CUDA first."""
-    if not driver:
-        return []
-    matrix = _matrix()
-    newest = sorted(((facts.cuda, name) for name, facts in matrix.stacks.items() if facts.cuda), key=_by_numbers)
-    return [
-        name
-        for cuda, name in reversed(newest)
-        if int(driver.partition(".")[0]) >= int(matrix.drivers.get(cuda.partition(".")[0], "0"))
+    from rosml.run.gpu import numbers
+
+    matrix, has = _matrix(), numbers(driver)
+    fit = [
+        (numbers(facts.cuda), name)
+        for name, facts in matrix.stacks.items()
+        if facts.cuda and has and has >= numbers(matrix.drivers.get(facts.cuda.partition(".")[0], "0"))
     ]
+    return [name for _, name in sorted(fit, reverse=True)]
 
 
+@cache
 def _matrix() -> Matrix:
-    from rosml.images.image_set import load
     from rosml.images.matrix import source
+    from rosml.images.matrix.validate import validate
 
-    return load.image_set(source.read(ROOT / "matrix.yaml")).matrix
-
-
-def _by_numbers(found: tuple[str, str]) -> list[int]:
-    return [int(number) for number in found[0].split(".")]
+    return validate(source.read(ROOT / "matrix.yaml"))
 
 
 def services() -> Iterator[Finding]:

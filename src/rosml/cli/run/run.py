@@ -105,9 +105,8 @@ def main(context: click.Context, /, export: str | None) -> None:
     from rosml.run.person import person
 
     line: words.Line = context.meta[container.LINE]
-    if line.late(
-        [name for option in context.command.get_params(context) for name in option.opts if name.startswith("--")]
-    ):
+    own, reserved = [f"--{name}" for plugin in found().plugins for name in plugin.options], [f"--{x}" for x in RESERVED]
+    if line.late([*own, *reserved]):
         text = f"{line.command[0]} is the command in the container, since it stands after the image"
         command.warn(text, f"options come first: rosml run {line.command[0]} … {line.image}")
     user = line.value("user")
@@ -115,8 +114,7 @@ def main(context: click.Context, /, export: str | None) -> None:
         remedy = "leave --user out: you are you in the container"
         raise RosmlError(f"--user takes a user, and {user} is none", remedy, exit_code=2)
     caller = person(os.environ)
-    own = [f"--{name}" for plugin in found().plugins for name in plugin.options]
-    files = defaults.read(line, own, [f"--{name}" for name in RESERVED], caller.folder)
+    files = defaults.read(line, own, reserved, caller.folder)
     image = files.under(line).image
     if line.image == HERE and not image:
         raise RosmlError("no file names the image of this folder", f"rosml run IMAGE, or {IMAGE}", exit_code=2)

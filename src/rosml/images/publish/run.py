@@ -22,8 +22,6 @@ from rosml.images.publish import provenance
 from rosml.images.publish.cosign import Signer
 from rosml.images.publish.state import ELSEWHERE, Item, State
 from rosml.images.records.store import INDEX, Entry, Records
-from rosml.images.scan import judge
-from rosml.images.scan.sbom import Shelf
 
 Work = Callable[[Item, Entry], Entry]
 """Does a step's work on an item; gives the item's new entry."""
@@ -120,18 +118,6 @@ class Run:
     def source(self) -> list[dict[str, Any]]:
         """The checkout that images are made from, as a dependency of a provenance statement."""
         return provenance.source(self.state.request.services.root)
-
-    @property
-    def shelf(self) -> Shelf:
-        """The SBOMs that the records name."""
-        known = self.state.known.values()
-        return Shelf(self.state.place.client, {entry.digest: entry.sbom for entry in known if entry.sbom})
-
-    def scanned_part(self, target: str, architecture: str) -> judge.Part:
-        """A finished ROS image or part, as a scan knows it."""
-        part, place = self.state.by_key[target, architecture], self.state.place
-        digest = self.state.known[part.key].digest
-        return judge.Part(target, place.client.host, place.path(part.repository), digest, part.kind == "ros")
 
     def parts(self, item: Item) -> dict[str, str]:
         """Digests of what an item is put together from, by target."""

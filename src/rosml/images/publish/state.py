@@ -472,6 +472,11 @@ class State:
         """The entry of the index of an image or part."""
         return self.known.get((thing.target, INDEX))
 
+    def is_of_these(self, thing: Image | Part, index: Entry) -> bool:
+        """Whether the index of an image or part is made of its images as they are now."""
+        members = {key[1]: self.known[key].digest for key in self.members(thing)}
+        return index.parts == members and index.inputs == self.inputs.together(thing)
+
     # ---- For people --------------------------------------------------------------------------------------------------
 
     def tasks(self) -> list[Task]:

@@ -41,8 +41,7 @@ def _is_made(run: Run, thing: Image | Part) -> bool:
         return False
     if state.request.force and entry.date != state.date:
         return False
-    digests = {entry.architecture: entry.digest for entry in _members(run, thing)}
-    return entry.parts == digests and entry.inputs == state.inputs.together(thing) and not entry.failed
+    return state.is_of_these(thing, entry) and not entry.failed
 
 
 def _members(run: Run, thing: Image | Part) -> list[Entry]:

@@ -73,7 +73,7 @@ class _Promotion:
         entry = self.state.index_of(thing)
         if reason := self.state.unready(thing):
             self._say(thing, "waits", reason)
-        elif entry is None or not self._current(thing, entry):
+        elif entry is None or not self.state.is_of_these(thing, entry):
             self._say(thing, "waits", "its index is not made yet")
         elif entry.held:
             self._say(
@@ -96,11 +96,6 @@ class _Promotion:
 
     def _say(self, thing: Image | Part, state: Any, reason: str, seconds: float = 0.0) -> None:
         self.run.outcomes.append(Outcome("promote", thing.target, "", state, reason, seconds))
-
-    def _current(self, thing: Image | Part, entry: Entry) -> bool:
-        known = self.state.known
-        members = {key[1]: known[key].digest for key in self.state.members(thing)}
-        return entry.parts == members and entry.inputs == self.state.inputs.together(thing)
 
     def _wrong(self, thing: Image | Part, entry: Entry) -> str:
         """Why the index that the records name is not the index of this image; empty if it is."""

@@ -12,10 +12,12 @@ from pathlib import Path
 from typing import Any
 
 from rosml.images.publish.run import Outcome, Run
+from rosml.images.publish.state import State
 from rosml.images.records.store import Entry
 from rosml.images.scan import judge, sarif
 from rosml.images.scan.policy import Rules
 from rosml.images.scan.results import Results
+from rosml.images.scan.sbom import Shelf
 from rosml.images.scan.trivy import ScannerFailed, Trivy
 
 
@@ -66,7 +68,8 @@ def scan(
         found = judge.summarise(judge.unscanned(images, trivy, keep), rules, date.date(), whole, targets)
     else:
         facts: dict[str, Any] = {"now": date, "whole": whole, "targets": targets}
-        found = judge.scan_images(images, rules, trivy, run.shelf, **facts, say=run.say, keep=keep)
+        shelf = Shelf(state.place.client, {entry.digest: entry.sbom for entry in state.known.values() if entry.sbom})
+        found = judge.scan_images(images, rules, trivy, shelf, **facts, say=run.say, keep=keep)
     seconds = (time.monotonic() - started) / max(1, len(found.images))
     for image in found.images:
         clean = image.outcome is judge.Outcome.CLEAN
@@ -87,9 +90,16 @@ def _wanted(run: Run, clean: Callable[[Entry], bool]) -> dict[tuple[str, str], j
         if item.kind == "part" or entry is None or not entry.digest or item.key not in state.present or clean(entry):
             continue
         needs = item.needs if item.kind == "joined" else (item.target,)
-        parts = tuple(run.scanned_part(target, item.architecture) for target in needs)
+        parts = tuple(_part(state, target, item.architecture) for target in needs)
         found[item.key] = judge.Image(*item.key, parts)
     return found
+
+
+def _part(state: State, target: str, architecture: str) -> judge.Part:
+    """A finished ROS image or part, as a scan knows it."""
+    part, place = state.by_key[target, architecture], state.place
+    digest = state.known[part.key].digest
+    return judge.Part(target, place.client.host, place.path(part.repository), digest, part.kind == "ros")
 
 
 def _is_clean(entry: Entry, policy: str, database: str) -> bool:
