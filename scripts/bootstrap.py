@@ -74,6 +74,23 @@ def output_of(*argv: str) -> str | None:
     return done.stdout if done.returncode == 0 else None
 
 
+@contextmanager
+def interruptions_held() -> Iterator[None]:
+    """Lets Ctrl-C and SIGTERM wait until the block is done. What the block starts gets them at once."""
+    held: list[int] = []
+    before = {
+        number: signal.signal(number, lambda seen, _frame: held.append(seen))
+        for number in (signal.SIGINT, signal.SIGTERM)
+    }
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+    if held:
+        raise KeyboardInterrupt
+
+
 def run(what: str, argv: Sequence[str], log: Path, env: Mapping[str, str], remedy: str = "") -> None:
     """Runs a long command. Its output goes to a log; users see signs of life.
 
@@ -82,16 +99,19 @@ def run(what: str, argv: Sequence[str], log: Path, env: Mapping[str, str], remed
     """
     started, devnull = time.monotonic(), subprocess.DEVNULL
     with log.open("w") as out:
-        process = subprocess.Popen(argv, stdin=devnull, stdout=out, stderr=out, env=env, cwd=ROOT)
+        process = None
         try:
+            with interruptions_held():  # or nobody would know the process that was started
+                process = subprocess.Popen(argv, stdin=devnull, stdout=out, stderr=out, env=env, cwd=ROOT)
             while process.returncode is None:
                 try:
                     process.wait(20)
                 except subprocess.TimeoutExpired:
                     say(f"  {what}: still at work ({time.monotonic() - started:.0f} s)")
         finally:
-            process.terminate()  # if this was interrupted
-            process.wait()
+            if process:
+                process.terminate()  # if this was interrupted
+                process.wait()
     if process.returncode:
         end = "".join(f"    {line}\n" for line in log.read_text(errors="replace").splitlines()[-20:])
         text = f"{what}: failed (exit code {process.returncode}). The end of its log:\n{end}  whole log: {log}"

@@ -187,7 +187,7 @@ def test_a_tag_has_both_architectures_or_stays(mini: Mini) -> None:
     outcome = mini.publish("all", *only)
     assert outcome.code == 0
     assert mini.tags() == {}
-    assert f"{OTHER} is not there: waiting for a builder of its architecture" in outcome.out
+    assert f"{OTHER} is missing: waiting for a builder of its architecture" in outcome.out
     mini.put_other(python="3.12")
     refused = mini.publish("index", *only)
     assert refused.code == 1 and "python is " in refused.out
