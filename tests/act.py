@@ -27,8 +27,14 @@ for path in $PATHS; do
 done"""
 DOWNLOAD = '[ -d "$ARTIFACTS/$NAME" ]; case " $LOST " in *" $NAME "*) exit 1 ;; esac; mkdir -p "${PATHS:-.}"; cp -a "$ARTIFACTS/$NAME/." "${PATHS:-.}"'
 
+OWN, OWN_COMMIT = "rosml/rosml", "0" * 40
+"""What stands for this repository and its commit in `uses:`. act does not know $/."""
+
+OWN_CHECKOUT = f"{OWN}/.github/actions/checkout"
+
 ACTIONS = {
     "actions/checkout": 'cp -a "$CHECKOUT/." . && cp -a "$FRONT/." .',
+    OWN_CHECKOUT: 'cp -a "$CHECKOUT/." . && cp -a "$FRONT/." .',
     "actions/upload-artifact": UPLOAD,
     "actions/download-artifact": DOWNLOAD,
     "actions/cache/restore": 'echo "$KEY $PATHS" >>"$CACHES"',
@@ -129,6 +135,7 @@ def play(
     Raises:
         ValueError: act does not understand the workflow; with its reasons.
     """
+    text = re.sub(r"uses: \$/(\S+)", rf"uses: {OWN}/\1@{OWN_COMMIT}", text)
     for name in ("repository/.github/workflows", "programs", "front", "artifacts", "home", "empty"):
         (folder / name).mkdir(parents=True)
     (folder / "repository/.github/workflows/workflow.yml").write_text(text)

@@ -22,7 +22,11 @@ def source(matrix: str) -> str:
     return found[1] if found else ""
 
 
-FORK = source((ROOT / "matrix.yaml").read_text(encoding="utf-8")) != HOME
+FORK = any(
+    source(file.read_text(encoding="utf-8")) != HOME
+    for file in (ROOT / "matrix.yaml", ROOT / "set.yaml")
+    if file.exists()
+)
 REASON = "about this project's own matrix and documentation, of which this is a fork"
 
 OURS = frozenset(

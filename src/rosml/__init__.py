@@ -37,6 +37,15 @@ _PACKAGE = Path(__file__).resolve().parent
 ROOT = root_of(_PACKAGE)
 """The project's root: the folder of `matrix.yaml`, `Dockerfile` and `components/`."""
 
+
+def matrix_of(root: Path) -> Path:
+    """The file that says which images exist: `set.yaml` for a set of somebody's own, which extends `matrix.yaml`; or that one."""
+    own = root / "set.yaml"
+    return own if own.is_file() else root / "matrix.yaml"
+
+
+MATRIX = matrix_of(ROOT)
+
 IN_CHECKOUT = ROOT != _PACKAGE / "data"
 """Whether that is a checkout, in which images can be built."""
 

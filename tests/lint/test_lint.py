@@ -116,7 +116,7 @@ def test_zizmor() -> None:
         "--strict-collection",
         "--no-progress",
         "--quiet",
-        ".github/workflows",
+        ".github",
         "containerize",
     )
 

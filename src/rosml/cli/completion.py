@@ -16,7 +16,7 @@ from click.shell_completion import (
     split_arg_string,
 )
 
-from rosml import ROOT
+from rosml import MATRIX, ROOT
 from rosml.base.errors import RosmlError
 
 VARIABLE = "_ROSML_COMPLETE"
@@ -36,7 +36,7 @@ class Name(click.ParamType[str]):
         from rosml.images.image_set import load, selection
 
         try:
-            images = load.load(ROOT / "matrix.yaml", ROOT)
+            images = load.load(MATRIX, ROOT)
         except RosmlError:
             return []
         groups = selection.groups_of(images)

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from rosml import IN_CHECKOUT, ROOT
+from rosml import IN_CHECKOUT
+from rosml import MATRIX as MATRIX_FILE
 from rosml.base.errors import RosmlError
 from rosml.cli import checkout
 
@@ -30,7 +31,7 @@ def words(_context: click.Context, _parameter: click.Parameter, values: tuple[st
 
 
 MATRIX = click.option(
-    "--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml"
+    "--matrix", type=click.Path(path_type=Path), default=MATRIX_FILE, help="another matrix.yaml, or a set.yaml"
 )
 ONLY = click.option(
     "--only", multiple=True, metavar="GLOB", callback=words, help="images by target, tag, pattern or group; repeatable"

@@ -6,7 +6,7 @@ import shlex
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from rosml import ROOT
+from rosml import MATRIX
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
@@ -43,7 +43,7 @@ def with_ros(
     """
     if base.environment.get("ROS_DISTRO") or values.disable_ros_installation:
         return base
-    image_set = image_set or load(ROOT / "matrix.yaml")
+    image_set = image_set or load(MATRIX)
     known = {facts.ros_distro or name for name, facts in image_set.matrix.distributions.items()}
     frameworks = {item.name for image in image_set.images for item in image.brought}
     found = adopted.look(services, base.reference, platforms[0], known, frameworks)

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 from pydantic import BaseModel, TypeAdapter
 
-from rosml import ROOT
+from rosml import MATRIX
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import unknown
@@ -123,7 +123,7 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
 
 def _made_here(name: str, services: Services, platforms: tuple[str, ...], digest: str) -> Base | None:
     """An operating system's image that this machine makes if Docker Hub does not answer. The builder uses it as the original."""
-    systems = load(ROOT / "matrix.yaml").matrix.operating_systems
+    systems = load(MATRIX).matrix.operating_systems
     system = next((key for key, facts in systems.items() if facts.image == name), "")
     if not system:
         return None

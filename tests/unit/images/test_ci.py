@@ -80,14 +80,14 @@ def content(registry: Publisher, image_set: ImageSet, **options: Any) -> tuple[d
 
 def test_a_plan_is_the_matrix_of_the_jobs_that_build(registry: Publisher, image_set: ImageSet, told: Path) -> None:
     plan, told_of = content(registry, image_set)
-    report.tell(told_of)
+    report.tell(told_of, "it costs a minute")
     name, _, value = (told / github.OUTPUT).read_text().partition("=")
     assert name == "shards"
     shards = json.loads(value)
     assert shards == [{"name": item["name"], "runner": item["runner"]} for item in plan["shards"]]
     assert {(item["name"].split("-")[0], item["runner"]) for item in shards} == {("amd64", "amd"), ("arm64", "arm")}
     summary = (told / github.SUMMARY).read_text()
-    assert f"## Plan of {DAY} for {HOST}/{PREFIX}" in summary
+    assert f"## Plan of {DAY} for {HOST}/{PREFIX}" in summary and "\n- it costs a minute\n" in summary
     assert "| amd64-1 | amd |" in summary
     assert "- up to date: 0" in summary
 
@@ -147,7 +147,7 @@ def test_a_plan_for_this_machine_needs_no_machines_in_ci(
 
 def test_where_nothing_is_to_be_done_no_job_builds(registry: Publisher, image_set: ImageSet, told: Path) -> None:
     registry.publish(image_set)
-    report.tell(content(registry, image_set, date=NEXT)[1])
+    report.tell(content(registry, image_set, date=NEXT)[1], "")
     assert (told / github.OUTPUT).read_text() == "shards=[]\n"
     assert "- nothing to do" in (told / github.SUMMARY).read_text()
 
@@ -166,7 +166,7 @@ def test_what_lacks_a_lock_has_a_line_of_its_own(
     *_, counts, line = capsys.readouterr().out.splitlines()
     assert counts.endswith(" up to date")
     assert line == f"{images} without a lock, which cannot be built yet: {missing.RESTORE}"
-    report.tell(make_plan(run.state, 4))
+    report.tell(make_plan(run.state, 4), "")
     assert f"\n- without a lock: {images}, which cannot be built yet\n" in (told / github.SUMMARY).read_text()
     (told / github.SUMMARY).unlink()
     report.show(registry.publish(lacking, broken={"omega-core"}), as_json=False)

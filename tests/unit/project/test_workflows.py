@@ -166,7 +166,10 @@ def test_the_jobs_token_is_sent_to_no_other_registry() -> None:
     ]
     assert logins
     for given in logins:
-        assert given["password"] == "${{ !vars.ROSML_REGISTRY && github.token || secrets.ROSML_PASSWORD }}"
+        assert (
+            given["password"]
+            == "${{ !inputs.registry && !vars.ROSML_REGISTRY && github.token || secrets.ROSML_PASSWORD }}"
+        )
         assert given["registry"] == "${{ env.HOST }}"
     assert text("nightly").count("github.token") == len(logins) + 1
 

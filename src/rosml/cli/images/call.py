@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from rosml import ROOT
+from rosml import MATRIX, ROOT
 from rosml.base import file_lock, terminal
 from rosml.cli import options
 from rosml.cli.command import say
@@ -128,7 +128,7 @@ class Call:
     """The options of a command of a publishing run."""
 
     registry: str = ""
-    matrix: Path = ROOT / "matrix.yaml"
+    matrix: Path = MATRIX
     only: tuple[str, ...] = ()
     architectures: tuple[str, ...] = ()
     serve: tuple[str, ...] = ()

@@ -90,9 +90,9 @@ def main(
     from rosml.cli.images import tables
     from rosml.images.image_set import load, locked
     from rosml.images.locks.resolve import lock, moves
-    from rosml.images.matrix import source
+    from rosml.images.matrix import extends
 
-    image_set = load.image_set(source.read(matrix))
+    image_set = load.image_set(extends.read(matrix))
     require_alone(
         upstream, installs, bases, {"--upgrade": upgrade, "--bases": bases, "--check": check, "--stack": stacks}
     )
@@ -322,20 +322,20 @@ def base_images(matrix: Path, check: bool, as_json: bool = False) -> Pins:
     """Asks where the tags of base images point, and writes that into the matrix, unless `check` is set."""
     from rosml.images.image_set import load
     from rosml.images.locks import base_digests
-    from rosml.images.matrix import source
+    from rosml.images.matrix import extends
     from rosml.registry.client import Registries
 
-    document = source.read(matrix)
+    document = extends.read(matrix)
+    systems = base_digests.pinned(document)
     with Registries(os.environ.get("SSL_CERT_FILE", "")) as registries:
-        found = base_digests.look(load.image_set(document).matrix, registries)
+        found = base_digests.look(load.image_set(document).matrix, systems, registries)
     if found.moved and not check:
         files.write(matrix, base_digests.rewritten(matrix.read_text(encoding="utf-8"), document, found.moved))
     for system, image, old, new in base_digests.rows(found.moved):
         terminal.echo(f"{system}: {image}: {'would move' if check else 'moved'} from {old} to {new}", err=as_json)
     for line in base_digests.reasons(found.left_out):
         terminal.echo(line, err=True)
-    total = len(load.image_set(document).matrix.operating_systems)
-    terminal.echo(f"{total} base images, {len(found.moved)} {'stale' if check else 'changed'}", err=as_json)
+    terminal.echo(f"{len(systems)} base images, {len(found.moved)} {'stale' if check else 'changed'}", err=as_json)
     return found
 
 

@@ -56,10 +56,12 @@ def main(everywhere: bool, shards: int, why: bool, output: Path | None, **option
     found = make_plan(state, shards, why) if everywhere or output or call.as_json else None
     if output and found:
         files.write(output, found.text())
-        report.tell(found)
+        report.tell(found, report.cost(state, found.shards))
     if call.as_json and found:
         terminal.echo(found.text(), nl=False)
         return
     report.print_plan(state, why)
     if everywhere and found and found.shards:
         tables.show(tables.SHARDS, tables.shard_rows(found.shards), right=tables.SHARDS[3:])
+    if everywhere and found:
+        terminal.echo(report.cost(state, found.shards))

@@ -3,30 +3,34 @@
 from __future__ import annotations
 
 import json
+import math
 import time
 from collections import Counter
+from collections.abc import Sequence
 
 from rosml.base import github, terminal
 from rosml.base.problems import counted, some
 from rosml.base.units import duration, size
 from rosml.cli.images import tables
+from rosml.images.builds import disk
 from rosml.images.image_set.missing import UNLOCKED
 from rosml.images.image_set.model import Image
 from rosml.images.publish.plan import Plan
 from rosml.images.publish.run import Outcome, Run
+from rosml.images.publish.shards import Shard
 from rosml.images.publish.state import State
 from rosml.images.records import store
 
 
-def tell(plan: Plan) -> None:
-    """Gives a plan to CI: its shards as an output, for the matrix of the jobs that build, and counts as a summary."""
+def tell(plan: Plan, cost: str) -> None:
+    """Gives a plan to CI: its shards as an output, for the matrix of the jobs that build; counts and its cost as a summary."""
     github.output("shards", json.dumps([{"name": shard.name, "runner": shard.runner} for shard in plan.shards]))
     counts = Counter(step for task in plan.tasks for step in task.steps)
     lines = [f"- {step}: {number}" for step, number in counts.items()] or ["- nothing to do"]
     lines += [f"- up to date: {plan.unchanged}"]
     unlocked = {task.target for task in plan.tasks if task.kind != "part" and task.hindered.startswith(UNLOCKED)}
     lines += [f"- without a lock: {counted(len(unlocked), 'image')}, which cannot be built yet"] if unlocked else []
-    lines += [*(f"- {remark}" for remark in plan.remarks), ""]
+    lines += [*(f"- {remark}" for remark in plan.remarks), f"- {cost}", ""]
     rows = tables.shard_rows(plan.shards)
     found = "\n".join(lines) + "\n" + (github.table(tables.SHARDS, rows) if rows else "")
     github.summary(f"\n## Plan of {plan.date} for {plan.registry}\n\n{found}")
@@ -48,6 +52,17 @@ def print_plan(state: State, why: bool) -> None:
     rest = "".join(f", {number} {reason}" for reason, number in hindered.items() if reason != UNLOCKED)
     terminal.console().print(f"{len(todo)} to do, {unchanged} up to date{rest}", style="dim")
     tables.print_unlocked([thing for thing in unlocked.values() if isinstance(thing, Image)])
+
+
+def cost(state: State, shards: Sequence[Shard]) -> str:
+    """What the requested images cost, in a sentence: machine time of this run, and all that the registry keeps of them."""
+    minutes = math.ceil(sum(shard.estimates.seconds for shard in shards) / 60)
+    kept = disk.registry_mb(state.image_set, state.images, state.architectures)
+    tags = sum(len(image.tags) for image in state.images)
+    return (
+        f"this run takes about {minutes} minutes of machine time; "
+        f"{counted(len(state.images), 'image')} with {counted(tags, 'tag')} take about {kept / 1000:.1f} GB in the registry"
+    )
 
 
 def show(run: Run, as_json: bool) -> None:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Literal
 
 import click
 
-from rosml import IN_CHECKOUT, ROOT
+from rosml import IN_CHECKOUT, MATRIX, ROOT
 from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import options
@@ -162,10 +162,10 @@ def _stacks(driver: str) -> list[str]:
 
 @cache
 def _matrix() -> Matrix:
-    from rosml.images.matrix import source
+    from rosml.images.matrix import extends
     from rosml.images.matrix.validate import validate
 
-    return validate(source.read(ROOT / "matrix.yaml"))
+    return validate(extends.read(MATRIX))
 
 
 def services() -> Iterator[Finding]:

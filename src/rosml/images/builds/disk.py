@@ -74,6 +74,31 @@ def _ros_mb(image_set: ImageSet, image: Image, done: Set[str]) -> int:
     return own + (0 if image.parent in done else base.unpacked + 2 * base.compressed)
 
 
+def registry_mb(image_set: ImageSet, images: Iterable[Image], architectures: Iterable[str]) -> int:
+    """Megabytes that images take in a registry together: it keeps layers once, however many images have them.
+
+    Args:
+        image_set: all that the matrix describes.
+        images: the images; ROS images below them count too.
+        architectures: architectures to count.
+    """
+    layers: dict[tuple[str, str], int] = {}
+    wanted = set(architectures)
+    for image in images:
+        for architecture in wanted.intersection(image.architectures):
+            below: Image | None = _ros(image_set, image)
+            while below:
+                lower = image_set.by_target.get(below.parent)
+                base = lower.disk if lower else rules.system_size(image_set.matrix, below.component)
+                layers[below.target, architecture] = below.disk.compressed - base.compressed
+                if not lower:
+                    layers[below.parent, architecture] = base.compressed
+                below = lower
+            for name in image.parts:
+                layers[name, architecture] = image_set.part_by_name[name].disk.compressed
+    return sum(layers.values())
+
+
 def make_room(services: Services, needed: int, say: Callable[[str], None]) -> bool:
     """Prunes the builder's cache, the oldest entries first, until there is room for a build.
 

@@ -11,8 +11,9 @@ from rosml.images.image_set.collisions import collisions
 from rosml.images.image_set.expand import expand
 from rosml.images.image_set.locked import current_locks, unusable_locks, with_locks
 from rosml.images.image_set.model import ImageSet
+from rosml.images.matrix import extends
 from rosml.images.matrix.model import Matrix
-from rosml.images.matrix.source import Document, read
+from rosml.images.matrix.source import Document
 from rosml.images.matrix.validate import validate
 
 KEYS = "components/archive-keys"
@@ -23,14 +24,14 @@ def load(file: Path, root: Path = ROOT) -> ImageSet:
     """Reads, validates and expands a matrix, and finds its locks.
 
     Args:
-        file: the matrix.
+        file: the matrix, or a set that extends it.
         root: the project's root, which has the locks and the keys of archives.
 
     Raises:
         RosmlError: the file cannot be read (exit code 2).
         InputError: with all problems that can be seen at once, each with its place (exit code 2).
     """
-    document = read(file)
+    document = extends.read(file)
     result = image_set(document)
     if found := [document.problem(path, text) for path, text in lacking_keys(result.matrix, root)]:
         raise InputError(document.name, found)

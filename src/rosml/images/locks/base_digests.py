@@ -48,15 +48,21 @@ class Pins:
     left_out: dict[str, str] = field(default_factory=dict)
 
 
-def look(matrix: Matrix, registries: Callable[[str], Registry]) -> Pins:
-    """Asks the registries for the digests of all base images.
+def pinned(document: Document) -> list[str]:
+    """The systems whose digests a file pins: a set has those of the matrix that it extends, if it names no others."""
+    return [str(path[1]) for path in document.places if path[0:1] == (SECTION,) and path[2:] == ("digest",)]
+
+
+def look(matrix: Matrix, names: Iterable[str], registries: Callable[[str], Registry]) -> Pins:
+    """Asks the registries for the digests of base images.
 
     Args:
         matrix: the matrix with the images.
+        names: the systems to ask about.
         registries: returns the client of a host.
     """
     found = Pins()
-    systems = matrix.operating_systems
+    systems = {name: matrix.operating_systems[name] for name in names}
 
     def asked(name: str) -> str | RosmlError:
         try:

@@ -45,7 +45,7 @@ PREDICATE_ANNOTATION = "in-toto.io/predicate-type"
 BUILDER = "io.rosml.builder"
 """The annotation of our statements that names the builder of the image."""
 
-CONTENT = ("Dockerfile", ".dockerignore", "matrix.yaml", "components", "locks", "src/rosml")
+CONTENT = ("Dockerfile", ".dockerignore", "matrix.yaml", "set.yaml", "components", "locks", "src/rosml")
 """The files of a checkout that can decide an image. Other files, such as plans and reports of a job, do not."""
 
 

@@ -6,15 +6,17 @@ import io
 import os
 import tarfile
 import tempfile
+from dataclasses import replace
 from pathlib import Path
 
+from rosml import matrix_of
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
 from rosml.images.bake.diff import Difference, between
 from rosml.images.bake.inputs import Inputs
 from rosml.images.image_set import load
 from rosml.images.image_set import model as sets
-from rosml.images.matrix import source
+from rosml.images.matrix import extends
 from rosml.machine import git
 
 
@@ -28,14 +30,16 @@ def since(version: str, now: Inputs) -> Difference:
         return between(Inputs(now.root, load.load(Path(version))), now)
     with tempfile.TemporaryDirectory() as folder:
         _unpack(version, now.root, Path(folder))
-        return between(Inputs(Path(folder), _catalogue(version, Path(folder) / "matrix.yaml")), now)
+        return between(Inputs(Path(folder), _catalogue(version, Path(folder))), now)
 
 
-def _catalogue(revision: str, file: Path) -> sets.ImageSet:
-    if not file.is_file():
+def _catalogue(revision: str, folder: Path) -> sets.ImageSet:
+    if not (base := folder / "matrix.yaml").is_file():
         raise RosmlError(f"revision {revision} has no matrix.yaml", remedy="name a later one", exit_code=2)
     try:
-        return load.image_set(source.parse(file.read_bytes(), f"{revision}:matrix.yaml"))
+        file = matrix_of(folder)
+        document = extends.read(file, base)
+        return load.image_set(replace(document, name=f"{revision}:{file.name}"))
     except InputError as error:
         reason = f"this version of the project does not understand the matrix of revision {revision}:\n{error.message}"
         raise RosmlError(reason, remedy="compare with a later revision", exit_code=2) from None

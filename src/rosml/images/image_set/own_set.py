@@ -1,0 +1,284 @@
+"""The files of a set of somebody's own, which extends rosml without a fork of it: `rosml init --images`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed, unknown
+from rosml.images.image_set.model import Image, ImageSet
+from rosml.images.matrix import rules
+from rosml.images.matrix.model import Matrix
+
+SET, COMMAND, WORKFLOW = "set.yaml", "rosml", ".github/workflows/images.yml"
+
+GITHUB = "https://github.com/"
+
+
+@dataclass(frozen=True)
+class Upstream:
+    """Where rosml itself is.
+
+    Attributes:
+        repository: its address, for git.
+        commit: the whole hash of the commit to take.
+    """
+
+    repository: str
+    commit: str
+
+    @property
+    def on_github(self) -> str:
+        """Owner and name on GitHub; empty if it is elsewhere."""
+        name = self.repository.removeprefix(GITHUB).removesuffix(".git")
+        return name if self.repository.startswith(GITHUB) else ""
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """What a set has: names on the axes of the matrix, and where its images go."""
+
+    distributions: tuple[str, ...]
+    components: tuple[str, ...]
+    frameworks: tuple[str, ...]
+    stacks: tuple[str, ...]
+    image: Image
+    registry: str
+    source: str = ""
+
+
+def chosen(
+    image_set: ImageSet, distributions: Sequence[str], frameworks: Sequence[str], registry: str, source: str
+) -> Chosen:
+    """A small set: the components up to that of rosml's default image, for its stack and for the CPU.
+
+    Args:
+        image_set: rosml's own.
+        distributions: those to keep; that of rosml's default image if none is named.
+        frameworks: those to keep beside images without one; that of rosml's default image if none is named.
+        registry: where images go.
+        source: the address of the set's repository; may be empty.
+
+    Raises:
+        RosmlError: rosml does not have them (exit code 2).
+    """
+    matrix = image_set.matrix
+    default = image_set.image(matrix.default.targets[0])
+    distributions = tuple(dict.fromkeys(distributions)) or (default.distribution,)
+    frameworks = tuple(dict.fromkeys(frameworks)) or (default.framework,)
+    for kind, named, known in (
+        ("distribution", distributions, matrix.distributions),
+        ("framework", frameworks, matrix.frameworks),
+    ):
+        for name in named:
+            if name not in known:
+                raise RosmlError(unknown(kind, name, known), f"there are {listed(list(known))}", exit_code=2)
+    plain = tuple(name for name, facts in matrix.frameworks.items() if not facts.parts)
+    stacks = _stacks(matrix, distributions, frameworks)
+    components = _components(matrix, default.component)
+    wanted = [
+        item
+        for item in image_set.images
+        if item.distribution == distributions[0]
+        and item.framework in frameworks
+        and item.component in components
+        and item.stack in (None, *stacks)
+    ]
+    if not wanted:
+        text = f"{distributions[0]} has no images with {listed(frameworks, 'or')}"
+        raise RosmlError(text, f"see why: rosml list {distributions[0]}", exit_code=2)
+    image = next((item for item in wanted if item.component == default.component), wanted[0])
+    return Chosen(distributions, components, (*plain, *frameworks), stacks, image, registry, source)
+
+
+def _components(matrix: Matrix, top: str) -> tuple[str, ...]:
+    """A component, those below it, and those for programs that are built."""
+    found: list[str] = []
+    name: str | None = top
+    while name:
+        found.insert(0, name)
+        name = matrix.components[name].builds_on
+    return (*found, *(name for name, facts in matrix.components.items() if facts.runtime_of in found))
+
+
+def _stacks(matrix: Matrix, distributions: Sequence[str], frameworks: Sequence[str]) -> tuple[str, ...]:
+    """For each distribution and framework, the stack of its short tags and the first one for the CPU."""
+    wanted: list[str] = []
+    for distribution in distributions:
+        for framework in frameworks:
+            usual = rules.default_stack(matrix, distribution, framework)
+            cpu = next(
+                (
+                    name
+                    for name, facts in matrix.stacks.items()
+                    if facts.accelerator == "cpu" and rules.stack_reason(matrix, distribution, framework, name) is None
+                ),
+                None,
+            )
+            wanted += [name for name in (usual, cpu) if name]
+    return tuple(name for name in matrix.stacks if name in wanted)
+
+
+def files(image_set: ImageSet, found: Chosen, upstream: Upstream) -> dict[str, str]:
+    """The texts of the set's files by their paths. Those on GitHub get the workflow; others call the same commands by cron or CI."""
+    texts = {
+        SET: _set(image_set, found),
+        COMMAND: _command(upstream),
+        "README.md": _readme(found, upstream),
+        ".gitignore": "/.rosml/\n",
+    }
+    return {**texts, WORKFLOW: _workflow(found, upstream)} if upstream.on_github else texts
+
+
+def _set(image_set: ImageSet, found: Chosen) -> str:
+    matrix = image_set.matrix
+
+    def entries(names: Sequence[str]) -> str:
+        return "".join(f"  {name}:\n" for name in names)
+
+    rows = ""
+    for name in found.distributions:
+        facts = matrix.distributions[name]
+        kept = [item for item in facts.components if item in found.components] or facts.components[:1]
+        usual = "" if set(found.stacks).intersection(facts.default_stacks) else f", default_stack: {found.stacks[0]}"
+        rows += f"  {name}: {{components: [{', '.join(kept)}]{usual}}}\n"
+    plain = next(
+        item
+        for item in image_set.images
+        if (item.distribution, item.component, item.stack) == (found.image.distribution, found.image.component, None)
+    )
+    source = f"source: {found.source}" if found.source else "# source: https://github.com/me/images"
+    return f"""\
+# The images of this set: what differs from rosml's matrix.yaml. What this file does not name is as in rosml.
+# distributions, frameworks and stacks choose: only those that are named here exist, and nothing after a colon means "as in rosml".
+# ./rosml list shows all images of it, ./rosml explain NAME says why there is one, or none.
+extends: rosml
+registry: {found.registry} # unless --registry says otherwise
+{source} # the address of this repository, a label of the images
+default:
+  targets: [{found.image.target}] # ./rosml image builds it
+  group: [{plain.target}]
+
+distributions:
+{rows}
+frameworks:
+{entries(found.frameworks)}
+stacks:
+{entries(found.stacks)}"""
+
+
+_COMMAND = """\
+#!/bin/sh
+# Calls rosml at the commit below, with the files of this folder over its own: ./rosml list
+# The first call fetches rosml into .rosml and installs what it needs there.
+set -eu
+here=$(dirname "$(readlink -f "$0")")
+repository=@repository@
+commit=@commit@
+rosml=$here/.rosml
+own="set.yaml scan.yaml components locks tests/structure" # of this folder, if it has them
+# shellcheck disable=SC2086 # several names
+now="$commit $(cd "$here" && find $own -type f -exec cksum {} + 2>/dev/null | cksum)"
+if [ "$now" != "$(cat "$rosml/.state/set" 2>/dev/null)" ]; then
+  [ -d "$rosml/.git" ] || git init --quiet "$rosml"
+  if [ "$(git -C "$rosml" rev-parse --verify --quiet HEAD)" != "$commit" ]; then
+    git -C "$rosml" fetch --quiet --depth 1 "$repository" "$commit"
+  fi
+  git -C "$rosml" checkout --quiet --force --detach "$commit"
+  git -C "$rosml" clean --quiet --force -d
+  for name in $own; do
+    [ -e "$here/$name" ] || continue
+    mkdir -p "$(dirname "$rosml/$name")"
+    cp -R "$here/$name" "$(dirname "$rosml/$name")/"
+  done
+  mkdir -p "$rosml/.state"
+  printf '%s\n' "$now" >"$rosml/.state/set"
+fi
+exec "$rosml/rosml" "$@"
+"""
+
+
+def _command(upstream: Upstream) -> str:
+    """The set's own `rosml`. On GitHub, the workflow alone names the commit, so that programs that update actions update it."""
+    read = r"""$(sed -n 's|.*/nightly\.yml@\([0-9a-f]\{40\}\).*|\1|p' "$here/.github/workflows/images.yml")"""
+    return _COMMAND.replace("@repository@", upstream.repository).replace(
+        "@commit@", read if upstream.on_github else upstream.commit
+    )
+
+
+def _workflow(found: Chosen, upstream: Upstream) -> str:
+    host, _, namespace = found.registry.partition("/")
+    ours = host == "ghcr.io"
+    place = "" if ours else f"      registry: {host}\n      namespace: {namespace}\n"
+    told = "" if ours else " # ROSML_USER and ROSML_PASSWORD: who publishes there"
+    secrets = "".join(f"      {name}: ${{{{ secrets.{name} }}}}\n" for name in ("ROSML_USER", "ROSML_PASSWORD"))
+    return f"""\
+# Builds, tests and publishes what is missing or stale in the set, every night. To move to a newer rosml, take a newer commit.
+name: images
+
+on:
+  schedule:
+    - cron: "17 2 * * *"
+  workflow_dispatch:
+    inputs:
+      only:
+        description: Images by target, pattern or group; all if empty
+        type: string
+        default: ""
+      force:
+        description: Make everything anew
+        type: boolean
+        default: false
+
+permissions: {{}}
+
+jobs:
+  images:
+    name: Images
+    uses: {upstream.on_github}/.github/workflows/nightly.yml@{upstream.commit}
+    permissions:
+      contents: read # this repository
+      packages: write # images in ghcr.io
+      id-token: write # signatures, if ROSML_SIGN says so
+      issues: write # the issue about what is not published
+      pages: write # the catalogue, if ROSML_PAGES says so
+    with:
+      only: ${{{{ inputs.only || '' }}}}
+      force: ${{{{ inputs.force || false }}}}
+{place}    secrets:{told}
+{secrets}"""
+
+
+def _readme(found: Chosen, upstream: Upstream) -> str:
+    nightly = (
+        f"Every night, `{WORKFLOW}` builds, tests and publishes what is missing or stale. Start it by hand at first, with one image:"
+        f' Actions, `images`, "Run workflow", with `only` = `{found.image.target}`.\n'
+        if upstream.on_github
+        else "Call the last command every night, by cron or CI.\n"
+    )
+    updated = (
+        f"Take a newer commit of rosml in `{WORKFLOW}`; Renovate and Dependabot do so for you."
+        if upstream.on_github
+        else f"Take a newer commit of rosml in `{COMMAND}`."
+    )
+    return f"""\
+# Images with ROS and machine learning
+
+A set of images in `{found.registry}`, which extends [rosml]({upstream.repository}). `{SET}` says which images there are.
+
+```sh
+./rosml list                                # all images of the set
+./rosml plan --everywhere --shards 4        # what is to be built, how long it takes, how large the registry gets
+./rosml image {found.image.target}
+./rosml publish all --registry {found.registry}
+```
+
+{nightly}
+## Change it
+
+- **Other images**: edit `{SET}`.
+- **A newer rosml**, with newer releases, base images and fixes: {updated[0].lower()}{updated[1:]}
+- **Which vulnerabilities stop an image**: put a `scan.yaml` here; rosml's own applies until then.
+- **A key of your apt archive, a part of your own**: `components/`, `locks/` and `tests/structure/` go over rosml's folders.
+"""

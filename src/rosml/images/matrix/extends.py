@@ -1,0 +1,197 @@
+"""A set of images of your own: a file that says what differs from rosml's matrix.yaml, and extends it.
+
+A file whose `extends:` is `rosml` has the keys of a matrix, each of them optional. What it does not name is as in the matrix of
+the rosml that reads it, so a newer rosml brings newer releases, digests and locks.
+
+- `distributions`, `frameworks` and `stacks` choose: if the file has such a section, only the entries in it exist. An entry
+  without anything after its colon is as in rosml; the keys of an entry replace those in rosml.
+- Everything else adds and replaces, key by key; `parts` by their names. A key without a value is left out.
+- What only belongs to stacks and frameworks that were not chosen (wheels, forecasts, budgets) goes with them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from rosml import ROOT
+from rosml.base.problems import InputError, KeyPath, unknown
+from rosml.images.matrix import source
+from rosml.images.matrix.source import Document, Place
+
+KEY = "extends"
+"""The key that makes a file such a set."""
+
+BASE = "rosml"
+"""Its only value."""
+
+CHOSEN = {"distributions": "distribution", "frameworks": "framework", "stacks": "stack"}
+"""Sections in which a set names all that it wants, and what one entry is called."""
+
+
+def read(file: Path, base: Path = ROOT / "matrix.yaml") -> Document:
+    """Reads a matrix, or a set as the whole matrix that it stands for.
+
+    Args:
+        file: the file.
+        base: rosml's own matrix.
+
+    Raises:
+        RosmlError: a file cannot be read (exit code 2).
+        InputError: it is not YAML, or it chooses what rosml does not have (exit code 2).
+    """
+    document = source.read(file)
+    if not isinstance(document.data, Mapping) or KEY not in document.data:
+        return document
+    if document.data[KEY] != BASE:
+        text = f"expected {BASE}: a set extends the matrix of the rosml that reads it"
+        raise InputError(document.name, [*document.problems, document.problem((KEY,), text)])
+    return extended(document, source.read(base))
+
+
+def extended(own: Document, base: Document) -> Document:
+    """The whole matrix of a set. Its problems have places in the set's file.
+
+    Raises:
+        InputError: the set chooses what the base does not have, and does not describe it either.
+    """
+    wanted = {key: value for key, value in own.data.items() if key != KEY}
+    data = dict(base.data)
+    for key, value in wanted.items():
+        data[key] = (_chosen if key in CHOSEN else _parts if key == "parts" else _merged)(data.get(key), value)
+    if missing := [
+        own.problem((section, name), unknown(f"{noun} in rosml", name, base.data[section]))
+        for section, noun in CHOSEN.items()
+        for name, entry in _mapping(wanted.get(section)).items()
+        if not entry and name not in base.data[section]
+    ]:
+        raise InputError(own.name, [*own.problems, *missing])
+    _forget(data, base.data, wanted)
+    if torn := [
+        own.problem(("frameworks", name), f"none of the stacks of this set has its part {part}; add one that has it")
+        for name, facts in _mapping(data["frameworks"]).items()
+        for part in set(_lost(data, base.data)).intersection(_names(facts))
+    ]:
+        raise InputError(own.name, [*own.problems, *torn])
+    return replace(own, data=data, places=_places(own, data))
+
+
+def _mapping(value: Any) -> Mapping[str, Any]:
+    return value if isinstance(value, Mapping) else {}
+
+
+def _merged(base: Any, own: Any) -> Any:
+    """The base's value with the set's over it, key by key."""
+    if not isinstance(base, Mapping) or not isinstance(own, Mapping):
+        return own
+    both = {**base, **{key: _merged(base.get(key), value) for key, value in own.items()}}
+    return {key: value for key, value in both.items() if value is not None}
+
+
+def _chosen(base: Any, own: Any) -> Any:
+    """The entries that the set names, in the set's order."""
+    if not isinstance(own, Mapping):
+        return own
+    known = _mapping(base)
+    return {name: known.get(name) if entry is None else _merged(known.get(name), entry) for name, entry in own.items()}
+
+
+def _parts(base: Any, own: Any) -> Any:
+    """The base's parts, changed by name, and the set's own after them: in this order they are joined."""
+    if not isinstance(own, tuple) or not all(isinstance(part, Mapping) for part in own):
+        return own
+    changes = {part.get("name"): part for part in own}
+    kept = [_merged(part, changes.pop(part["name"], {})) for part in base]
+    return (*kept, *changes.values())
+
+
+def _places(own: Document, data: Mapping[str, Any]) -> dict[KeyPath, Place]:
+    """The places of the set's values in the whole matrix: parts have other indexes in it."""
+    parts = data["parts"] if isinstance(data["parts"], tuple) else ()
+    index = {part.get("name"): number for number, part in enumerate(parts) if isinstance(part, Mapping)}
+    named = own.data.get("parts")
+    places: dict[KeyPath, Place] = {}
+    for path, place in own.places.items():
+        if path[:1] == ("parts",) and len(path) > 1 and isinstance(named, tuple) and isinstance(path[1], int):
+            if (part := named[path[1]]) and isinstance(part, Mapping) and part.get("name") in index:
+                places["parts", index[part["name"]], *path[2:]] = place
+        else:
+            places[path] = place
+    return places
+
+
+def _forget(data: dict[str, Any], base: Mapping[str, Any], wanted: Mapping[str, Any]) -> None:
+    """Leaves out what only belongs to stacks and frameworks of the base that the set did not choose."""
+    stacks = set(base["stacks"]) - set(data["stacks"]) if isinstance(data["stacks"], Mapping) else set[str]()
+    data["releases"] = _releases(data["releases"], stacks)
+    if lost := set(_lost(data, base)):
+        if "frameworks" not in wanted:
+            data["frameworks"] = {
+                name: facts for name, facts in data["frameworks"].items() if not lost & {*_names(facts)}
+            }
+        used = {name for facts in _mapping(data["frameworks"]).values() for name in _names(facts)}
+        data["parts"] = tuple(part for part in data["parts"] if part.get("name") not in lost - used)
+    frameworks = set(base["frameworks"]) - set(_mapping(data["frameworks"]))
+    if isinstance(disk := data["disk"], Mapping):
+        budgets = _without(disk.get("budgets"), stacks)
+        if isinstance(budgets, Mapping):
+            budgets = {stack: _without(budget, frameworks) for stack, budget in budgets.items()}
+        data["disk"] = {**disk, "parts": _without(disk.get("parts"), stacks), "budgets": budgets}
+    if isinstance(data["distributions"], Mapping):
+        own = _mapping(wanted.get("distributions"))
+        data["distributions"] = {
+            name: facts if "default_stack" in _mapping(own.get(name)) else _with_stacks(facts, stacks)
+            for name, facts in data["distributions"].items()
+        }
+
+
+def _without(value: Any, names: Collection[str]) -> Any:
+    return {key: item for key, item in value.items() if key not in names} if isinstance(value, Mapping) else value
+
+
+def _releases(value: Any, stacks: Collection[str]) -> Any:
+    """Releases with the wheels of the stacks that are left; without those that have none."""
+    if not isinstance(value, Mapping):
+        return value
+    found: dict[str, Any] = {}
+    for family, versions in value.items():
+        kept = {version: _release(facts, stacks) for version, facts in _mapping(versions).items()}
+        if kept := {version: facts for version, facts in kept.items() if _has_wheels(facts)}:
+            found[family] = kept
+    return found
+
+
+def _release(facts: Any, stacks: Collection[str]) -> Any:
+    if not isinstance(facts, Mapping):
+        return facts
+    left = {key: _without(it, stacks) if key in ("wheels", "elsewhere") else it for key, it in facts.items()}
+    return _without(left, ("elsewhere", "requires")) if facts.get("elsewhere") and not left["elsewhere"] else left
+
+
+def _lost(data: Mapping[str, Any], base: Mapping[str, Any]) -> Iterator[str]:
+    """Parts of releases that none of the chosen stacks has."""
+    kept = _mapping(data["releases"])
+    for part in data["parts"] if isinstance(data["parts"], tuple) else ():
+        release = part.get("release") if isinstance(part, Mapping) else None
+        if isinstance(release, str) and release in base["releases"] and release not in kept:
+            yield part["name"]
+
+
+def _names(facts: Any) -> tuple[str, ...]:
+    """The parts of a framework."""
+    parts = _mapping(facts).get("parts")
+    return tuple(name for name in parts if isinstance(name, str)) if isinstance(parts, tuple) else ()
+
+
+def _has_wheels(facts: Any) -> bool:
+    return not isinstance(facts, Mapping) or bool(facts.get("wheels") or facts.get("elsewhere"))
+
+
+def _with_stacks(facts: Any, gone: set[str]) -> Any:
+    """A distribution whose default stacks are those that are left; as it was if none is."""
+    stacks = _mapping(facts).get("default_stack")
+    if isinstance(stacks, tuple) and (left := tuple(stack for stack in stacks if stack not in gone)):
+        return {**facts, "default_stack": left}
+    return facts

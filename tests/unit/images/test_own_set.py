@@ -1,0 +1,273 @@
+"""A set of somebody's own: the file that extends rosml's matrix, and the files to begin with."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+
+from rosml.base.problems import InputError
+from rosml.images.builds import disk
+from rosml.images.image_set import load, own_set
+from rosml.images.image_set.model import ImageSet
+from rosml.images.image_set.own_set import Upstream
+from tests import walk
+
+SET = """\
+extends: rosml
+registry: registry.example.com/robots
+default: {targets: [jazzy-base-torch-cu130], group: [jazzy-core]}
+distributions:
+  jazzy:
+  humble: {components: [core, base], aliases: [hum], lts: }
+frameworks:
+  none:
+  torch:
+stacks:
+  cu130:
+"""
+
+
+def loaded(tmp_path: Path, text: str) -> ImageSet:
+    (tmp_path / "set.yaml").write_text(text)
+    return load.load(tmp_path / "set.yaml", ROOT)
+
+
+def problems(tmp_path: Path, text: str) -> list[str]:
+    with pytest.raises(InputError) as caught:
+        loaded(tmp_path, text)
+    return [f"{problem.line}: {problem.path}: {problem.text}" for problem in caught.value.problems]
+
+
+# ---- The file --------------------------------------------------------------------------------------------------------
+
+
+def test_a_set_has_what_it_names_and_nothing_else(tmp_path: Path, real: ImageSet) -> None:
+    made = loaded(tmp_path, SET)
+    assert {image.target for image in made.images} == {
+        image.target
+        for image in real.images
+        if (image.distribution == "jazzy" or (image.distribution == "humble" and image.component in ("core", "base")))
+        and image.framework in ("none", "torch")
+        and image.stack in (None, "cu130")
+    }
+    assert made.matrix.registry == "registry.example.com/robots" and not made.matrix.distributions["humble"].lts
+    assert made.image("jazzy-base-torch-cu130") == real.image("jazzy-base-torch-cu130"), "the same tags and locks"
+    assert set(made.matrix.disk.parts) == set(made.matrix.disk.budgets) == {"cu130"}
+    assert set(made.matrix.releases) == {"torch"}
+    assert made.matrix.operating_systems == real.matrix.operating_systems
+
+
+def test_a_set_adds_what_is_its_own(tmp_path: Path) -> None:
+    """A distribution and a part; digests and forecasts key by key."""
+    text = SET.replace(
+        "  humble:",
+        "  mine: {os: bookworm, ros: 1, packages: ros-core, components: [core], default_stack: cu130}\n  humble:",
+    )
+    text = text.replace("  cu130:\n", "  cu130: {releases: {einops: 0.8.1}}\n").replace(
+        "  torch:\n", "  torch: {parts: [cuda, common, torch, einops]}\n"
+    )
+    text += """\
+parts:
+  - {name: einops, title: einops, slot: 16, release: einops, needs: [torch]}
+releases:
+  einops:
+    0.8.1: {python: ["3.10", "3.11", "3.12"], wheels: {cu130: [amd64]}}
+disk: {parts: {cu130: {einops: {unpacked: 1, compressed: 1}}}}
+"""
+    made = loaded(tmp_path, text)
+    assert made.image("mine-core").os == "bookworm"
+    assert [part.kind for part in made.parts if part.kind == "einops"]
+    torch = made.image("jazzy-base-torch-cu130")
+    assert torch.parts[-1].startswith("einops") and torch.versions["torch"]
+    assert problems(tmp_path, text.replace("slot: 16", "slot: 1")) == [
+        "14: parts[3].slot: slot 1 is that of common; free is 3"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        (
+            "extends: rosml",
+            "extends: ours",
+            "1: extends: expected rosml: a set extends the matrix of the rosml that reads it",
+        ),
+        ("  jazzy:", "  jazy:", "5: distributions.jazy: no distribution in rosml named 'jazy'; did you mean 'jazzy'?"),
+        ("  cu130:", "  cu999:", "11: stacks.cu999: no stack in rosml named 'cu999'; "),
+        ("  none:", "  nothing: {}", "8: frameworks.nothing: no framework in rosml named 'nothing'; "),
+        (
+            "distributions:",
+            "distribution:",
+            "4: distribution: unknown key 'distribution'; did you mean 'distributions'?",
+        ),
+        ("lts: }", "ros: 3}", "6: distributions.humble.ros: expected 1 or 2, found the number 3"),
+        (
+            "lts: }",
+            "ros: 1, ros: 2}",
+            "6: distributions.humble.ros: the key 'ros' is there twice, first on line 6; keep one",
+        ),
+        ("[jazzy-core]", "[jazy-core]", "3: default.group[0]: no image named 'jazy-core'; did you mean 'jazzy-core'"),
+        ("stacks:\n  cu130:\n", "stacks: [cu130]\n", "10: stacks: expected keys and values, found a list"),
+        (
+            "frameworks:\n  none:\n  torch:\n",
+            "frameworks: 1\n",
+            "7: frameworks: expected keys and values, found the number 1",
+        ),
+        ("  humble: {", "  rolling: {os: , ", "6: distributions.rolling: 'os' is missing; add 'os: …'"),
+        (
+            "  torch:",
+            "  tensorflow:",
+            "9: frameworks.tensorflow: none of the stacks of this set has its part tensorflow",
+        ),
+        ("registry:", "version: 2\nregistry:", "2: version: expected 1, found the number 2"),
+    ],
+)
+def test_mistakes_have_their_line_in_the_sets_file(old: str, new: str, said: str, tmp_path: Path) -> None:
+    assert old in SET
+    assert problems(tmp_path, SET.replace(old, new, 1))[0].startswith(said)
+
+
+@pytest.mark.parametrize(
+    "section", ["parts", "releases", "disk", "default", "components", "operating_systems", "distributions"]
+)
+@pytest.mark.parametrize(
+    "value", ["", "1", "[]", "[1]", "{}", "{a: }", "{a: 1}", "[{name: 1}]", "{cu130: [1]}", "{jazzy: 1}"]
+)
+def test_no_value_is_a_traceback(section: str, value: str, tmp_path: Path) -> None:
+    (tmp_path / "set.yaml").write_text(f"extends: rosml\n{section}: {value}\n")
+    try:
+        load.load(tmp_path / "set.yaml", ROOT)
+    except InputError as error:
+        assert all(problem.text for problem in error.problems)
+
+
+def test_a_registry_keeps_layers_once(real: ImageSet) -> None:
+    base, torch, ml = (real.image(name) for name in ("jazzy-base", "jazzy-base-torch-cpu", "jazzy-base-ml-cpu"))
+    part = {kind: size.compressed for kind, size in real.matrix.disk.parts["cpu"].items()}
+    assert disk.registry_mb(real, [base], ["amd64"]) == base.disk.compressed
+    assert disk.registry_mb(real, [torch], ["amd64"]) == base.disk.compressed + part["common"] + part["torch"]
+    both = disk.registry_mb(real, [base, torch, ml], ["amd64", "arm64"])
+    assert both == 2 * (base.disk.compressed + sum(part.values()))
+
+
+# ---- The files to begin with -----------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def upstream(tmp_path: Path) -> Upstream:
+    """A rosml whose command says which matrix it sees."""
+    folder = tmp_path / "upstream"
+    folder.mkdir()
+    (folder / "rosml").write_text('#!/bin/sh\ncd "$(dirname "$0")"\ncat set.yaml components/key version\necho "$@"\n')
+    (folder / "rosml").chmod(0o755)
+    (folder / ".gitignore").write_text("/.state/\n")
+    (folder / "version").write_text("one\n")
+    (folder / "components").mkdir()
+    (folder / "components/key").write_text("rosml's\n")
+    for arguments in (["init", "--quiet"], ["add", "--all"], ["commit", "--quiet", "--message", "one"]):
+        walk.git(folder, *arguments)
+    return Upstream(str(folder), walk.git(folder, "rev-parse", "HEAD").strip())
+
+
+def written(folder: Path, real: ImageSet, upstream: Upstream) -> Path:
+    found = own_set.chosen(
+        real, ["jazzy", "humble"], [], "registry.example.com/robots", "https://github.com/robots/images"
+    )
+    for name, text in own_set.files(real, found, upstream).items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    (folder / own_set.COMMAND).chmod(0o755)
+    return folder
+
+
+def call(folder: Path, *words: str) -> list[str]:
+    done = subprocess.run([folder / own_set.COMMAND, *words], cwd="/", capture_output=True, text=True, check=True)
+    return done.stdout.splitlines()
+
+
+def test_the_sets_command_is_rosml_at_its_commit_with_the_sets_files(
+    tmp_path: Path, real: ImageSet, upstream: Upstream
+) -> None:
+    folder = written(tmp_path / "own", real, upstream)
+    text = (folder / "set.yaml").read_text().splitlines()
+    assert call(folder, "list", "two words") == [*text, "rosml's", "one", "list two words"]
+    (folder / "components").mkdir()
+    (folder / "components/key").write_text("ours\n")
+    Path(upstream.repository, "version").write_text("two\n")
+    walk.git(Path(upstream.repository), "commit", "--quiet", "--all", "--message", "two")
+    assert call(folder)[-3:] == ["ours", "one", ""], "the commit is that of the file"
+    newer = walk.git(Path(upstream.repository), "rev-parse", "HEAD").strip()
+    command = folder / own_set.COMMAND
+    command.write_text(command.read_text().replace(upstream.commit, newer))
+    (folder / "components/key").unlink()
+    assert call(folder)[-3:] == ["rosml's", "two", ""]
+    assert walk.git(folder / ".rosml", "status", "--porcelain") == "?? set.yaml\n"
+
+
+def test_a_call_leaves_files_that_another_one_reads(tmp_path: Path, real: ImageSet, upstream: Upstream) -> None:
+    folder = written(tmp_path / "own", real, upstream)
+    call(folder)
+    before = (folder / ".rosml/set.yaml").stat()
+    call(folder)
+    assert (folder / ".rosml/set.yaml").stat() == before
+
+
+def test_a_new_set_is_what_it_says(tmp_path: Path, real: ImageSet, upstream: Upstream) -> None:
+    folder = written(tmp_path / "own", real, upstream)
+    made = load.load(folder / "set.yaml", ROOT)
+    assert {image.distribution for image in made.images} == {"jazzy", "humble"}
+    assert {image.component for image in made.images} == {"core", "base", "core-run", "base-run"}
+    assert {image.framework for image in made.images} == {"none", "torch"}
+    assert {image.stack for image in made.images} == {None, "cu130", "cpu"}
+    assert made.matrix.default.targets == ("jazzy-base-torch-cu130",)
+    assert made.matrix.source == "https://github.com/robots/images"
+    assert not (folder / own_set.WORKFLOW).exists(), "rosml is not on GitHub"
+
+
+def test_every_distribution_and_framework_can_begin_a_set(tmp_path: Path, real: ImageSet) -> None:
+    for distribution in real.matrix.distributions:
+        for framework, facts in real.matrix.frameworks.items():
+            if not facts.parts or not [
+                it for it in real.images if (it.distribution, it.framework) == (distribution, framework)
+            ]:
+                continue
+            found = own_set.chosen(real, [distribution], [framework], "ghcr.io/robots/images", "")
+            text = own_set.files(real, found, Upstream("https://github.com/rosml/rosml", "0" * 40))["set.yaml"]
+            made = loaded(tmp_path, text)
+            assert {image.distribution for image in made.images} == {distribution}
+            assert made.image(found.image.target).framework == framework
+
+
+# ---- In CI -----------------------------------------------------------------------------------------------------------
+
+
+COMPLETE = ROOT / ".github/actions/checkout/complete.sh"
+
+
+def complete(folder: Path, rosml: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([COMPLETE, rosml], cwd=folder, capture_output=True, text=True, check=False)
+
+
+def test_a_job_has_rosml_with_the_sets_files_over_it(tmp_path: Path, real: ImageSet, upstream: Upstream) -> None:
+    folder = written(tmp_path / "own", real, upstream)
+    (folder / "components").mkdir()
+    (folder / "components/key").write_text("ours\n")
+    for arguments in (["init", "--quiet"], ["add", "--all"], ["commit", "--quiet", "--message", "a set"]):
+        walk.git(folder, *arguments)
+    assert complete(folder, Path(upstream.repository)).returncode == 0
+    said = subprocess.run(["./rosml", "plan"], cwd=folder, capture_output=True, text=True, check=True).stdout
+    assert said.splitlines()[0].startswith("# The images of this set") and said.endswith("ours\none\nplan\n")
+    assert walk.git(folder, "status", "--porcelain", "--", "set.yaml", "components", "version") == ""
+    assert walk.git(folder, "log", "--format=%s") == "a set\n"
+
+
+def test_a_job_of_rosml_itself_is_left_alone_and_no_set_is_told(tmp_path: Path) -> None:
+    done = complete(tmp_path, ROOT)
+    assert done.returncode == 1 and "this repository has no set.yaml" in done.stderr
+    (tmp_path / "scripts").mkdir()
+    (tmp_path / "scripts/bootstrap.py").touch()
+    assert complete(tmp_path, ROOT).returncode == 0
+    assert [file.name for file in tmp_path.iterdir()] == ["scripts"]
