@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import subprocess
+from datetime import date
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,7 @@ from rosml.images.image_set import load, own_set
 from rosml.images.image_set.model import ImageSet
 from rosml.images.image_set.own_set import Upstream
 from tests import walk
+from tests.pages import blocks, commands
 
 SET = """\
 extends: rosml
@@ -271,3 +273,34 @@ def test_a_job_of_rosml_itself_is_left_alone_and_no_set_is_told(tmp_path: Path) 
     (tmp_path / "scripts/bootstrap.py").touch()
     assert complete(tmp_path, ROOT).returncode == 0
     assert [file.name for file in tmp_path.iterdir()] == ["scripts"]
+
+
+# ---- In a fork -------------------------------------------------------------------------------------------------------
+
+
+def test_a_fork_takes_what_rosml_changed(tmp_path: Path) -> None:
+    """By the commands of the page: a fork with a set, and a rosml whose matrix moved on."""
+    ours, fork = tmp_path / "rosml", tmp_path / "fork"
+    ours.mkdir()
+    walk.clone(ours)
+    walk.git(ours, "branch", "--move", "main")
+    walk.git(tmp_path, "clone", "--quiet", "--origin", "upstream", str(ours), str(fork))
+    page = ROOT / "docs/own-set.md"
+    [text] = [block.text for block in blocks(page) if block.title == "set.yaml"]
+    called = [command for block in blocks(page) if block.section == "In a fork" for command in commands(block)]
+    assert [command.split()[0] for command in called] == ["./rosml", "git", "git", "git", "./rosml", "git"]
+    for name in ("user.name", "user.email"):
+        walk.git(fork, "config", name, "a")
+    (fork / "set.yaml").write_text(text)
+    for command in called[:2]:
+        walk.run(fork, command)
+    assert "noetic" not in (fork / "docs/tags.md").read_text().partition("<!-- images:")[2]
+    matrix = ours / "matrix.yaml"
+    matrix.write_text(matrix.read_text().replace("eol: 2029-05-31", "eol: 2029-06-30", 1))
+    walk.run(ours, "./rosml generate")
+    walk.git(ours, "commit", "--quiet", "--all", "--message", "jazzy lives on")
+    for command in called[2:]:
+        walk.run(fork, command)
+    assert load.load(fork / "set.yaml", fork).matrix.distributions["jazzy"].eol == date(2029, 6, 30)
+    assert walk.git(fork, "status", "--porcelain") == ""
+    walk.run(fork, "./rosml generate --check")

@@ -25,13 +25,13 @@ def load(file: Path, root: Path = ROOT) -> ImageSet:
 
     Args:
         file: the matrix, or a set that extends it.
-        root: the project's root, which has the locks and the keys of archives.
+        root: the project's root, which has the matrix that a set extends, the locks and the keys of archives.
 
     Raises:
         RosmlError: the file cannot be read (exit code 2).
         InputError: with all problems that can be seen at once, each with its place (exit code 2).
     """
-    document = extends.read(file)
+    document = extends.read(file, root / "matrix.yaml")
     result = image_set(document)
     if found := [document.problem(path, text) for path, text in lacking_keys(result.matrix, root)]:
         raise InputError(document.name, found)

@@ -1,0 +1,114 @@
+"""`rosml init --images`: the files of a set of somebody's own."""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+from collections.abc import Sequence
+from importlib import metadata
+from pathlib import Path
+
+from rosml import IN_CHECKOUT, MATRIX, ROOT
+from rosml.base import terminal
+from rosml.base.errors import RosmlError
+from rosml.images.image_set import load, own_set
+from rosml.images.image_set.own_set import Upstream
+from rosml.machine import git
+
+
+def begin(
+    folder: Path, distributions: Sequence[str], frameworks: Sequence[str], registry: str, rosml: str, dry_run: bool, as_json: bool
+) -> None:
+    """Writes the files that are not there, and says what to call next.
+
+    Args:
+        folder: where; it is made if it is missing.
+        distributions, frameworks: names in the matrix; the usual ones if empty.
+        registry: where images go.
+        rosml: the address of rosml's repository; empty if it is the one that this rosml is from.
+        dry_run: write nothing.
+        as_json: print an object.
+
+    Raises:
+        RosmlError: there is no registry or no address, or the matrix has no such images (exit code 2).
+    """
+    from rosml.containerize.init import folder as folders
+
+    if not registry:
+        remedy = "name it with --registry, such as ghcr.io/me/robot-images"
+        raise RosmlError("a set needs a registry for its images", remedy, exit_code=2)
+    folder = folder.resolve()
+    upstream = _upstream(rosml)
+    image_set = load.load(MATRIX, ROOT)
+    found = own_set.chosen(image_set, distributions, frameworks, registry, _address(folder))
+    wanted = folders.compared(folder, own_set.files(image_set, found, upstream))
+    if not dry_run:
+        folder.mkdir(parents=True, exist_ok=True)
+        folders.write(folder, wanted)
+        if any(file.path == own_set.COMMAND and not file.there for file in wanted):
+            (folder / own_set.COMMAND).chmod(0o755)
+    where = f"cd {shlex.quote(str(folder))} && " if folder != Path.cwd() else ""
+    calls = {
+        f"{where}./rosml list": "all images of the set; the first call fetches rosml",
+        "./rosml plan --everywhere": "what is to be built, how long it takes, and how large the registry gets",
+        f"./rosml image {found.image.target}": "builds and tests an image on this machine",
+        "git push": "the workflow publishes the set every night"
+        if upstream.on_github
+        else "rosml is not on GitHub: call ./rosml publish all --registry by cron or CI",
+    }
+    if as_json:
+        files = [{"path": file.path, "there": file.there, "same": file.same, "text": file.text} for file in wanted]
+        terminal.echo(json.dumps({"folder": str(folder), "files": files, "next": list(calls)}, indent=2))
+        return
+    for file in wanted:
+        state = "same" if file.same else "kept" if file.there else "new" if dry_run else "written"
+        terminal.echo(f"{state:<7}  {file.path}")
+    terminal.echo("\nnext:")
+    for line, what in calls.items():
+        terminal.echo(f"  {line}\n      {what}")
+
+
+def _upstream(named: str) -> Upstream:
+    """Where this rosml is from: the checkout and its remote, or what it was installed from."""
+    address, commit = _installed_from()
+    if IN_CHECKOUT:
+        found = git.commit(ROOT)
+        address, commit = _address(ROOT), found.hash if found else ""
+    address = named or address
+    if not address or not commit:
+        what = "the address of rosml's repository" if commit else "the commit of this rosml"
+        remedy = (
+            "name it with --rosml, such as https://github.com/me/rosml"
+            if commit
+            else "call it in a clone of rosml, or install it from one: uvx --from git+https://… rosml init --images"
+        )
+        raise RosmlError(f"{what} is not known, and the set's own command fetches it from there", remedy, exit_code=2)
+    return Upstream(address, commit)
+
+
+def _installed_from() -> tuple[str, str]:
+    """The address and the commit that pip or uv installed rosml from; empty if that was no repository."""
+    try:
+        text = metadata.distribution("rosml").read_text("direct_url.json") or "{}"
+        said = json.loads(text)
+        return _public(str(said["url"])), str(said["vcs_info"]["commit_id"])
+    except (metadata.PackageNotFoundError, ValueError, LookupError, TypeError):
+        return "", ""
+
+
+def _address(folder: Path) -> str:
+    """The public address of a repository's remote `origin`; empty if it has none."""
+    if git.top(folder) != folder:
+        return ""
+    try:
+        return _public(git.ask(folder, "config", "--get", "remote.origin.url").decode(errors="replace").strip())
+    except RosmlError:
+        return ""
+
+
+def _public(address: str) -> str:
+    """An address as everybody reads it, without user and password; empty if it is one of this machine."""
+    address = re.sub(r"^(?:ssh://)?git@([\w.-]+)[:/]", r"https://\1/", address)
+    found = re.fullmatch(r"https://(?:[^/@]*@)?([\w.:-]+/[\w./~-]+?)(?:\.git)?/?", address)
+    return f"https://{found[1]}" if found else ""
