@@ -142,6 +142,66 @@ def test_free_text(text: str, expected: set[str], window: Windows) -> None:
     assert page.get_by_text("No image matches").is_visible() == (not expected)
 
 
+def carries(item: Image, *names: str) -> bool:
+    return all(name in item.promised for name in names)
+
+
+def on(item: Image, published: Published, **facts: Any) -> bool:
+    """Whether an image's distribution has some facts."""
+    found = published.distributions[item.distribution]
+    return all(getattr(found, name) == value for name, value in facts.items())
+
+
+WORDS: dict[str, Callable[[Image, Published], bool]] = {
+    "gpu": lambda i, _: carries(i, "cuda"),
+    "NVIDIA": lambda i, _: carries(i, "cuda"),
+    "lts": lambda i, p: on(i, p, lts=True),
+    "noble": lambda i, p: on(i, p, os="ubuntu-24.04"),
+    "jammy": lambda i, p: on(i, p, os="ubuntu-22.04"),
+    "ubuntu:24.04": lambda i, p: on(i, p, os="ubuntu-24.04"),
+    "ubuntu 24.04": lambda i, p: on(i, p, os="ubuntu-24.04"),
+    "ubuntu-24.0": lambda i, p: on(i, p, os="ubuntu-24.04"),
+    "debian 12": lambda i, p: on(i, p, os="bookworm"),
+    "debian 14": lambda i, p: False,
+    "py312": lambda i, p: on(i, p, python="3.12"),
+    "python3.12": lambda i, p: on(i, p, python="3.12"),
+    "python 3.1": lambda i, p: not on(i, p, python="3.8"),
+    "jazzy 3.12": lambda i, _: i.distribution == "jazzy",
+    "ros 1": lambda i, p: on(i, p, ros=1),
+    "ros 2": lambda i, p: on(i, p, ros=2),
+    "ros2": lambda i, p: on(i, p, ros=2),
+    "ros 3": lambda i, p: False,
+    "jetson": lambda i, _: carries(i, "cuda") and "linux/arm64" in i.platforms,
+    "x86 lyrical core-run": lambda i, _: (i.distribution, i.component) == ("lyrical", "core-run"),
+    "aarch64": lambda i, _: "linux/arm64" in i.platforms,
+    "pytorch": lambda i, _: carries(i, "torch"),
+    "tf": lambda i, _: carries(i, "tensorflow"),
+    "torch 2.14": lambda i, _: i.promised.get("torch") == "2.14.1",
+    "cuda12.8": lambda i, _: i.promised.get("cuda") == "12.8.90",
+    "driver 580": lambda i, _: i.promised.get("cuda", "").startswith("13."),
+    "eol": lambda i, p: (p.distributions[i.distribution].eol or "9") < NOW,
+    "latest": lambda i, _: "latest" in i.promised_tags,
+    "ros-torch:jazzy": lambda i, _: i.target == "jazzy-base-torch-cu130",
+    "FROM ghcr.io/me/rosml/ros-torch:jazzy": lambda i, _: i.target == "jazzy-base-torch-cu130",
+    "docker pull localhost:5000/x/ros-torch:jazzy": lambda i, _: i.target == "jazzy-base-torch-cu130",
+    "ros-torch:jazzy-base-cu13": lambda i, _: i.target in ("jazzy-base-torch-cu130", "jazzy-base-torch-cu132"),
+    "worm": lambda i, p: False,
+    "(+": lambda i, p: False,
+}
+
+
+def test_words_that_people_type(window: Windows, published: Published) -> None:
+    """Words of the matrix, and tags that an image will get; digits are not found within digests or other numbers."""
+    page = window().open()
+    asked = "(text) => rosml.catalogue.images.filter(rosml.search(text)).map((image) => image.target)"
+    wrong = {}
+    for text, matches in WORDS.items():
+        expected = {item.target for item in published.images if matches(item, published)}
+        if different := set(page.evaluate(asked, text)) ^ expected:
+            wrong[text] = sorted(different)
+    assert wrong == {}
+
+
 def test_a_digest_finds_its_image(window: Windows, published: Published) -> None:
     page = window().open()
     page.get_by_label("Search names").fill(image(published, TORCH).builds[0].digest[:30])

@@ -197,6 +197,19 @@ def test_sharing_is_counted(found: Published) -> None:
     assert found.sharing.stored < apart / 10
 
 
+def test_words_for_a_search_come_from_the_matrix(found: Published, real: ImageSet) -> None:
+    item = image(found, "jazzy-base-torch-cu130")
+    assert {"noble", "ubuntu 24.04", "py312", "ros2", "lts", "gpu", "jetson", "driver 580", "pytorch"} <= set(
+        item.search
+    )
+    assert {"aarch64", "x86_64", "linux/arm64", "sm_110"} <= set(item.search)
+    assert item.promised_tags == tuple(tag.partition(":")[2] for tag in real.by_target[item.target].tags)
+    assert "jazzy" in item.promised_tags and not item.tags, "though none of them is published"
+    bare = set(image(found, "ros1-bookworm-core").search)
+    assert {"debian 12", "bookworm", "debian:bookworm"} <= bare and not {"gpu", "cuda", "jetson", "lts"} & bare
+    assert not {"jetson", "aarch64"} & set(image(found, "jazzy-wheels-core-torch-cu130").search), "for amd64 alone"
+
+
 def test_only_some(shelf: Shelf) -> None:
     some = gather(shelf.registry, shelf.image_set, TORCH)
     assert [item.target for item in some.images] == [TORCH]

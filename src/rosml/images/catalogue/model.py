@@ -142,6 +142,10 @@ class Image(Tagged):
     stack: str | None
     platforms: tuple[str, ...] = Field(description="those that the matrix allows; a build has its own")
     promised: dict[str, str] = Field(description="versions that the matrix gives it")
+    promised_tags: tuple[str, ...] = Field(
+        description="tags that a publishing run gives it, published or not; the main one first"
+    )
+    search: tuple[str, ...] = Field(description="words by which people look for it, such as noble, py312, gpu")
     status: Status
     reason: str = Field(description="why it is not published; empty if it is")
 

@@ -33,6 +33,7 @@ from rosml.images.catalogue.model import (
     Tests,
     status,
 )
+from rosml.images.catalogue.words import words
 from rosml.images.image_set import model as sets
 from rosml.images.image_set.labels import PREFIX
 from rosml.images.image_set.model import repository_of, tags_of
@@ -262,6 +263,8 @@ class Gatherer:
             stack=image.stack,
             platforms=image.platforms,
             promised=image.versions,
+            promised_tags=tuple(tags_of(image)),
+            search=words(self.image_set, image),
             status=state,
             reason=reason,
         )

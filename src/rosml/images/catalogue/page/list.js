@@ -26,33 +26,6 @@
   let rows; // one for each image, made once
   const state = { text: "", chosen: {}, sort: "status", down: false };
 
-  /** Everything that is searched in, in lower case. */
-  function haystack(row) {
-    if (!row.words) {
-      const { image, build } = row;
-      const versions = (build ? build.platforms : []).flatMap((platform) => Object.entries(platform.versions));
-      const facts = r.catalogue.distributions[image.distribution];
-      row.words = [
-        image.target,
-        image.repository,
-        facts.os,
-        `ros${facts.ros}`,
-        `python${facts.python}`,
-        r.TITLES[image.framework],
-        r.STATUS[image.status],
-        ...image.tags.map((tag) => `${image.repository}:${tag.name}`),
-        ...r.platforms(image).own,
-        ...Object.entries(image.promised).flat(),
-        ...versions.flat(),
-        ...(build ? [build.digest] : []),
-        ...(build ? build.platforms.map((platform) => platform.digest) : []),
-      ]
-        .join(" ")
-        .toLowerCase();
-    }
-    return row.words;
-  }
-
   function content(image) {
     const facts = r.catalogue.distributions[image.distribution];
     const carried = ["torch", "tensorflow", "cuda"].filter((name) => name in image.promised);
@@ -149,20 +122,20 @@
   }
 
   /** Whether a row matches, leaving one group of filters out of account. */
-  function matches(row, words, without) {
+  function matches(row, test, without) {
     for (const name of Object.keys(GROUPS)) {
       const chosen = state.chosen[name];
       if (name !== without && chosen && chosen.size && !row.values[name].some((value) => chosen.has(value)))
         return false;
     }
-    return words.every((word) => haystack(row).includes(word));
+    return test(row.image);
   }
 
   /** How many rows each value of a group would give, with all other filters as they are. */
-  function countOf(name, words) {
+  function countOf(name, test) {
     const counts = new Map();
     for (const row of rows) {
-      if (matches(row, words, name))
+      if (matches(row, test, name))
         for (const value of row.values[name]) counts.set(value, (counts.get(value) || 0) + 1);
     }
     return counts;
@@ -196,10 +169,10 @@
   }
 
   /** The rows that match, in the order that was chosen. */
-  function find(words) {
+  function find(test) {
     const { by } = SORTS[state.sort];
     const direction = state.down ? -1 : 1;
-    const found = rows.filter((row) => matches(row, words));
+    const found = rows.filter((row) => matches(row, test));
     return found.sort((a, b) => {
       const [left, right] = [by(a), by(b)];
       return left < right ? -direction : left > right ? direction : a.number - b.number;
@@ -208,11 +181,11 @@
 
   /** Shows what the state says: rows, how many each choice would leave, which order it is. */
   function update(ui) {
-    const words = state.text.toLowerCase().split(/\s+/).filter(Boolean);
-    ui.shown = find(words);
+    const test = r.search(state.text);
+    ui.shown = find(test);
     ui.body.replaceChildren();
     more(ui, FIRST);
-    const counts = Object.fromEntries(Object.keys(GROUPS).map((name) => [name, countOf(name, words)]));
+    const counts = Object.fromEntries(Object.keys(GROUPS).map((name) => [name, countOf(name, test)]));
     for (const { name, value, number } of ui.boxes) {
       const others = counts[name].get(value) || 0;
       number.textContent = others;
