@@ -59,14 +59,61 @@ def clipboard(page: Any) -> str:
 # ---- Find ------------------------------------------------------------------------------------------------------------
 
 
-def test_all_images_are_listed_published_ones_first(window: Windows, published: Published) -> None:
+ANY = "#/?status=any"
+"""The list with images that are not published."""
+
+
+def test_published_images_are_shown_alone_and_all_are_one_step_away(window: Windows, published: Published) -> None:
     page = window().open()
     order = [item.target for item in published.images]
-    states = {item.target: item.status for item in published.images}
-    rank = ["built", "not built"]
-    assert listed(page) == sorted(order, key=lambda target: (rank.index(states[target]), order.index(target)))
-    built = sum(state == "built" for state in states.values())
-    assert texts(page, ".summary") == [f"All {len(order)} images, {built} published here"]
+    built = [item.target for item in published.images if item.status == "built"]
+    assert listed(page) == built
+    assert texts(page, ".summary") == [f"All {len(built)} published images"]
+    page.get_by_role("button", name=f"Show {len(order) - len(built)} more that are not built yet").click()
+    assert listed(page) == built + [target for target in order if target not in built]
+    assert texts(page, ".summary") == [f"All {len(order)} images, {len(built)} published here"]
+    assert not page.locator('input[value="built"]').is_checked() and page.url.endswith(ANY)
+    page.get_by_role("button", name="Show published ones alone").click()
+    assert listed(page) == built and page.url.endswith("#/")
+
+
+def test_a_text_that_means_no_published_image_shows_the_others(window: Windows) -> None:
+    page = window().open()
+    page.get_by_label("Search names").fill(f"{REGISTRY}/ros-torch:jazzy")
+    assert listed(page) == ["jazzy-base-torch-cu130"]
+    assert texts(page, ".summary")[0].startswith("None of the ") and texts(page, ".summary")[0].endswith(": 1 image")
+    page.get_by_label("Search names").fill("core")
+    assert {target[:4] for target in listed(page)} == {"ros1"}
+    page.get_by_label("Search names").fill("")
+    page.locator('input[value="jazzy"]').check()
+    assert page.get_by_text("No published image matches.").is_visible() and listed(page) == []
+    page.get_by_role("button", name="Show 91 more that are not built yet").click()
+    assert {target.partition("-")[0] for target in listed(page)} == {"jazzy"}
+
+
+def test_where_nothing_is_published_all_are_shown(browser: Any, tmp_path: Path) -> None:
+    shelf = Shelf(load.load(ROOT / "matrix.yaml", ROOT))
+    found = Gatherer(shelf.image_set, Place(shelf.registry, "rosml")).gather(NOW)
+    site.write(tmp_path / "page", found)
+    windows = Windows(browser, tmp_path / "page")
+    page = windows().open()
+    assert listed(page) == [item.target for item in found.images]
+    assert not page.locator("button.every").is_visible()
+    windows.opened[0][0].close()
+
+
+def test_enter_opens_the_first_image(window: Windows) -> None:
+    page = window().open()
+    page.keyboard.press("/")
+    page.keyboard.type("gpu jazzy core")
+    page.keyboard.press("Enter")
+    expect(page.locator("h1")).to_have_text("jazzy-core-cuda-cu128")
+    assert page.evaluate("document.activeElement.tagName") == "H1"
+    page.go_back()
+    assert page.get_by_label("Search names").input_value() == "gpu jazzy core"
+    page.get_by_label("Search names").fill("nothing-has-this-name")
+    page.keyboard.press("Enter")
+    assert page.locator("h1").text_content() == "Images"
 
 
 FILTERS: dict[str, tuple[dict[str, str], Callable[[Image], bool]]] = {
@@ -75,7 +122,7 @@ FILTERS: dict[str, tuple[dict[str, str], Callable[[Image], bool]]] = {
     "framework": ({"framework": "ml"}, lambda i: i.framework == "ml"),
     "stack": ({"stack": "cu130"}, lambda i: i.stack == "cu130"),
     "architecture": ({"architecture": "arm64"}, lambda i: "linux/arm64" in i.platforms),
-    "status": ({"status": "built"}, lambda i: i.status == "built"),
+    "status": ({"status": "not built"}, lambda i: i.status == "not built"),
     "two groups": (
         {"distribution": "ros1-trixie", "framework": "torch"},
         lambda i: (i.distribution, i.framework) == ("ros1-trixie", "torch"),
@@ -86,7 +133,7 @@ FILTERS: dict[str, tuple[dict[str, str], Callable[[Image], bool]]] = {
 @pytest.mark.parametrize("name", FILTERS)
 def test_filters(name: str, window: Windows, published: Published) -> None:
     values, matches = FILTERS[name]
-    page = window().open()
+    page = window().open(ANY)
     for group, value in values.items():
         page.locator(f'fieldset[data-group="{group}"] input[value="{value}"]').check()
     expected = {item.target for item in published.images if matches(item)}
@@ -98,7 +145,7 @@ def test_filters(name: str, window: Windows, published: Published) -> None:
 
 
 def test_two_values_of_a_group_give_both(window: Windows) -> None:
-    page = window().open()
+    page = window().open(ANY)
     number = page.locator('fieldset[data-group="stack"] label:has(input[value="cu130"]) .number')
     before = number.text_content()
     for value in ("cu121", "cu130"):
@@ -219,7 +266,7 @@ def test_a_search_can_be_linked_to_and_cleared(window: Windows, published: Publi
     assert page.locator('input[value="ros1-bookworm"]').is_checked()
     page.get_by_role("button", name="Clear all filters").click()
     assert page.evaluate("document.activeElement.id") == "search"
-    assert len(listed(page)) == len(published.images)
+    assert len(listed(page)) == sum(item.status == "built" for item in published.images)
 
 
 def test_sorting(window: Windows, published: Published) -> None:
@@ -583,7 +630,7 @@ class Quiet(http.server.SimpleHTTPRequestHandler):
 
 def test_a_static_host_will_do(window: Windows, host: str, published: Published) -> None:
     opened = window()
-    page = opened.open("", base=host)
+    page = opened.open(ANY, base=host)
     assert len(listed(page)) == len(published.images)
     assert {address.partition("127.0.0.1:")[0] for address in opened.requests} <= {"http://", "data:,"}
     assert page.get_by_role("link", name="catalogue.json").get_attribute("href") == "catalogue.json"

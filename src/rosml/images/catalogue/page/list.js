@@ -24,7 +24,13 @@
 
   const FIRST = 60; // rows at a time
   let rows; // one for each image, made once
-  const state = { text: "", chosen: {}, sort: "status", down: false };
+  // wide: the text means no published image, so that others are shown, whatever status is chosen
+  const state = { text: "", chosen: {}, sort: "status", down: false, wide: false };
+
+  /** The status that is chosen at first: published images alone, if there are any. */
+  function usual() {
+    return r.catalogue.images.some((image) => image.status === "built") ? "built" : "";
+  }
 
   function content(image) {
     const facts = r.catalogue.distributions[image.distribution];
@@ -124,7 +130,7 @@
   /** Whether a row matches, leaving one group of filters out of account. */
   function matches(row, test, without) {
     for (const name of Object.keys(GROUPS)) {
-      const chosen = state.chosen[name];
+      const chosen = name === "status" && state.wide ? null : state.chosen[name];
       if (name !== without && chosen && chosen.size && !row.values[name].some((value) => chosen.has(value)))
         return false;
     }
@@ -144,7 +150,11 @@
   function remember() {
     const query = new URLSearchParams();
     if (state.text) query.set("q", state.text);
-    for (const [name, chosen] of Object.entries(state.chosen)) if (chosen.size) query.set(name, [...chosen].join(","));
+    for (const [name, chosen] of Object.entries(state.chosen)) {
+      const text = [...chosen].join(",");
+      if (name !== "status" && text) query.set(name, text);
+      if (name === "status" && text !== usual()) query.set(name, text || "any");
+    }
     if (state.sort !== "status" || state.down) query.set("sort", `${state.down ? "-" : ""}${state.sort}`);
     const text = query.toString();
     history.replaceState(null, "", text ? `#/?${text}` : "#/");
@@ -153,8 +163,10 @@
   function read(query) {
     state.text = query.get("q") || "";
     state.chosen = {};
-    for (const name of Object.keys(GROUPS))
-      state.chosen[name] = new Set((query.get(name) || "").split(",").filter(Boolean));
+    for (const name of Object.keys(GROUPS)) {
+      const text = query.get(name) || (name === "status" ? usual() : "");
+      state.chosen[name] = new Set(text.split(",").filter((value) => value && value !== "any"));
+    }
     const sort = query.get("sort") || "status";
     state.down = sort.startsWith("-");
     state.sort = sort.replace("-", "") in SORTS ? sort.replace("-", "") : "status";
@@ -179,9 +191,28 @@
     });
   }
 
+  const NONE =
+    "No image matches. Take a filter away, or ask why one does not exist: rosml explain <name>.";
+
+  function usualStatus() {
+    return [...state.chosen.status].join(",") === usual();
+  }
+
+  /** How many images are shown, of which. */
+  function summary(shown) {
+    const [found, all] = [shown.length, rows.length];
+    const built = rows.filter((row) => row.build).length;
+    if (state.wide) return `None of the ${r.count(built, "published image")} matches. Not built yet: ${r.count(found, "image")}`;
+    if (usual() && usualStatus()) return `${found === built ? "All" : `${found} of`} ${r.count(built, "published image")}`;
+    const here = shown.filter((row) => row.build).length;
+    return `${found === all ? "All" : `${found} of`} ${r.count(all, "image")}, ${here} published here`;
+  }
+
   /** Shows what the state says: rows, how many each choice would leave, which order it is. */
   function update(ui) {
     const test = r.search(state.text);
+    const meant = state.text.trim() ? rows.filter((row) => test(row.image)) : [];
+    state.wide = usualStatus() && Boolean(usual()) && meant.length > 0 && !meant.some((row) => row.build);
     ui.shown = find(test);
     ui.body.replaceChildren();
     more(ui, FIRST);
@@ -191,11 +222,13 @@
       number.textContent = others;
       number.parentElement.classList.toggle("empty", others === 0);
     }
-    const [found, all] = [ui.shown.length, rows.length];
-    const built = ui.shown.filter((row) => row.build).length;
-    ui.summary.textContent = `${found === all ? "All" : `${found} of`} ${r.count(all, "image")}, ${built} published here`;
-    ui.none.hidden = found > 0;
-    ui.clear.hidden = !state.text && Object.values(state.chosen).every((chosen) => !chosen.size);
+    ui.summary.textContent = summary(ui.shown);
+    const unseen = state.wide || !usual() || !usualStatus() ? 0 : counts.status.get("not built") || 0;
+    ui.every.hidden = !usual() || (usualStatus() && !unseen);
+    ui.every.textContent = usualStatus() ? `Show ${unseen} more that are not built yet` : "Show published ones alone";
+    ui.none.hidden = ui.shown.length > 0;
+    ui.none.textContent = unseen ? "No published image matches." : NONE;
+    ui.clear.hidden = !state.text && Object.entries(state.chosen).every(([name, chosen]) => (name === "status" ? usualStatus() : !chosen.size));
     for (const [name, button] of Object.entries(ui.heads)) {
       const on = name === state.sort;
       button.parentElement.setAttribute("aria-sort", on ? (state.down ? "descending" : "ascending") : "none");
@@ -211,13 +244,17 @@
     const search = el("input", {
       type: "search",
       id: "search",
-      placeholder: "jazzy torch arm64, numpy 1.26, sha256:…",
+      placeholder: "jazzy gpu, ubuntu 24.04, ros-torch:jazzy, sha256:…",
       autocomplete: "off",
       spellcheck: "false",
       "aria-keyshortcuts": "/",
+      "aria-describedby": "enter",
       oninput: (event) => {
         state.text = event.target.value;
         changed(ui);
+      },
+      onkeydown: (event) => {
+        if (event.key === "Enter" && !event.isComposing && ui.shown.length) window.location.hash = `#/image/${ui.shown[0].image.target}`;
       },
     });
     search.value = state.text;
@@ -265,11 +302,29 @@
     );
   }
 
+  /** Ticks the boxes of what is chosen. */
+  function tick(ui) {
+    for (const { name, value, box } of ui.boxes) box.checked = state.chosen[name].has(value);
+  }
+
+  /** Shows all images, or published ones alone. */
+  function everyButton(ui) {
+    const onclick = () => {
+      state.chosen.status = new Set(usualStatus() ? [] : [usual()]);
+      tick(ui);
+      changed(ui);
+      ui.summary.focus();
+    };
+    return el("button", { type: "button", class: "every", onclick }, "");
+  }
+
   function clearButton(ui) {
     const onclick = () => {
-      state.text = ui.search.value = "";
-      for (const chosen of Object.values(state.chosen)) chosen.clear();
-      for (const { box } of ui.boxes) box.checked = false;
+      const { sort, down } = state;
+      read(new URLSearchParams());
+      Object.assign(state, { sort, down });
+      ui.search.value = "";
+      tick(ui);
       changed(ui);
       ui.search.focus();
     };
@@ -319,14 +374,11 @@
     const ui = { body: el("tbody"), shown: [], boxes: [], heads: {} };
     ui.all = el("button", { type: "button", onclick: () => more(ui, Infinity) });
     ui.rest = el("p", { class: "rest" }, ui.all);
-    ui.summary = el("p", { class: "summary", role: "status", "aria-live": "polite" });
+    ui.summary = el("p", { class: "summary", role: "status", "aria-live": "polite", tabindex: "-1" });
     ui.search = searchField(ui);
     ui.clear = clearButton(ui);
-    ui.none = el(
-      "p",
-      { class: "notice", hidden: true },
-      "No image matches. Take a filter away, or ask why one does not exist: rosml explain <name>.",
-    );
+    ui.every = everyButton(ui);
+    ui.none = el("p", { class: "notice", hidden: true });
     // A browser lays a long table out slowly: the next rows come when the end of those that are there is near.
     new IntersectionObserver(
       (entries) => {
@@ -341,9 +393,15 @@
         { class: "lead" },
         "Find a tag, copy its line. Every published one was tested from the inside before its tag pointed at it.",
       ),
-      el("div", { class: "search" }, el("label", { for: "search" }, "Search names, versions and digests"), ui.search),
+      el(
+        "div",
+        { class: "search" },
+        el("label", { for: "search" }, "Search names, versions and digests"),
+        ui.search,
+        el("p", { class: "sub", id: "enter" }, "Enter opens the first image."),
+      ),
       filters(ui),
-      el("div", { class: "bar" }, ui.summary, ui.clear),
+      el("div", { class: "bar" }, ui.summary, ui.every, ui.clear),
       table(ui),
       ui.rest,
       ui.none,
