@@ -28,6 +28,7 @@ from tests import synthetic
 NOW = "2026-11-22T06:00:00Z"
 REGISTRY = "ghcr.io/me/rosml"
 WIDE = {"width": 1280, "height": 900}
+MIDDLE = {"width": 768, "height": 900}
 NARROW = {"width": 360, "height": 740}
 
 
@@ -54,6 +55,13 @@ def expect(what: Any) -> Any:
     """Playwright's assertions, which wait. A condition in JavaScript may not be waited for: the page forbids `eval`, and
     Playwright calls it in the page as soon as the condition does not hold at once."""
     return pytest.importorskip("playwright.sync_api").expect(what)
+
+
+def tree(page: Any) -> list[tuple[str, str]]:
+    """Roles and names in the tree that Chromium hands to a screen reader, in its order."""
+    nodes = page.context.new_cdp_session(page).send("Accessibility.getFullAXTree")["nodes"]
+    told = [node for node in nodes if not node["ignored"]]
+    return [(node["role"]["value"], node.get("name", {}).get("value", "")) for node in told]
 
 
 def gather(shelf: Shelf) -> Published:

@@ -22,7 +22,7 @@ from rosml.images.catalogue.model import Image, Published
 from rosml.images.catalogue.read import Gatherer
 from rosml.images.image_set import load
 from rosml.registry.place import Place
-from tests.page.conftest import NARROW, NOW, REGISTRY, WIDE, Window, Windows, expect
+from tests.page.conftest import MIDDLE, NARROW, NOW, REGISTRY, WIDE, Window, Windows, expect, tree
 
 LOG = logging.getLogger("page")
 TORCH = "ros1-bookworm-base-torch-cu128"
@@ -531,6 +531,31 @@ def test_a_narrow_list_can_be_used(window: Windows) -> None:
     assert box and box["x"] >= 0 and box["x"] + box["width"] <= NARROW["width"]
     button.click()
     page.get_by_text(f"Copied: FROM {REGISTRY}/ros:ros1-trixie-core").wait_for()
+
+
+def test_no_name_breaks_into_more_than_two_pieces(window: Windows) -> None:
+    page = window(NARROW).open(ANY)
+    longest = max(listed(page), key=len)
+    assert longest == "ros1-bookworm-desktop-full-tensorflow-cu128"
+    pieces = "(links) => links.map((link) => [link.textContent, link.getClientRects().length])"
+    assert [item for item in page.locator(".list tbody th a").evaluate_all(pieces) if item[1] > 2] == []
+    page = window(NARROW).open(f"#/image/{longest}")
+    assert page.locator("h1").evaluate("(head) => head.getBoundingClientRect().height") < 70, "two lines"
+
+
+@pytest.mark.parametrize("size", [NARROW, MIDDLE, WIDE], ids=lambda size: size["width"])
+def test_a_screen_reader_gets_a_table(size: dict[str, int], window: Windows) -> None:
+    """Cards are rows as well, and each says name, content, platforms, size, checks, date and status."""
+    page = window(size).open(f"#/?q={TORCH}")
+    told = tree(page)
+    assert ("table", "Images") in told
+    assert ("rowheader", f"{TORCH} ros-torch:ros1-bookworm-base-cu128") in told
+    assert ("link", TORCH) in told and ("button", f"Copy the FROM line of {TORCH}") in told
+    cells = [name for role, name in told if role in ("cell", "gridcell")]
+    assert len(cells) == 7 and cells[1] == "amd64" and cells[4:6] == ["2026-11-22", "built"]
+    assert all(text in " ".join(cells) for text in ("PyTorch 2.10.0", "unpacked", "scan: clean"))
+    assert ("searchbox", "Search names, versions and digests") in told
+    assert not any(role in ("button", "link", "checkbox", "combobox") and not name for role, name in told)
 
 
 def focused(page: Any) -> str:

@@ -81,25 +81,25 @@
       : "";
     return el(
       "tr",
-      { class: image.status === "built" ? null : "absent" },
+      { class: image.status === "built" ? null : "absent", role: "row" },
       el(
         "th",
-        { scope: "row" },
+        { scope: "row", role: "rowheader" },
         el("a", { href: `#/image/${image.target}` }, image.target),
         el("span", { class: "sub mono" }, tag ? `${image.repository}:${tag}` : image.repository),
       ),
       el(
         "td",
-        { class: "content" },
+        { class: "content", role: "cell" },
         content(image).map((text) => el("span", { class: "chip" }, text)),
       ),
-      el("td", { class: "wide" }, r.platformNames(image, r.architecture)),
-      el("td", { class: "number" }, size),
-      el("td", { class: "wide line" }, checks(platform)),
-      el("td", { class: "wide line" }, build ? r.day(build.created) : ""),
+      el("td", { class: "place", role: "cell" }, r.platformNames(image, r.architecture)),
+      el("td", { class: "number", role: "cell" }, size),
+      el("td", { class: "line", role: "cell" }, checks(platform)),
+      el("td", { class: "line", role: "cell" }, build ? r.day(build.created) : ""),
       el(
         "td",
-        { class: "middle" },
+        { class: "middle", role: "cell" },
         el(
           "span",
           { class: `status ${image.status.replace(" ", "-")}`, title: image.reason || null },
@@ -108,7 +108,7 @@
       ),
       el(
         "td",
-        { class: "actions" },
+        { class: "actions", role: "cell" },
         build
           ? [
               r.copyButton(() => line, "Copy FROM", `Copy the FROM line of ${image.target}`),
@@ -116,7 +116,7 @@
                 "a",
                 {
                   href: `#/compare?a=${encodeURIComponent(r.buildName(image, build))}`,
-                  class: "button wide",
+                  class: "button",
                   "aria-label": `Compare ${image.target} with another one`,
                 },
                 "Compare",
@@ -340,28 +340,28 @@
       changed(ui);
     };
     ui.heads[name] = el("button", { type: "button", onclick }, sort.title);
-    return el("th", { scope: "col", class: className || null, "aria-sort": "none" }, ui.heads[name]);
+    return el("th", { scope: "col", role: "columnheader", class: className || null, "aria-sort": "none" }, ui.heads[name]);
   }
 
   function table(ui) {
     return el(
       "table",
-      { class: "list" },
+      { class: "list", role: "table" },
       el("caption", { class: "hidden" }, "Images"),
       el(
         "thead",
-        null,
+        { role: "rowgroup" },
         el(
           "tr",
-          null,
+          { role: "row" },
           head(ui, "image"),
-          el("th", { scope: "col", class: "content" }, "Content"),
-          el("th", { scope: "col", class: "wide" }, "Platforms"),
+          el("th", { scope: "col", role: "columnheader", class: "content" }, "Content"),
+          el("th", { scope: "col", role: "columnheader" }, "Platforms"),
           head(ui, "size", "number"),
-          el("th", { scope: "col", class: "wide" }, "Checks"),
-          head(ui, "created", "wide"),
+          el("th", { scope: "col", role: "columnheader" }, "Checks"),
+          head(ui, "created"),
           head(ui, "status", "middle"),
-          el("th", { scope: "col" }, "Use"),
+          el("th", { scope: "col", role: "columnheader" }, "Use"),
         ),
       ),
       ui.body,
@@ -371,7 +371,7 @@
   function view(main, query) {
     read(query);
     rows = rows || r.catalogue.images.map(makeRow);
-    const ui = { body: el("tbody"), shown: [], boxes: [], heads: {} };
+    const ui = { body: el("tbody", { role: "rowgroup" }), shown: [], boxes: [], heads: {} };
     ui.all = el("button", { type: "button", onclick: () => more(ui, Infinity) });
     ui.rest = el("p", { class: "rest" }, ui.all);
     ui.summary = el("p", { class: "summary", role: "status", "aria-live": "polite", tabindex: "-1" });
