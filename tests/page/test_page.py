@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import yaml
 from shelf import Shelf
 
 from rosml import ROOT
@@ -21,6 +22,7 @@ from rosml.images.catalogue import site
 from rosml.images.catalogue.model import Image, Published
 from rosml.images.catalogue.read import Gatherer
 from rosml.images.image_set import load
+from rosml.images.publish import cosign
 from rosml.registry.place import Place
 from tests.page.conftest import MIDDLE, NARROW, NOW, REGISTRY, WIDE, Window, Windows, expect, tree
 
@@ -318,19 +320,104 @@ def test_any_tag_or_digest_can_be_copied(window: Windows, published: Published) 
         f"{tag.name} ({word})"
         for tag in item.tags
         for word in [
-            {"main": "what it is", "versions": "spells versions out", "floating": "short", "dated": "never moves"}[
-                tag.kind
-            ]
+            {
+                "main": "full name",
+                "versions": "with versions",
+                "floating": "short name",
+                "dated": "of a day, never moves",
+            }[tag.kind]
         ]
     ]
     old = item.tags[-2]
+    page.get_by_role("tab", name="Dockerfile").click()
     page.get_by_label("Tag", exact=True).select_option(old.name)
     page.get_by_label("pin to the digest").check()
     line = f"FROM {REGISTRY}/ros-torch:{old.name}@{old.digest}"
-    assert page.locator("#from-line").text_content() == line
+    assert texts(page, ".panel pre") == [line]
     page.get_by_role("button", name="Copy the FROM line").click()
     page.get_by_text("Copied: FROM").wait_for()
     assert clipboard(page) == line
+
+
+def used(page: Any, way: str) -> list[str]:
+    """The texts below a tab of an image's page."""
+    page.get_by_role("tab", name=way, exact=True).click()
+    return [str(text) for text in page.locator(".panel pre").all_text_contents()]
+
+
+def test_an_image_is_used_in_the_ways_of_the_docs(window: Windows) -> None:
+    """One source of words: what the page says of an image is what docs/use.md says."""
+    told = (ROOT / "docs/use.md").read_text()
+    fences = dict(re.findall(r'```\w+ title="([^"]+)"\n(.*?)```', told, re.DOTALL))
+    call = r"rosml.usage[name](rosml.byTarget.get('jazzy-base-torch-cu128'), what)"
+    page = window().open()
+    reference = "<registry>/ros-torch:jazzy-base-cu128"
+
+    def said(name: str, what: str) -> Any:
+        return page.evaluate(f"([name, what]) => {call}", [name, what])
+
+    assert yaml.safe_load(said("compose", f"image: {reference}")) == yaml.safe_load(fences["compose.yaml"])
+    files = said("devcontainer", reference)
+    assert files[".devcontainer/Dockerfile"] == fences[".devcontainer/Dockerfile"]
+    ours, theirs = (json.loads(item[".devcontainer/devcontainer.json"]) for item in (files, fences))
+    assert ours == theirs
+    assert f"\n{said('run', 'IMAGE')}\n" in told
+
+
+def test_gpus_are_asked_for_by_images_that_have_cuda_alone(window: Windows) -> None:
+    page = window().open(f"#/image/{TORCH}")
+    (line,) = used(page, "docker run")
+    assert line == (
+        "docker run --rm -it --gpus all -e DOCKER_UID=$(id -u) -e DOCKER_GID=$(id -g)"
+        f' -v "$PWD:/docker-ros/ws" {REGISTRY}/ros-torch:ros1-bookworm-base-cu128'
+    )
+    page.get_by_role("button", name="Copy the docker run line").click()
+    page.get_by_text("Copied: docker run").wait_for()
+    assert clipboard(page) == line
+    service = yaml.safe_load(used(page, "compose")[0])["services"]["detector"]
+    assert service["deploy"] and service["command"] == "rosrun my_package detector.py"
+    page = window().open("#/image/ros1-bookworm-base")
+    assert "--gpus" not in used(page, "docker run")[0] and "deploy" not in used(page, "compose")[0]
+    assert "gpu" not in "".join(used(page, "dev container"))
+
+
+SIGNERS = {
+    "https://github.com/me/rosml/.github/workflows/nightly.yml@refs/heads/main": (
+        f"cosign verify --certificate-oidc-issuer {cosign.ISSUER} \\\n"
+        "  --certificate-identity https://github.com/me/rosml/.github/workflows/nightly.yml@refs/heads/main"
+    ),
+    f"sha256:{'0' * 64}": "cosign verify --key cosign.pub --insecure-ignore-tlog=true",
+}
+
+
+@pytest.mark.parametrize("signer", SIGNERS)
+def test_a_signature_is_verified_where_there_is_one(
+    signer: str, browser: Any, published: Published, tmp_path: Path
+) -> None:
+    item = image(published, TORCH)
+    build = item.builds[0].model_copy(update={"signed": (signer,)})
+    changed = item.model_copy(update={"builds": (build, *item.builds[1:])})
+    images = tuple(changed if i is item else i for i in published.images)
+    site.write(tmp_path / "page", published.model_copy(update={"images": images}))
+    windows = Windows(browser, tmp_path / "page")
+    page = windows().open(f"#/image/{TORCH}")
+    assert used(page, "cosign") == [f"{SIGNERS[signer]} \\\n  {REGISTRY}/ros-torch@{build.digest}"]
+    page = windows().open("#/image/ros1-bookworm-base")
+    assert page.get_by_role("tab").all_text_contents() == ["docker run", "Dockerfile", "compose", "dev container"]
+    for context, _ in windows.opened:
+        context.close()
+
+
+def test_tabs_by_keys(window: Windows) -> None:
+    page = window().open(f"#/image/{TORCH}")
+    page.get_by_role("tab", name="docker run").focus()
+    for key, name in (("ArrowRight", "Dockerfile"), ("End", "dev container"), ("ArrowRight", "docker run")):
+        page.keyboard.press(key)
+        assert focused(page) == name and page.locator('[role=tab][aria-selected="true"]').all_text_contents() == [name]
+    page.keyboard.press("ArrowLeft")
+    tab_to(page, "Copy .devcontainer/devcontainer.json", most=3)
+    told = tree(page)
+    assert ("tablist", "Ways to use it") in told and ("tabpanel", "dev container") in told
 
 
 def test_an_image_shows_what_is_inside(window: Windows, published: Published) -> None:
@@ -358,7 +445,10 @@ def test_what_is_not_published_says_why(window: Windows, published: Published) -
     page = window().open("#/image/jazzy-base-torch-cu128")
     assert page.get_by_text("not built yet").is_visible()
     assert page.get_by_text(image(published, "jazzy-base-torch-cu128").reason).is_visible()
-    assert page.get_by_role("button", name="Copy the FROM line").count() == 0
+    assert page.get_by_role("tab").count() == 0
+    assert texts(page, "pre") == ["./rosml image jazzy-base-torch-cu128"]
+    promised = image(published, "jazzy-base-torch-cu128").promised_tags
+    assert texts(page, "#main ul li") == [f"ros-torch:{tag}" for tag in promised]
 
 
 # ---- History and comparison ------------------------------------------------------------------------------------------

@@ -93,6 +93,18 @@ def test_what_a_run_published(published: tuple[Publisher, ImageSet]) -> None:
     assert [(move.run, move.old) for move in item.moves] == [(DAY, "")]
 
 
+def test_signatures_are_those_of_the_records(published: tuple[Publisher, ImageSet]) -> None:
+    """Whose identity could be more than a word in a shell is left out."""
+    where, image_set = published
+    records, workflow = store.Records(where.place), "https://github.com/me/x/.github/workflows/n.yml@refs/heads/main"
+    entry = records.read("alpha-base", store.INDEX)
+    assert entry
+    records.write(dataclasses.replace(entry, signed={workflow: DAY, "https://x/;rm -rf $HOME": DAY}))
+    assert image(gather(where.registry, image_set), "alpha-base").builds[0].signed == (workflow,)
+    records.write(dataclasses.replace(entry, digest=f"sha256:{'0' * 64}", signed={workflow: DAY}))
+    assert image(gather(where.registry, image_set), "alpha-base").builds[0].signed == ()
+
+
 def test_a_tag_that_was_moved_back_is_told_as_it_is(published: tuple[Publisher, ImageSet]) -> None:
     """The records know the newer image; the catalogue describes what the tag points at, with what was known of it."""
     where, image_set = published

@@ -27,6 +27,10 @@ Digest = Annotated[str, Field(pattern=DIGEST)]
 Count = Annotated[int, Field(ge=0)]
 
 
+SIGNER = r"^(?:https://[A-Za-z0-9._~/@:+-]+|sha256:[0-9a-f]{64})$"
+"""A signature's identity that people may copy into a shell: the address of a workflow, or the digest of a public key."""
+
+
 class Fact(BaseModel):
     """Base of all: unknown keys are errors, nothing changes afterwards."""
 
@@ -101,6 +105,9 @@ class Build(Fact):
     created: str = Field(description="date of the run that made it, such as 2026-11-22T03:00:00Z; else empty")
     tags: tuple[str, ...] = Field(description="tags that point at it now; none may be left")
     platforms: tuple[Platform, ...]
+    signed: tuple[Annotated[str, Field(pattern=SIGNER)], ...] = Field(
+        description="who signed it, as the records of the last run say: workflows, or digests of public keys"
+    )
 
 
 class Tag(Fact):

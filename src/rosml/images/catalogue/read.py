@@ -17,6 +17,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.side_by_side import side_by_side
 from rosml.images.catalogue.model import (
     FORMAT,
+    SIGNER,
     WORDS,
     Build,
     Distribution,
@@ -76,6 +77,7 @@ class _Index:
     digest: str
     created: str
     members: tuple[_Member, ...]
+    signed: tuple[str, ...] = ()
 
 
 @dataclass
@@ -120,7 +122,7 @@ class Gatherer:
         things: list[Thing] = [*images, *parts]
         keys = [(thing.target, name) for thing in things for name in (*thing.architectures, INDEX)]
         known = Records(self.place).read_all(keys)
-        self._current = {entry.digest: entry for key, entry in known.items() if key[1] != INDEX and entry.digest}
+        self._current = {entry.digest: entry for entry in known.values() if entry.digest}
         found = self._find(things, known)
         table = _Table(self.image_set, {thing.target: found[thing.target].indexes for thing in things})
         described = tuple(self._image(image, found[image.target], table) for image in images)
@@ -230,7 +232,9 @@ class Gatherer:
                 raise ValueError("it is no index")
             listed = [(item.digest, _platform(item.platform)) for item in found.members]
             members = [self._member(path, *item) for item in listed if not item[1].startswith("unknown")]
-            return _Index(digest, date_of(found), tuple(members))
+            entry = self._current.get(digest)
+            signed = sorted(name for name in (entry.signed if entry else ()) if re.fullmatch(SIGNER, name))
+            return _Index(digest, date_of(found), tuple(members), tuple(signed))
         except (ArithmeticError, LookupError, TypeError, ValueError, RosmlError) as error:
             self.place.client.head(path, digest)  # raises if the registry does not answer any more
             self.remarks.append(f"{repository}@{digest} is left out: it cannot be read ({error})")
@@ -293,6 +297,7 @@ class Gatherer:
                 created=index.created,
                 tags=tuple(by_digest.get(index.digest, ())),
                 platforms=tuple(table.platform(thing, member) for member in index.members),
+                signed=index.signed,
             )
             for index in found.indexes
         )

@@ -5,31 +5,41 @@
   const r = window.rosml;
   const { el } = r;
 
-  /** The FROM line of a tag that one chooses, or pinned to its digest. */
+  /** Lines and files by a tag that one chooses, or pinned to its digest. */
   function use(image) {
-    const shown = el("code", { class: "line", id: "from-line" });
-    const pin = el("input", { type: "checkbox", onchange: update });
+    const build = r.present(image);
+    const pin = el("input", { type: "checkbox", onchange: () => shown.again() });
     const tag = el(
       "select",
-      { id: "tag", onchange: update },
+      { id: "tag", onchange: () => shown.again() },
       image.tags.map((item) => el("option", { value: item.name }, `${item.name} (${KINDS[item.kind]})`)),
     );
-
-    function line() {
+    const reference = () => {
       const found = image.tags.find((item) => item.name === tag.value);
-      return `FROM ${r.reference(image, tag.value)}${pin.checked ? `@${found.digest}` : ""}`;
-    }
-
-    function update() {
-      shown.textContent = line();
-    }
-
-    update();
+      return `${r.reference(image, tag.value)}${pin.checked ? `@${found.digest}` : ""}`;
+    };
+    const { usage } = r;
+    const items = [
+      ["docker run", () => r.snippet(usage.run(image, reference()), "Copy the docker run line")],
+      ["Dockerfile", () => r.snippet(`FROM ${reference()}`, "Copy the FROM line")],
+      ["compose", () => r.snippet(usage.compose(image, `image: ${reference()}`), "Copy compose.yaml", "compose.yaml")],
+      [
+        "dev container",
+        () =>
+          Object.entries(usage.devcontainer(image, reference())).map(([name, text]) => r.snippet(text, `Copy ${name}`, name)),
+      ],
+    ];
+    if (build.signed.length)
+      items.push(["cosign", () => usage.verify(image, build).map((line) => r.snippet(line, "Copy the cosign line"))]);
+    const shown = r.tabs(
+      "Ways to use it",
+      items.map(([title, panel]) => ({ title, panel: () => [panel()].flat() })),
+    );
     return el(
       "section",
       { "aria-labelledby": "use" },
       el("h2", { id: "use" }, "Use it"),
-      el("div", { class: "from" }, shown, r.copyButton(line, "Copy", "Copy the FROM line")),
+      shown.node,
       el(
         "div",
         { class: "choices" },
@@ -39,7 +49,24 @@
     );
   }
 
-  const KINDS = { main: "what it is", versions: "spells versions out", floating: "short", dated: "never moves" };
+  /** What an image that is not published will be called, and how to build it. */
+  function later(image) {
+    return el(
+      "section",
+      { "aria-labelledby": "later" },
+      el("h2", { id: "later" }, "Not published yet"),
+      el("p", null, "Build it in a checkout:"),
+      r.snippet(`./rosml image ${image.target}`, "Copy the command that builds it"),
+      el("p", null, "Once a publishing run has built it, it has these tags:"),
+      el(
+        "ul",
+        { class: "mono" },
+        image.promised_tags.map((tag) => el("li", null, `${image.repository}:${tag}`)),
+      ),
+    );
+  }
+
+  const KINDS = { main: "full name", versions: "with versions", floating: "short name", dated: "of a day, never moves" };
 
   /** A bar of parts, each as wide as its share of the bytes. */
   function bar(platform) {
@@ -309,7 +336,7 @@
         ),
         history(image),
       );
-    }
+    } else main.append(later(image));
   }
 
   r.views.image = { title: (target) => target, view };

@@ -141,8 +141,69 @@ window.rosml = {};
     );
   }
 
+  let tabsMade = 0;
+
+  /**
+   * Tabs, by keys as https://www.w3.org/WAI/ARIA/apg/patterns/tabs/ has them: arrows, Home and End choose one. A panel is made when
+   * its tab is chosen.
+   *
+   * @param {{title: string, panel: () => Node[]}[]} items
+   */
+  function tabs(label, items) {
+    tabsMade += 1;
+    const id = `tabs-${tabsMade}`;
+    const panel = el("div", { class: "panel", role: "tabpanel", id: `${id}-panel` });
+    const buttons = items.map((item, index) =>
+      el(
+        "button",
+        { type: "button", role: "tab", id: `${id}-${index}`, "aria-controls": `${id}-panel`, onclick: () => choose(index) },
+        item.title,
+      ),
+    );
+    let chosen = 0;
+
+    function choose(index) {
+      chosen = index;
+      for (const [place, button] of buttons.entries()) {
+        button.setAttribute("aria-selected", String(place === index));
+        button.tabIndex = place === index ? 0 : -1;
+      }
+      panel.setAttribute("aria-labelledby", `${id}-${index}`);
+      panel.replaceChildren(...items[index].panel());
+    }
+
+    const last = buttons.length - 1;
+    const keys = {
+      ArrowRight: () => (chosen === last ? 0 : chosen + 1),
+      ArrowLeft: () => (chosen === 0 ? last : chosen - 1),
+      Home: () => 0,
+      End: () => last,
+    };
+    const onkeydown = (event) => {
+      if (!(event.key in keys)) return;
+      event.preventDefault();
+      choose(keys[event.key]());
+      buttons[chosen].focus();
+    };
+    choose(0);
+    const node = el("div", { class: "tabs" }, el("div", { role: "tablist", "aria-label": label, onkeydown }, buttons), panel);
+    return { node, again: () => choose(chosen) };
+  }
+
+  /** A text to be copied: one line, or a file with its name. */
+  function snippet(text, label, name) {
+    return el(
+      "div",
+      { class: "snippet" },
+      name ? el("p", { class: "sub mono" }, name) : null,
+      el("div", { class: "from" }, el("pre", { class: "line", tabindex: "0" }, text), copyButton(() => text, "Copy", label)),
+    );
+  }
+
   Object.assign(window.rosml, {
     el,
+    tabs,
+    snippet,
     svg,
     size,
     change,

@@ -1,0 +1,82 @@
+// The lines and files by which an image is used. docs/use.md has the same ones; a test compares them.
+"use strict";
+
+(() => {
+  const r = window.rosml;
+  const WORKSPACE = "/docker-ros/ws";
+  const ISSUER = "https://token.actions.githubusercontent.com"; // of keyless signatures by a workflow
+  const OURS = "-e DOCKER_UID=$(id -u) -e DOCKER_GID=$(id -g)";
+
+  function hasGpu(image) {
+    return "cuda" in image.promised;
+  }
+
+  function command(image) {
+    return r.catalogue.distributions[image.distribution].ros === 1
+      ? ["rosrun", "my_package", "detector.py"]
+      : ["ros2", "run", "my_package", "detector"];
+  }
+
+  function run(image, reference) {
+    return `docker run --rm -it ${hasGpu(image) ? "--gpus all " : ""}${OURS} -v "$PWD:${WORKSPACE}" ${reference}`;
+  }
+
+  const GPUS = `    deploy:
+      resources:
+        reservations:
+          devices:
+            - driver: nvidia
+              count: all
+              capabilities: [gpu]
+`;
+
+  /** A compose file with one service; the image is `what`: a reference, or the folder to build. */
+  function compose(image, what) {
+    return `services:
+  detector:
+    ${what}
+    command: ${command(image).join(" ")}
+    network_mode: host
+    ipc: host
+    environment:
+      DOCKER_UID: \${DOCKER_UID:-1000}
+      DOCKER_GID: \${DOCKER_GID:-1000}
+    volumes:
+      - .:${WORKSPACE}
+${hasGpu(image) ? GPUS : ""}`;
+  }
+
+  /** The dev container's files: an editor enters as the user `dev`. */
+  function devcontainer(image, reference) {
+    const folder = `${WORKSPACE}/src/my_package`;
+    const content = {
+      name: "detector",
+      build: { dockerfile: "Dockerfile" },
+      workspaceMount: `source=\${localWorkspaceFolder},target=${folder},type=bind`,
+      workspaceFolder: folder,
+      ...(hasGpu(image) ? { hostRequirements: { gpu: "optional" } } : {}),
+      remoteUser: "dev",
+    };
+    const dockerfile = `FROM ${reference}
+RUN useradd --create-home --shell /bin/bash --uid 1000 --groups sudo,video dev \\
+ && chown dev:dev ${WORKSPACE}
+`;
+    return {
+      ".devcontainer/devcontainer.json": `${JSON.stringify(content, null, 2)}\n`,
+      ".devcontainer/Dockerfile": dockerfile,
+    };
+  }
+
+  /** What checks the signatures of a build; none where nobody is known to have signed it. */
+  function verify(image, build) {
+    const plain = /^(?:localhost|127\.0\.0\.1|\[::1\])(?::|\/|$)/.test(r.catalogue.registry) ? " --allow-http-registry" : "";
+    return build.signed.map((identity) => {
+      const by = identity.startsWith("sha256:")
+        ? "--key cosign.pub --insecure-ignore-tlog=true"
+        : `--certificate-oidc-issuer ${ISSUER} \\\n  --certificate-identity ${identity}`;
+      return `cosign verify ${by}${plain} \\\n  ${r.reference(image, build.digest)}`;
+    });
+  }
+
+  Object.assign(r, { hasGpu, usage: { run, compose, devcontainer, verify, command, WORKSPACE } });
+})();
