@@ -16,7 +16,7 @@ import pytest
 from shelf import FIRST, Shelf, shown
 
 from rosml import ROOT
-from rosml.images.catalogue import site
+from rosml.images.catalogue import packages, site
 from rosml.images.catalogue.model import Published
 from rosml.images.catalogue.read import Gatherer
 from rosml.images.image_set import load
@@ -69,16 +69,22 @@ def gather(shelf: Shelf) -> Published:
 
 
 @pytest.fixture(scope="session")
-def published() -> Published:
-    """Three nights of bookworm and trixie, and all that our matrix describes beside them."""
-    return gather(shown(load.load(ROOT / "matrix.yaml", ROOT)))
+def nights() -> Shelf:
+    """Three nights of bookworm and trixie."""
+    return shown(load.load(ROOT / "matrix.yaml", ROOT))
 
 
 @pytest.fixture(scope="session")
-def folder(published: Published, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def published(nights: Shelf) -> Published:
+    """These nights, and all that our matrix describes beside them."""
+    return gather(nights)
+
+
+@pytest.fixture(scope="session")
+def folder(nights: Shelf, published: Published, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The page in a folder whose name is one that addresses have to spell in another way."""
     path = tmp_path_factory.mktemp("page") / "a catalogue, übersicht"
-    site.write(path, published)
+    site.write(path, published, packages.read(Place(nights.registry, "rosml"), published)[0])
     return path
 
 

@@ -18,6 +18,7 @@ from rosml.images.matrix import names
 from rosml.images.records import tag_moves
 from rosml.images.records.store import ANNOTATION, DATE, Entry, Records
 from rosml.images.records.store import INDEX as INDEX_ENTRY
+from rosml.images.scan import packages, sbom
 from rosml.registry import oci
 from rosml.registry.place import Place
 
@@ -69,6 +70,7 @@ class Shelf:
                 "digest": digest,
                 "size": 1000,
                 "platform": {"os": "linux", "architecture": architecture},
+                "annotations": self._sboms(thing, architecture),
             }
             for architecture, digest in members.items()
         ]
@@ -89,6 +91,45 @@ class Shelf:
         facts = Entry(thing.target, INDEX_ENTRY, repository=repository_of(thing), digest=digest, parts=members)
         book.write(facts, {})
         return [tag_moves.Move(repository_of(thing), tag, old, digest) for tag in tags]
+
+    def _sboms(self, thing: Thing, architecture: str) -> dict[str, str]:
+        """The annotations of an index that name the SBOMs of an image: those of its ROS image and parts."""
+        if isinstance(thing, Part) or not thing.stack:
+            of: list[Thing] = [thing]
+        else:
+            of = [self.image_set.by_target[thing.parent], *(self.image_set.part_by_name[name] for name in thing.parts)]
+        return {sbom.COVERED + item.target: self._sbom(item, architecture) for item in of}
+
+    def _sbom(self, thing: Thing, architecture: str) -> str:
+        """Attaches the SBOM of a ROS image or part to it: repository and digest."""
+        repository, digest = f"{PREFIX}/{repository_of(thing)}", self._manifest(thing, architecture)
+        if isinstance(thing, Part):
+            state = self.torch if thing.kind == "torch" else "1"
+            wheels = {thing.kind: f"2.{state}", **({"pillow": "11.0"} if thing.kind == "torch" else {})}
+            system, apt = packages.System(name="", version=""), {}
+        else:
+            wheels, system = {}, packages.System(name="debian", version="12.15")
+            apt = {
+                "bash": "5.2",
+                f"ros-{thing.component}": f"1.{self.ros}",
+                **({"tzdata": "1"} if self.ros == "1" else {}),
+            }
+        found = packages.Packages(
+            system=system,
+            apt=[
+                packages.Apt(name=name, version=version, architecture=architecture, source=name, source_version=version)
+                for name, version in apt.items()
+            ],
+            python=[packages.Python(name=name, version=version) for name, version in wheels.items()],
+            ros=[],
+        )
+        document = packages.cyclonedx(found, f"{self.registry.host}/{repository}@{digest}")
+        manifest = self.registry.manifest(repository, digest)
+        assert manifest
+        made = self.registry.attach(
+            repository, manifest.descriptor, sbom.MEDIA_TYPE, document, sbom.MEDIA_TYPE, sbom.FORMAT
+        )
+        return f"{repository_of(thing)}@{made}"
 
     def _layers(self, thing: Thing, architecture: str) -> list[tuple[str, int]]:
         """Digests and sizes, lowest first; sizes are the matrix's forecast."""

@@ -20,7 +20,7 @@ from stubs import services
 
 from rosml.base.errors import RosmlError
 from rosml.cli.images import catalogue as command
-from rosml.images.catalogue import site
+from rosml.images.catalogue import packages, site
 from rosml.images.catalogue.model import Image, Published, status
 from rosml.images.catalogue.model import Tests as Ran
 from rosml.images.catalogue.read import Gatherer
@@ -28,6 +28,7 @@ from rosml.images.image_set import locked
 from rosml.images.image_set.model import ImageSet
 from rosml.images.matrix import schema
 from rosml.images.records import store, tag_moves
+from rosml.images.scan.sbom import COVERED
 from rosml.registry.place import Place
 
 NOW = "2026-11-22T06:00:00Z"
@@ -194,6 +195,41 @@ def test_unpacked_sizes_are_measured_or_not_told(found: Published, real: ImageSe
     assert parts["cuda-cu128"].unpacked == disk["cuda-cu128"], "what the image with CUDA alone has more than ROS"
     assert parts["ros1-bookworm-base"].unpacked == real.matrix.disk.components["base"].unpacked * 1_000_000
     assert parts["torch-cu128-py311"].unpacked is None, "never without the common part, which nobody measured alone"
+
+
+def test_packages_are_read_from_the_sboms_that_an_index_names(shelf: Shelf, found: Published) -> None:
+    (platform,) = image(found, TORCH).builds[0].platforms
+    named = [found.sboms[position] for position in platform.sboms]
+    parts = ["part-common-cu128-py311", "part-cuda-cu128", "part-torch-cu128-py311", "ros1-bookworm-base"]
+    assert [item.part for item in named] == parts
+    assert [item.repository for item in named] == ["part", "part", "part", "ros"]
+    read, unread = packages.read(Place(shelf.registry, PREFIX), found)
+    assert (unread, read[named[2].digest]) == ([], [("pillow", "11.0", "pypi"), ("torch", "2.2", "pypi")])
+    alone = gather(shelf.registry, shelf.image_set, TORCH)
+    bases = [alone.sboms[build.platforms[0].sboms[3]].digest for build in alone.images[0].builds]
+    assert bases[0] == bases[1] != bases[2]
+    read, _ = packages.read(Place(shelf.registry, PREFIX), alone)
+    assert bases[1] in read and bases[2] not in read, "of the newest two builds alone"
+
+
+def test_an_sbom_that_is_none_is_left_out(real: ImageSet) -> None:
+    """Anybody who may push can write any annotation, and attach anything."""
+    shelf = Shelf(real)
+    shelf.night(FIRST, ["ros1-bookworm"])
+    found = gather(shelf.registry, real, "ros1-bookworm-core")
+    amd64, arm64 = (platform.sboms[0] for platform in found.images[0].builds[0].platforms)
+    del shelf.registry.manifests[f"{PREFIX}/ros"][found.sboms[amd64].digest]
+    read, unread = packages.read(Place(shelf.registry, PREFIX), found)
+    assert list(read) == [found.sboms[arm64].digest]
+    assert unread == ["the SBOM of ros1-bookworm-core is left out: its SBOM is not there"]
+    index = shelf.registry.manifest(f"{PREFIX}/ros", "ros1-bookworm-core")
+    assert index
+    for item in index.content["manifests"]:
+        item["annotations"] = {f"{COVERED}ros1-bookworm-core": f"../{found.sboms[amd64].digest}", f"{COVERED}x": "y"}
+    digest = shelf.registry.put_manifest(f"{PREFIX}/ros", "", index.content, index.media_type)
+    shelf.registry.names[f"{PREFIX}/ros"]["ros1-bookworm-core"] = digest
+    (item,) = gather(shelf.registry, real, "ros1-bookworm-core").images
+    assert [platform.sboms for platform in item.builds[0].platforms] == [(), ()]
 
 
 def test_sharing_is_counted(found: Published) -> None:
@@ -404,12 +440,22 @@ def test_the_same_facts_give_the_same_text(shelf: Shelf, found: Published) -> No
 # ---- The folder and the command --------------------------------------------------------------------------------------
 
 
+def test_packages_of_builds_that_are_gone_go(tmp_path: Path, found: Published) -> None:
+    gone, kept = f"sha256:{'0' * 64}", f"sha256:{'1' * 64}"
+    site.write(tmp_path, found, {gone: [("a", "1", "deb")], kept: []})
+    (tmp_path / "packages/mine.js").write_text("mine")
+    site.write(tmp_path, found, {kept: [("\u2028</script>", "1", "deb")]})
+    assert sorted(file.name for file in (tmp_path / "packages").iterdir()) == [f"{'1' * 64}.js", "mine.js"]
+    assert "\u2028" not in (tmp_path / f"packages/{'1' * 64}.js").read_text()
+
+
 def test_the_page_is_written_beside_its_data(tmp_path: Path, found: Published) -> None:
     names = {file.name for file in site.write(tmp_path / "a/b", found)}
     assert {path.name for path in (tmp_path / "a/b").iterdir()} == names
     assert names >= {"index.html", "style.css", "app.js", "data.js", "catalogue.json"}
-    script = (tmp_path / "a/b/data.js").read_text()
-    inner = script.removeprefix("window.catalogue = JSON.parse(").removesuffix(");\n")
+    script, packaged = (tmp_path / "a/b/data.js").read_text().splitlines()
+    inner = script.removeprefix("window.catalogue = JSON.parse(").removesuffix(");")
+    assert packaged == "window.packaged = [];"
     assert json.loads(json.loads(inner)) == json.loads((tmp_path / "a/b/catalogue.json").read_text())
 
 
@@ -428,7 +474,7 @@ def test_a_page_that_finds_no_room_changes_nothing(tmp_path: Path, found: Publis
     (tmp_path / "catalogue.json").write_text("before")
     (tmp_path / "CNAME").write_text("mine")
     size = max(file.stat().st_size for file in site.SOURCES.iterdir()) - 1
-    found = found.model_copy(update={"images": (), "parts": (), "layers": ()})  # there is room for the first files
+    found = found.model_copy(update={"images": (), "parts": (), "layers": (), "sboms": ()})  # there is room for the first files
     assert len(site.text(found)) < size / 2
     with longest_file(size), pytest.raises(RosmlError, match="cannot be written"):
         site.write(tmp_path, found)

@@ -40,7 +40,7 @@ from rosml.cli.checkout import Command
 def main(registry: str, matrix: Path, only: tuple[str, ...], output: Path, history: int, as_json: bool) -> None:
     """Writes the catalogue into a folder. Open it in a browser, or serve it from any static host.
 
-    Reads manifests, configs and the records. Pulls no layer, builds nothing, and needs only read access.
+    Reads manifests, configs, SBOMs and the records. Pulls no layer, builds nothing, and needs only read access.
 
     \b
     Examples:
@@ -51,6 +51,7 @@ def main(registry: str, matrix: Path, only: tuple[str, ...], output: Path, histo
     from rosml.base.clock import now
     from rosml.base.problems import counted
     from rosml.images.catalogue import site
+    from rosml.images.catalogue.packages import read as read_packages
     from rosml.images.catalogue.read import Gatherer
     from rosml.images.image_set import load
 
@@ -61,13 +62,14 @@ def main(registry: str, matrix: Path, only: tuple[str, ...], output: Path, histo
     with place.client:
         gatherer = Gatherer(image_set, place, history)
         found = gatherer.gather(now(), only)
-    for remark in gatherer.remarks:
+        packages, unread = ({}, []) if as_json else read_packages(place, found)
+    for remark in (*gatherer.remarks, *unread):
         command.warn(remark)
     if as_json:
         terminal.echo(site.text(found), nl=False)
         return
     try:
-        written = site.write(output, found)
+        written = site.write(output, found, packages)
     except OSError as error:
         raise RosmlError(f"{output}: {error.strerror}", "choose a writable folder") from None
     published = sum(image.status == "built" for image in found.images)

@@ -56,6 +56,14 @@ class Layer(Fact):
     part: str = Field(description="the ROS image or part that brought it; empty if unknown")
 
 
+class Sbom(Fact):
+    """An SBOM in CycloneDX, which the index of each image with this part names."""
+
+    part: str = Field(description="the ROS image or part whose packages it lists")
+    repository: str = Field(description="where it is, without the registry")
+    digest: Digest = Field(description="of the artifact: regctl artifact get <registry>/<repository>@<digest>")
+
+
 class Size(Fact):
     """Bytes of something."""
 
@@ -92,6 +100,7 @@ class Platform(Fact):
     size: Size
     parts: dict[str, Size] = Field(description="what it is the sum of: ROS images by target, parts by name")
     layers: tuple[Count, ...] = Field(description="its layers, lowest first: positions in the catalogue's `layers`")
+    sboms: tuple[Count, ...] = Field(description="its SBOMs: positions in the catalogue's `sboms`; none if unknown")
     versions: dict[str, str] = Field(description="the versions found inside; those of the labels if it was not tested")
     found_inside: bool = Field(description="whether the versions were found inside, by the tests")
     tests: Tests | None = Field(description="null if unknown")
@@ -187,6 +196,7 @@ class Published(Fact):
     images: tuple[Image, ...]
     parts: tuple[Part, ...]
     layers: tuple[Layer, ...]
+    sboms: tuple[Sbom, ...]
     sharing: Sharing
 
 

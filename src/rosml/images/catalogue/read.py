@@ -27,6 +27,7 @@ from rosml.images.catalogue.model import (
     Part,
     Platform,
     Published,
+    Sbom,
     Scan,
     Sharing,
     Size,
@@ -42,6 +43,7 @@ from rosml.images.image_set.selection import select
 from rosml.images.matrix.names import DATED
 from rosml.images.records import tag_moves
 from rosml.images.records.store import INDEX, Entry, Records, date_of
+from rosml.images.scan.sbom import COVERED
 from rosml.registry import documents
 from rosml.registry.place import Place
 
@@ -64,6 +66,7 @@ class _Member:
     layers: tuple[tuple[str, int], ...]
     labels: Mapping[str, str]
     entry: Entry | None = None
+    sboms: tuple[Sbom, ...] = ()
 
     @property
     def architecture(self) -> str:
@@ -137,6 +140,7 @@ class Gatherer:
             images=tuple(image for image in described if image.target in asked),
             parts=tuple(self._part(part, found[part.target], table) for part in parts),
             layers=tuple(table.layers),
+            sboms=tuple(table.sboms),
             sharing=_sharing([image for image in described if image.target in asked], table.layers),
         )
 
@@ -230,7 +234,7 @@ class Gatherer:
                 return None
             if not found.is_index:
                 raise ValueError("it is no index")
-            listed = [(item.digest, _platform(item.platform)) for item in found.members]
+            listed = [(item.digest, _platform(item.platform), _sboms(item.annotations)) for item in found.members]
             members = [self._member(path, *item) for item in listed if not item[1].startswith("unknown")]
             entry = self._current.get(digest)
             signed = sorted(name for name in (entry.signed if entry else ()) if re.fullmatch(SIGNER, name))
@@ -240,7 +244,7 @@ class Gatherer:
             self.remarks.append(f"{repository}@{digest} is left out: it cannot be read ({error})")
             return None
 
-    def _member(self, path: str, digest: str, platform: str) -> _Member:
+    def _member(self, path: str, digest: str, platform: str, sboms: tuple[Sbom, ...]) -> _Member:
         found = self.place.client.manifest(path, digest)
         if found is None:
             raise ValueError(f"{digest} is not there")
@@ -249,7 +253,7 @@ class Gatherer:
         entry = self._current.get(digest)
         if entry is None:  # another image has replaced it in the records
             entry = Records(self.place).attached(path.removeprefix(self.place.path("")), digest)
-        return _Member(digest, platform, layers, config.labels, entry)
+        return _Member(digest, platform, layers, config.labels, entry, sboms)
 
     # ---- Facts -------------------------------------------------------------------------------------------------------
 
@@ -318,6 +322,7 @@ class _Table:
         indexes: Mapping[str, Sequence[_Index]],
     ) -> None:
         self.layers: list[Layer] = []
+        self.sboms: dict[Sbom, int] = {}
         self._position: dict[str, int] = {}
         self._counted = ["python", *dict.fromkeys(name for part in image_set.matrix.parts for name in part.brings)]
         # Parts first, then ROS images from the lowest up: a layer belongs to the lowest image that has it.
@@ -388,6 +393,7 @@ class _Table:
             size=Size(compressed=total, unpacked=(entry.unpacked if entry else 0) or None),
             parts=self._sizes(member),
             layers=positions,
+            sboms=tuple(self.sboms.setdefault(item, len(self.sboms)) for item in member.sboms),
             versions=versions or promised,
             found_inside=bool(versions),
             tests=Tests(passed=entry.passed, failures=entry.failures) if entry and tested else None,
@@ -440,6 +446,17 @@ def _sharing(images: Iterable[Image], layers: Sequence[Layer]) -> Sharing:
         apart=sum(layers[position].compressed for position in used),
         stored=sum(layers[position].compressed for position in set(used)),
     )
+
+
+def _sboms(annotations: Mapping[str, str]) -> tuple[Sbom, ...]:
+    """The SBOMs that an index names for an image; those that are none are left out."""
+    named = {name.removeprefix(COVERED): text for name, text in annotations.items() if name.startswith(COVERED)}
+    found = ((name, text.partition("@")) for name, text in sorted(named.items())[:_MOST_SBOMS] if _SBOM.fullmatch(text))
+    return tuple(Sbom(part=name, repository=where, digest=digest) for name, (where, _, digest) in found)
+
+
+_SBOM = re.compile(r"[a-z0-9]+(?:[._/-]+[a-z0-9]+)*@sha256:[0-9a-f]{64}")
+_MOST_SBOMS = 32
 
 
 def _parts(image_set: sets.ImageSet, image: sets.Image) -> list[str]:

@@ -7,10 +7,13 @@ script, but no JSON.
 from __future__ import annotations
 
 import json
+import re
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from rosml.base import files
 from rosml.images.catalogue.model import Published
+from rosml.images.catalogue.packages import Package
 
 SOURCES = Path(__file__).parent / "page"
 
@@ -25,16 +28,36 @@ def script(content: str) -> str:
     return f"window.catalogue = JSON.parse({json.dumps(content.rstrip())});\n"
 
 
-def write(folder: Path, published: Published) -> list[Path]:
+PACKAGES = "packages"
+"""The folder of scripts with the packages of an SBOM each, which the page loads when somebody asks for them."""
+
+
+def write(folder: Path, published: Published, packages: Mapping[str, Sequence[Package]] | None = None) -> list[Path]:
     """Writes catalogue.json and the page into a folder, all or nothing. Returns the files.
+
+    Args:
+        packages: the packages in SBOMs, by the digests of these.
 
     Raises:
         RosmlError: a file cannot be written.
     """
     content = text(published)
-    wanted = {"catalogue.json": content, "data.js": script(content)}
+    known = {digest.removeprefix("sha256:"): found for digest, found in (packages or {}).items()}
+    wanted = {
+        "catalogue.json": content,
+        "data.js": f"{script(content)}window.packaged = {json.dumps(sorted(known))};\n",
+    }
     for source in sorted(SOURCES.iterdir()):
         wanted[source.name] = source.read_text(encoding="utf-8")
+    for name, found in known.items():
+        data = json.dumps(json.dumps(found, separators=(",", ":")))
+        wanted[f"{PACKAGES}/{name}.js"] = f'window.rosml.packagesRead("{name}", JSON.parse({data}));\n'
     folder.mkdir(parents=True, exist_ok=True)
+    if known:
+        (folder / PACKAGES).mkdir(exist_ok=True)
     files.write_all({folder / name: data for name, data in wanted.items()}, within=folder)
+    there = () if (folder / PACKAGES).is_symlink() else (folder / PACKAGES).glob("*.js")
+    for file in there:  # of builds that are gone
+        if re.fullmatch(r"[0-9a-f]{64}", file.stem) and file.stem not in known:
+            file.unlink()
     return [folder / name for name in wanted]

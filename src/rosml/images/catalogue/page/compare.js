@@ -30,7 +30,7 @@
       Compressed: r.size(platform.size.compressed),
       Unpacked: r.size(platform.size.unpacked),
       "Structure tests": platform.tests ? `${platform.tests.passed} passed` : "unknown",
-      Scan: platform.scan ? platform.scan.outcome : "unknown",
+      Scan: platform.scan ? r.scanOutcome(platform.scan) : "unknown",
     };
   }
 

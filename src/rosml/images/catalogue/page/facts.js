@@ -198,8 +198,14 @@
     return { text: eol || "none: rolling", over: Boolean(eol) && eol < catalogue.created.slice(0, 10) };
   }
 
+  /** A scan's outcome for people: clean means that the policy stops nothing, and not that nothing is known. */
+  function scanOutcome(scan) {
+    return scan.outcome === "clean" ? "scan passed" : `scan: ${scan.outcome}`;
+  }
+
   Object.assign(window.rosml, {
     catalogue,
+    scanOutcome,
     TITLES,
     STATUS: catalogue.words,
     CARRIED,

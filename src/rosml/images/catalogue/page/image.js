@@ -118,13 +118,16 @@
     return r.table(`Parts for ${platform.platform}`, head, rows);
   }
 
+  /** Known vulnerabilities, whatever the policy says of them. */
+  function scanned(scan) {
+    const found = Object.entries(scan.findings).map(([severity, number]) => `${number} ${severity}`);
+    const known = found.length ? `${found.join(", ")} known${scan.outcome === "clean" ? ", none of which the policy stops" : ""}` : "none known";
+    const day = scan.database ? `, database of ${scan.database.slice(0, 10)}` : "";
+    return `${known}; ${r.count(scan.packages, "package")}${day}`;
+  }
+
   function checks(platform) {
     const { tests, scan } = platform;
-    const found =
-      scan &&
-      Object.entries(scan.findings)
-        .map(([severity, number]) => `${number} ${severity}`)
-        .join(", ");
     return [
       r.fact(
         "Structure tests",
@@ -137,12 +140,7 @@
             )
           : null,
       ),
-      r.fact(
-        "Scan",
-        scan
-          ? `${scan.outcome}: ${found || "no findings"} in ${r.count(scan.packages, "package")}${scan.database ? `, database of ${scan.database.slice(0, 10)}` : ""}`
-          : "not scanned",
-      ),
+      r.fact("Vulnerabilities", scan ? r.scanOutcome(scan) : "not scanned", scan ? el("p", { class: "sub" }, scanned(scan)) : null),
       scan && scan.failing.length ? r.fact("Stopped by", scan.failing.join(", ")) : null,
     ];
   }
@@ -190,6 +188,7 @@
             r.table(`Versions for ${platform.platform}`, ["Name", "Version"], rows),
           )
         : null,
+      r.packages(platform),
     );
   }
 
@@ -209,9 +208,29 @@
     );
   }
 
+  /** Builds, newest first by date: a tag that was moved back points at an older one. */
+  function byDate(image) {
+    return [...image.builds].sort((a, b) => (a.created < b.created ? 1 : -1));
+  }
+
+  /** What is new in the present build; nothing where it is the first one. */
+  function news(image) {
+    const builds = byDate(image);
+    const now = r.present(image);
+    const before = builds[builds.indexOf(now) + 1];
+    if (!before) return null;
+    return el(
+      "section",
+      { "aria-labelledby": "news" },
+      el("h2", { id: "news" }, "What changed"),
+      el("p", null, "The build of ", r.day(now.created), " beside the one of ", r.day(before.created), ":"),
+      el("ul", null, r.changes(before, now).map(describe)),
+      r.changedPackages(before, now),
+    );
+  }
+
   function history(image) {
-    // Newest first by date: a tag that was moved back points at an older one.
-    const builds = [...image.builds].sort((a, b) => (a.created < b.created ? 1 : -1));
+    const builds = byDate(image);
     const items = builds.map((build, index) => {
       const before = builds[index + 1];
       const changes = before ? r.changes(before, build) : [];
@@ -327,7 +346,7 @@
     const build = r.present(image);
     if (build) {
       main.append(
-        use(image),
+        ...[use(image), news(image)].filter(Boolean),
         el(
           "section",
           { "aria-labelledby": "inside" },

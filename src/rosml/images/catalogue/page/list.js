@@ -50,7 +50,7 @@
         { class: tests && tests.failures.length ? "bad" : null },
         tests ? `${tests.passed} passed` : "tests unknown",
       ),
-      scan ? el("span", { class: `sub ${scan.outcome === "clean" ? "" : "bad"}` }, `scan: ${scan.outcome}`) : null,
+      scan ? el("span", { class: `sub ${scan.outcome === "clean" ? "" : "bad"}` }, r.scanOutcome(scan)) : null,
     ];
   }
 
