@@ -160,6 +160,18 @@ def test_the_readme_fits_on_two_screens() -> None:
     assert (ROOT / "README.md").read_text().count("\n") <= 120
 
 
+def test_the_status_page_has_a_line_for_each_thing() -> None:
+    """What was tried with it is folded away: a reader sees what it is, its state, and a few words."""
+    page = (ROOT / "docs/status.md").read_text()
+    rows = [line for line in page.splitlines() if line.startswith("| ") and not re.match(r"\| (---|what) ", line)]
+    assert len(rows) > 20
+    for row in rows:
+        _, state, where = (cell.strip() for cell in row.strip("|").split(" | "))
+        assert state in ("built and tested", "tested against a local replacement", "not run")
+        details = re.fullmatch(r"<details><summary>(?P<summary>.{5,60})</summary>.+</details>", where)
+        assert details, row
+
+
 def test_the_page_of_tags_says_which_images_lack_a_lock(real: ImageSet, small: ImageSet) -> None:
     """Right below the table that people choose from, and by what is locked now; nothing where all of them are."""
     page = tags_page.render((ROOT / "docs/tags.md").read_text(), real)
