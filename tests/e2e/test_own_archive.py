@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from rosml import ROOT
-from rosml.containerize import ci_files
+from rosml.containerize import ci_files, page
 from rosml.images.bake import targets
 from rosml.images.builds import base_images
 from rosml.images.image_set import load
@@ -81,7 +81,7 @@ def test_the_page_is_followed_to_an_image(
         "matrix.schema.json",
         "catalogue.schema.json",
         "docs/tags.md",
-        "docs/containerize.md",
+        *page.PAGES,
         *ci_files.FILES,
     ):
         (checkout / name).parent.mkdir(parents=True, exist_ok=True)

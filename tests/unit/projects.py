@@ -8,7 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from rosml.containerize import ci_files
+from rosml.containerize import ci_files, page
 from rosml.images.bake import bake_file
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -47,7 +47,7 @@ def copy_for_generator(folder: Path) -> Path:
     ):
         shutil.copy(ROOT / name, folder)
     shutil.copy(ROOT / "catalogue.schema.json", folder)
-    for name in ("docs/containerize.md", "docs/tags.md", *ci_files.FILES):
+    for name in ("docs/tags.md", *page.PAGES, *ci_files.FILES):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, folder / name)
     return folder

@@ -1,4 +1,4 @@
-"""The tables of inputs in docs/containerize.md, rendered from the table in app_inputs.py between markers."""
+"""The tables of inputs in docs/containerize/, rendered from the table in app_inputs.py between markers."""
 
 from __future__ import annotations
 
@@ -10,22 +10,24 @@ from rosml.containerize import app_inputs, ci_files, ci_inputs
 
 _BY = "written by rosml generate"
 
+PAGES = {"docs/containerize/inputs.md": ("inputs", "gone"), "docs/containerize/ci.md": ("ci",)}
+"""The tables of each page."""
 
-def render(page: str) -> str:
+
+def render(path: str, page: str) -> str:
     """The page with up-to-date tables.
 
     Raises:
         RosmlError: markers are missing.
     """
-    for name, lines in (("inputs", _inputs()), ("ci", _ci()), ("gone", _gone())):
+    lines = {"inputs": _inputs, "gone": _gone, "ci": _ci}
+    for name in PAGES[path]:
         begin, end = f"<!-- {name}: {_BY} -->\n", f"<!-- /{name} -->"
         pattern = re.compile(f"{re.escape(begin)}.*{re.escape(end)}", re.DOTALL)
         if not pattern.search(page):
-            raise RosmlError(
-                f"docs/containerize.md: the markers {begin.strip()} and {end} are missing", "put them back"
-            )
+            raise RosmlError(f"{path}: the markers {begin.strip()} and {end} are missing", "put them back")
         head, tail = pattern.split(page, maxsplit=1)
-        page = "".join((head, begin, *(f"{line}\n" for line in lines), end, tail))
+        page = "".join((head, begin, *(f"{line}\n" for line in lines[name]()), end, tail))
     return page
 
 

@@ -69,8 +69,8 @@ def test_no_input_becomes_part_of_a_command_of_gitlab() -> None:
 def test_inputs_that_the_page_shows_are_there() -> None:
     said = yaml.safe_load_all((ROOT / ci_files.GITLAB).read_text())
     known = {*load(ci_files.ACTION)["inputs"], *next(said)["spec"]["inputs"]}
-    for block in blocks(ROOT / "docs/containerize.md"):
-        if block.language == "yaml" and block.title != ".repos":
+    for block in blocks(ROOT / "docs/containerize/ci.md"):
+        if block.language == "yaml":
             given = re.findall(r"^ +(?:with|inputs):\n((?: +[\w-]+: .*\n)+)", block.text, re.MULTILINE)
             assert given and {name for text in given for name in yaml.safe_load(text)} <= known
 

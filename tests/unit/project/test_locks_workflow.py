@@ -16,7 +16,7 @@ from projects import copy_for_generator
 from uv_stand_in import fake_uv
 from workflows import load
 
-from rosml.containerize import ci_files
+from rosml.containerize import ci_files, page
 
 UPGRADE, PROPOSE = (load("locks")["jobs"][name] for name in ("upgrade", "propose"))
 GIT = {f"GIT_{who}_{what}": "a" for who in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
@@ -99,7 +99,7 @@ def test_what_is_proposed_is_whole(checkout: Path, tmp_path_factory: pytest.Temp
 def test_whatever_is_generated_is_handed_over(checkout: Path) -> None:
     """Also what new versions happen to leave alone today: every file that the generator can write, but for those that come
     from the table of inputs of rosml containerize."""
-    inputs = ("docs/containerize.md", *ci_files.FILES)
+    inputs = (*page.PAGES, *ci_files.FILES)
     said = [line.split(":")[0] for line in step("./rosml generate", checkout).splitlines() if "is up to date" in line]
     written = [name for name in said if name not in inputs]
     assert len(written) == 5
