@@ -33,7 +33,7 @@ STATEMENT = "https://in-toto.io/Statement/v1"
 PREDICATE = "https://slsa.dev/provenance/v1"
 
 BUILD_TYPE = "https://rosml.invalid/build/v1"
-"""How an image is made, and what the parameters mean: docs/publishing.md. Nobody can own a name below .invalid."""
+"""How an image is made, and what the parameters mean: docs/publishing/attached.md. Nobody can own a name below .invalid."""
 
 OWN_MACHINE = "https://rosml.invalid/builder/own-machine"
 """The builder's identity if a person calls the publisher: nobody vouches for that machine."""
