@@ -327,9 +327,9 @@ def _master(context: Context, place: Place, written: str, local: bool, address: 
     if not context.is_here or place.network.startswith("container:") or context.host.connects(address):
         return Finding("master", GOOD, written)
     if local:
-        return Finding("master", ADVICE, f"{written}, where nothing answers yet", "roscore starts it")
+        return Finding("master", ADVICE, f"{written}: nothing answers there yet", "roscore starts it")
     return Finding(
-        "master", PROBLEM, f"{written}, where nothing answers", f"check the name, and roscore on {address[0]}"
+        "master", PROBLEM, f"{written}: nothing answers there", f"check the name, and roscore on {address[0]}"
     )
 
 

@@ -205,7 +205,7 @@ def test_check_fails_when_stale(small_file: Path) -> None:
         r'^-  args = .* "ros-alpha-desktop-full" }$', done.stdout.replace("  args     =", "  args ="), re.M
     )
     assert re.search(r'^\+  args = .* "ros-alpha-desktop" }$', done.stdout.replace("  args     =", "  args ="), re.M)
-    assert "out.hcl: stale" in done.stderr
+    assert "out.hcl: outdated" in done.stderr
     assert "rosml generate" in done.stderr
     assert "desktop-full" in output.read_text(), "--check must not write"
 
@@ -213,7 +213,7 @@ def test_check_fails_when_stale(small_file: Path) -> None:
 def test_check_fails_when_the_file_is_missing(small_file: Path) -> None:
     done = generate("--check", "--matrix", small_file, "--output", small_file.with_name("none.hcl"))
     assert done.returncode == 1
-    assert "none.hcl: stale" in done.stderr
+    assert "none.hcl: outdated" in done.stderr
 
 
 def test_output_that_cannot_be_written(small_file: Path) -> None:

@@ -555,7 +555,7 @@ def test_writes_and_then_has_nothing_to_write(checkout: Path, capsys: pytest.Cap
     text = (checkout / "locks/cu1/amd64/3.12/torch.txt").read_text()
     assert lock_file.versions(text) == {"torch": "2.10.0+cu128"}
     assert run(checkout, "--check") == 0
-    assert re.fullmatch(r"\d+ locks, 0 stale\n", capsys.readouterr().out)
+    assert re.fullmatch(r"\d+ locks, 0 outdated\n", capsys.readouterr().out)
 
 
 def test_check_says_what_would_change(checkout: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -568,22 +568,22 @@ def test_check_says_what_would_change(checkout: Path, capsys: pytest.CaptureFixt
     assert "locks/cu1/amd64/3.12/common.txt: would change\n" in done.out
     table = [line.split() for line in done.out.splitlines() if line.startswith("c")]
     assert table == [["cpu", "numpy", "1.26.4", "1.26.5", "2"], ["cu1", "numpy", "1.26.4", "1.26.5", "2"]]
-    assert re.search(r"error: \d+ locks are stale\nremedy: run 'rosml locks' and commit the result\n", done.err)
+    assert re.search(r"error: \d+ locks are outdated\nremedy: run 'rosml locks' and commit the result\n", done.err)
     assert {file: file.read_text() for file in checkout.glob("locks/**/*.txt")} == before
 
 
 @pytest.mark.parametrize(
     ("words", "moved", "numpy", "says"),
     [
-        (["--upgrade"], 1, "1.26.4", ("1 base image is stale", "'rosml locks --upgrade', then 'rosml generate'")),
-        (["--upgrade"], 2, "1.26.5", ("2 base images and 4 locks are stale", "'rosml locks --upgrade', then")),
-        (["--upgrade"], 0, "1.26.5", ("4 locks are stale", "'rosml locks --upgrade' and commit the result")),
-        (["--bases"], 2, "1.26.4", ("2 base images are stale", "'rosml locks --bases', then 'rosml generate'")),
+        (["--upgrade"], 1, "1.26.4", ("1 base image is outdated", "'rosml locks --upgrade', then 'rosml generate'")),
+        (["--upgrade"], 2, "1.26.5", ("2 base images and 4 locks are outdated", "'rosml locks --upgrade', then")),
+        (["--upgrade"], 0, "1.26.5", ("4 locks are outdated", "'rosml locks --upgrade' and commit the result")),
+        (["--bases"], 2, "1.26.4", ("2 base images are outdated", "'rosml locks --bases', then 'rosml generate'")),
         (
             ["--upgrade", "--stack", "cpu"],
             0,
             "1.26.5",
-            ("2 locks are stale", "'rosml locks --upgrade --stack cpu' and"),
+            ("2 locks are outdated", "'rosml locks --upgrade --stack cpu' and"),
         ),
     ],
 )
@@ -642,7 +642,7 @@ def test_one_stack(checkout: Path, capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_what_moved_for_machines(checkout: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """One object on standard output, also where locks are stale; what people read is beside it."""
+    """One object on standard output, also if locks are outdated; what people read is beside it."""
 
     def told(*arguments: str, code: int = 0) -> dict[str, Any]:
         capsys.readouterr()

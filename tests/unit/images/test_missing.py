@@ -130,7 +130,7 @@ def test_checking_does_not_ask_to_commit_a_loss(project: list[str], capsys: pyte
     assert command.run(generate_bake.main, arguments=[*project, "--check"]) == 1
     stale = capsys.readouterr().err.splitlines()
     assert stale[0].startswith("error: 6 images cannot be built")
-    assert stale[1].endswith("out.hcl: stale")
+    assert stale[1].endswith("out.hcl: outdated")
     assert stale[2:] == [f"remedy: {missing.RESTORE}; then run 'rosml generate' and commit the result"]
     command.run(generate_bake.main, arguments=project)
     capsys.readouterr()

@@ -69,7 +69,7 @@ def test_what_moved_is_written_and_nothing_else(
     assert run(matrix, "--bases", "--check") == 1
     done = capsys.readouterr()
     assert f"ubuntu-24.04: {hub.address}/library/ubuntu:24.04: would move from {OLD[:19]} to {new[:19]}" in done.out
-    assert "2 base images are stale" in done.err and "rosml locks --bases" in done.err
+    assert "2 base images are outdated" in done.err and "rosml locks --bases" in done.err
     assert run(matrix, "--bases", "--check", "--json") == 1
     found = json.loads(capsys.readouterr().out)
     assert found["base_images"][0] == {
@@ -88,7 +88,7 @@ def test_what_moved_is_written_and_nothing_else(
     assert f"| ubuntu-24.04 | {hub.address}/library/ubuntu:24.04 | {OLD[:19]} | {new[:19]} |" in report
     capsys.readouterr()
     assert run(matrix, "--bases", "--check") == 0
-    assert "2 base images, 0 stale" in capsys.readouterr().out
+    assert "2 base images, 0 outdated" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("style", ["{{image: {image}, digest: {digest}, {rest}}}", "\n    digest:\n      {digest}\n"])

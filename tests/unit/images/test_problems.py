@@ -38,7 +38,7 @@ WRONG = {
         "    default_stack: cpu\n",
         "    default_stak: cpu\n",
         "58:3: distributions.omega: 'default_stack' is missing; add 'default_stack: …' "
-        "(stack of the short tags, e.g. ros-torch:jazzy; of several the first that a framework exists on)\n"
+        "(stack of the short tags, such as ros-torch:jazzy; of several the first that a framework exists on)\n"
         "63:5: distributions.omega.default_stak: unknown key 'default_stak'; did you mean 'default_stack'?",
     ),
     "misspelt section": (

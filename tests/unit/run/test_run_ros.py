@@ -424,13 +424,13 @@ def test_podman_without_root_gives_a_network_to_each(robot: Robot) -> None:
     ("words", "environment", "expected"),
     [
         ([], {}, {"network": "problem: bridge", "master": "problem: http://localhost:11311, which is the container"}),
-        (["--ros-network"], {}, {"master": "advice: http://localhost:11311, where nothing answers yet"}),
+        (["--ros-network"], {}, {"master": "advice: http://localhost:11311: nothing answers there yet"}),
         (["--network=container:x"], {}, {}),
         (["--ros-network"], {"ROS_MASTER_URI": "base"}, {"master": "problem: 'base' is no address"}),
         (
             ["--ros-network"],
             {"ROS_MASTER_URI": "http://away:11311", "ROS_IP": "10.0.0.5"},
-            {"master": "problem: http://away:11311, where nothing answers"},
+            {"master": "problem: http://away:11311: nothing answers there"},
         ),
         (["--ros-network"], {"ROS_MASTER_URI": "http://base:11311/", "ROS_IP": "10.0.0.5"}, {}),
         (["--ros-network"], {"ROS_MASTER_URI": "http://base:11311"}, {"address": "advice: robot, by which others"}),

@@ -3,7 +3,7 @@
 \b
 Examples:
   rosml generate          after a change of matrix.yaml
-  rosml generate --check  whether a generated file is stale
+  rosml generate --check  whether a generated file is outdated
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ COMMAND = "rosml generate"
     prints=True,
     help=__doc__,
 )
-@click.option("--check", is_flag=True, help="Write nothing; exit 1 with a diff if a generated file is stale.")
+@click.option("--check", is_flag=True, help="Write nothing; exit 1 with a diff if a generated file is outdated.")
 @options.MATRIX
 @click.option(
     "--output",
@@ -101,7 +101,7 @@ def verify(wanted: dict[Path, str], lost: RosmlError | None) -> None:
     stale = [files.shown(file) for file, text in differences.items() if text]
     terminal.echo("".join(differences.values()), nl=False)
     found = [(lost.message, lost.remedy)] if lost else []
-    found += [(f"{', '.join(stale)}: stale", f"run '{COMMAND}' and commit the result")] if stale else []
+    found += [(f"{', '.join(stale)}: outdated", f"run '{COMMAND}' and commit the result")] if stale else []
     if found:
         problems, remedies = zip(*found, strict=True)
         raise RosmlError("\n".join(problems), remedy="; then ".join(remedies))

@@ -133,7 +133,7 @@ def main(
             "raise the versions that the scan will stop, or add entries to scan.yaml, with a reason and a last day",
             err=True,
         )
-    terminal.echo(f"{len(locks.texts)} locks, {len(stale)} {'stale' if check else 'changed'}", err=as_json)
+    terminal.echo(f"{len(locks.texts)} locks, {len(stale)} {'outdated' if check else 'changed'}", err=as_json)
     if as_json:
         terminal.echo(to_json(moved, stale, fresh, locks.left_out, pinned, stopped, unknown))
     if check:
@@ -268,7 +268,7 @@ def require_fresh(locks: int, pinned: Pins | None, words: Sequence[str], as_json
     bases = len(pinned.moved) if pinned else 0
     stale = [counted(number, what) for number, what in ((bases, "base image"), (locks, "lock")) if number]
     if stale:
-        wrong = f"{listed(stale)} {'is' if bases + locks == 1 else 'are'} stale"
+        wrong = f"{listed(stale)} {'is' if bases + locks == 1 else 'are'} outdated"
         generate = ", then 'rosml generate'," if bases else ""
         stop(RosmlError(wrong, f"run '{' '.join(['rosml locks', *words])}'{generate} and commit the result"), as_json)
 
@@ -335,7 +335,8 @@ def base_images(matrix: Path, check: bool, as_json: bool = False) -> Pins:
         terminal.echo(f"{system}: {image}: {'would move' if check else 'moved'} from {old} to {new}", err=as_json)
     for line in base_digests.reasons(found.left_out):
         terminal.echo(line, err=True)
-    terminal.echo(f"{len(systems)} base images, {len(found.moved)} {'stale' if check else 'changed'}", err=as_json)
+    what = "outdated" if check else "changed"
+    terminal.echo(f"{len(systems)} base images, {len(found.moved)} {what}", err=as_json)
     return found
 
 

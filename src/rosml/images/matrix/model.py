@@ -374,7 +374,7 @@ class Distribution(Facts):
     experimental: bool = Field(default=False, description="not what its generation's users expect; never `latest`")
     components: Names = Field(description="components that it has")
     default_stack: Stacks = Field(
-        description="stack of the short tags, e.g. ros-torch:jazzy; of several the first that a framework exists on"
+        description="stack of the short tags, such as ros-torch:jazzy; of several the first that a framework exists on"
     )
     eol: datetime.date | None = Field(default=None, description="end of life; leave out for a rolling distribution")
     lts: bool = Field(
