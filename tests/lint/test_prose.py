@@ -1,0 +1,142 @@
+"""How pages, help texts and messages are written: the rules of docs/style.md that a program can hold without erring often."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+import yaml
+
+from tests.pages import pages
+from tests.prose import Sentence, messages, sentences
+
+ROOT = Path(__file__).resolve().parents[2]
+WORDS = [
+    rule for rules in yaml.safe_load((Path(__file__).parent / "words.yaml").read_text()).values() for rule in rules
+]
+"""What finds a word, what to write instead, and a sentence that has the word."""
+
+LONGEST = 35
+"""Words in a sentence. A span of code is one."""
+
+LATER = {f"docs/{name}.md" for name in ("catalogue", "extend", "nightly", "registry")}
+"""Pages whose long sentences nobody has cut yet. Delete a page here when it has none."""
+
+
+def faults(sentence: Sentence) -> Iterator[str]:
+    """What is wrong with a sentence."""
+    for pattern, instead, _ in WORDS:
+        if found := re.search(rf"(?<![\w-])(?:{pattern})(?![\w-])", sentence.text, re.IGNORECASE):
+            yield f"{found[0]!r}: write {instead}"
+    if (count := len(sentence.text.split())) > LONGEST and sentence.file not in LATER:
+        yield f"{count} words: a sentence has at most {LONGEST}"
+
+
+def report(read: list[Sentence]) -> None:
+    """Fails with all faults, each with its place."""
+    assert len(read) > 1000
+    lines = [
+        f"{sentence.file}:{sentence.line}: {fault}: {sentence.text}" for sentence in read for fault in faults(sentence)
+    ]
+    if lines:
+        pytest.fail("\n".join(lines), pytrace=False)
+
+
+def test_pages() -> None:
+    report([s for page in pages() for s in sentences(str(page.relative_to(ROOT)), page.read_text())])
+
+
+def test_help_and_messages() -> None:
+    files = sorted((ROOT / "src/rosml").rglob("*.py"))
+    report([s for file in files for s in messages(str(file.relative_to(ROOT)), file.read_text())])
+
+
+@pytest.mark.parametrize(("instead", "example"), [rule[1:] for rule in WORDS])
+def test_each_word_is_found(instead: str, example: str) -> None:
+    (fault,) = faults(Sentence("", 1, example))
+    assert fault.endswith(f": write {instead}")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A key whose owner signs.",
+        "Where to look is in the log.",
+        "Where is the log?",
+        "The builder says where it is.",
+        "Three in a row.",
+        "Use the mirror; it is near.",
+    ],
+)
+def test_plain_sentences_pass(text: str) -> None:
+    assert list(faults(Sentence("", 1, text))) == []
+
+
+def test_long_sentences_are_found() -> None:
+    assert list(faults(Sentence("", 1, "word " * 35))) == []
+    assert list(faults(Sentence("", 1, "word " * 36))) == ["36 words: a sentence has at most 35"]
+
+
+PAGE = """\
+# A page
+
+One `sentence with code.` goes
+on. Two [is short](page.md#anchor)!
+
+```sh
+echo "No prose. At all."
+```
+
+- An item
+- Another. <!-- a comment. -->
+
+| a cell | `code` |
+| --- | --- |
+| one: **two** | three. Four |
+
+<details><summary>Five</summary>Six.</details>
+"""
+
+
+def test_a_page_is_read_by_sentences() -> None:
+    said = [(s.line, s.text) for s in sentences("page", PAGE)]
+    assert said == [
+        *((1, "A page"), (3, "One § goes on."), (4, "Two [is short]!"), (10, "- An item"), (11, "- Another.")),
+        *((13, "a cell"), (15, "one: two"), (15, "three."), (15, "Four"), (17, "Five"), (17, "Six.")),
+    ]
+
+
+CODE = '''\
+"""A module says nothing to users."""
+
+NAME = "a message about " + "two things here"
+"""Nor does this."""
+
+@click.command()
+@click.option("--x", help="What it is.")
+def main(x):
+    """Does a thing.
+
+    \\b
+    Examples:
+      rosml list
+
+    And more of it.
+    """
+    raise RosmlError(f"{x} is no name; {len(x)} letters are few", "name another one")
+    script = "set -e | no prose"
+
+
+def other():
+    """Is no help at all."""
+'''
+
+
+def test_code_is_read_by_messages() -> None:
+    said = {s.text for s in messages("code", CODE)}
+    assert said == {
+        *("two things here", "a message about", "What it is.", "Does a thing.", "And more of it."),
+        *("§ is no name; § letters are few", "name another one"),
+    }

@@ -1,0 +1,81 @@
+"""The prose that users read, sentence by sentence: pages, help texts, messages."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Sentence:
+    """A sentence, and the line on which it begins. A span of code in it is the one word `§`."""
+
+    file: str
+    line: int
+    text: str
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}: {self.text}"
+
+
+_FENCE = re.compile(r"^ *(?P<fence>```+).*?^ *(?P=fence) *$", re.MULTILINE | re.DOTALL)
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+_BLOCK = re.compile(r"^( *[-*] | *\d+\. |#+ |\||</?\w)|\n *\n|(?<= )\|(?=[ \n])|(?<=[a-z]>)", re.MULTILINE)
+"""Where a paragraph, an item of a list, a heading or a cell begins or ends."""
+
+_END = re.compile(r"(?<=[.!?])[)\"*_]*\s+(?=[(\"*_\[]*[\w§])|\x00")
+"""Where a sentence ends: at a full stop, or with its block."""
+
+
+def sentences(file: str, text: str, first: int = 1) -> Iterator[Sentence]:
+    """The sentences of a text in Markdown, without its code.
+
+    Args:
+        file: what the text is of.
+        text: the text.
+        first: the number of its first line.
+    """
+    for pattern in (_FENCE, _COMMENT):
+        text = pattern.sub(lambda found: "\n" * found[0].count("\n"), text)
+    text = re.sub(r"`+[^`]+`+", lambda found: "§" + "\n" * found[0].count("\n"), text)
+    text = re.sub(r"\]\([^)\s]*\)", "]", text)
+    text = _BLOCK.sub(lambda found: "\x00" + found[0], text)
+    begin = 0
+    for end in [*_END.finditer(text), None]:
+        piece = text[begin : end.start() if end else None]
+        words = " ".join(re.sub(r"</?[a-z][^>]*>|[#|*_]+", " ", piece).split())
+        if re.search(r"[A-Za-z]", words):
+            lead = len(piece) - len(piece.lstrip())
+            yield Sentence(file, first + text.count("\n", 0, begin + lead), words)
+        if end:
+            begin = end.end()
+
+
+def messages(file: str, text: str) -> Iterator[Sentence]:
+    """The sentences in the strings of a Python file that may reach a user.
+
+    Docstrings count if they are a command's help. Code is left out: strings with several lines, or with `|` or a backslash, and what stands below `\\b` in help.
+    """
+    tree = ast.parse(text)
+    inner = {id(value) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr) for value in node.values}
+    silent = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    for node in ast.walk(tree):
+        command = isinstance(node, ast.FunctionDef) and any(
+            "click" in ast.unparse(name) for name in node.decorator_list
+        )
+        if isinstance(node, ast.Module | ast.FunctionDef) and (command or (node is tree and "help=__doc__" in text)):
+            said = ast.get_docstring(node) or ""
+            said = re.sub(r"\x08.*?(?=\n *\n|$)", lambda found: "\n" * found[0].count("\n"), said, flags=re.DOTALL)
+            yield from sentences(file, said, node.body[0].lineno)
+        if id(node) in inner or id(node) in silent:
+            continue
+        if isinstance(node, ast.JoinedStr):
+            said = "".join(str(value.value) if isinstance(value, ast.Constant) else "§" for value in node.values)
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str):
+            said = node.value
+        else:
+            continue
+        if " " in said and not re.search(r"\n.*\n|[|\\]", said):
+            yield from sentences(file, said, node.lineno)
