@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import html
+import json
 import posixpath
 import re
 import shutil
@@ -20,6 +22,7 @@ import click
 
 from rosml import ROOT
 from rosml.base import files
+from rosml.base.addresses import addresses
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 
@@ -63,6 +66,16 @@ def build(folder: Path) -> None:
         raise RosmlError(f"the site cannot be built:\n{said}", "correct the named place; the pages are in docs/")
 
 
+def footer(found: dict[str, str]) -> str:
+    """What stands below every page: where to report a problem.
+
+    Args:
+        found: the project's addresses, by name.
+    """
+    links = [f'<a href="{html.escape(address)}">{html.escape(name)}</a>' for name, address in found.items()]
+    return " · ".join(links) or "Report a problem, or ask, in the repository that these pages are from."
+
+
 def stage(root: Path, folder: Path) -> None:
     """Copies every page, and every file of the repository to which a page links, to the same place below the folder `docs`.
 
@@ -70,7 +83,8 @@ def stage(root: Path, folder: Path) -> None:
     """
     shutil.rmtree(folder / "docs", ignore_errors=True)
     (folder / "docs").mkdir(parents=True)
-    shutil.copy(root / CONFIG, folder)
+    config = (root / CONFIG).read_text(encoding="utf-8")
+    (folder / CONFIG).write_text(f"{config}copyright: {json.dumps(footer(addresses()))}\n", encoding="utf-8")
     waiting = [str(file.relative_to(root)) for file in (root / "docs").rglob("*") if file.is_file()] + [*BESIDE]
     done = set()
     while waiting:

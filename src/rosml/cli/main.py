@@ -94,6 +94,14 @@ class Rosml(Group):
             raise RosmlError(text, "pipx install --force . in a checkout, or uv tool install --force .", exit_code=2)
         return super().resolve_command(ctx, args)
 
+    def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Says where the pages are, and where to report a problem."""
+        from rosml.base.addresses import help_lines  # only needed here, and `rosml run` starts sooner without it
+
+        with formatter.section("Help"):
+            for line in help_lines():
+                formatter.write_text(line)
+
 
 @click.group(cls=Rosml, elsewhere=TRIED, sections=SECTIONS)
 @click.version_option(__version__, "-V", "--version", prog_name="rosml")

@@ -6,6 +6,7 @@ import ast
 import json
 import os
 import re
+import shutil
 import signal
 import socket
 import subprocess
@@ -23,7 +24,7 @@ from conftest import ROOT, SMALL
 from registry_stand_in import standing_in
 
 import rosml
-from rosml.base import environment
+from rosml.base import addresses, environment
 from rosml.cli import checkout, main
 from rosml.cli.images import publish
 from rosml.images.image_set import load
@@ -78,6 +79,25 @@ def test_each_has_its_help(words: str) -> None:
     done = CliRunner().invoke(main.cli, [*words.split(), "--help"])
     assert done.exit_code == 0
     assert "Usage: " in done.output and ALL[words].help
+
+
+def test_its_help_ends_with_where_to_find_more(wheel: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In the repository before the project has a public address; then at the addresses of pyproject.toml, which a wheel has too."""
+    pages = (
+        "Help:\n  Pages: docs/. Messages and remedies: docs/troubleshooting.md.\n  Report a problem in the repository "
+    )
+    assert CliRunner().invoke(main.cli, ["--help"]).output.endswith(f"{pages}that you cloned.\n")
+    assert installed(wheel, tmp_path, "--help").stdout.endswith(f"{pages}that rosml was installed from.\n")
+    copy = tmp_path / "site"
+    shutil.copytree(wheel, copy)
+    (record,) = copy.glob("rosml-*.dist-info/METADATA")
+    head, body = record.read_text().split("\n\n", 1)
+    record.write_text(f"{head}\nProject-URL: Issues, https://forge.example/rosml/issues\n\n{body}")
+    assert installed(copy, tmp_path, "--help").stdout.endswith("Help:\n  Issues: https://forge.example/rosml/issues\n")
+    (tmp_path / "pyproject.toml").write_text('[project.urls]\nDocumentation = "https://docs.example/rosml"\n')
+    monkeypatch.setattr(addresses, "ROOT", tmp_path)
+    said = CliRunner().invoke(main.cli, ["--help"]).output
+    assert said.endswith("Help:\n  Documentation: https://docs.example/rosml\n")
 
 
 @pytest.mark.parametrize("words", ["", *(name for name, command in ALL.items() if isinstance(command, click.Group))])

@@ -15,6 +15,7 @@ import pytest
 import yaml
 from conftest import ROOT
 
+from rosml.base.addresses import addresses
 from rosml.base.errors import RosmlError
 from rosml.images.catalogue import tags_page
 from rosml.images.image_set import locked
@@ -125,6 +126,13 @@ def test_the_site_asks_no_other_host(site: dict[Path, Reader]) -> None:
     styles = list(root.rglob("*.css"))
     assert styles
     assert [file.name for file in styles if re.search(r"(url\(|@import )[\"']?(https?:)?//", file.read_text())] == []
+
+
+def test_every_page_of_the_site_says_where_to_ask(site: dict[Path, Reader]) -> None:
+    assert [file.name for file in site if docs.footer(addresses()) not in file.read_text()] == []
+    assert (
+        docs.footer({"Issues": "https://forge.example/?a&b"}) == '<a href="https://forge.example/?a&amp;b">Issues</a>'
+    )
 
 
 def test_a_site_with_broken_links_is_not_built(tmp_path: Path) -> None:

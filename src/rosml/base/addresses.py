@@ -1,0 +1,31 @@
+"""Where people find help. The addresses are in pyproject.toml, `[project.urls]`; a wheel has them in its metadata."""
+
+from __future__ import annotations
+
+import tomllib
+from importlib import metadata
+
+from rosml import IN_CHECKOUT, ROOT
+
+
+def addresses() -> dict[str, str]:
+    """The project's addresses by name, such as `Documentation` and `Issues`; empty before the project has a public one."""
+    if IN_CHECKOUT:
+        found: dict[str, str] = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"].get("urls", {})
+        return found
+    try:
+        lines = metadata.metadata("rosml").get_all("Project-URL") or []
+    except metadata.PackageNotFoundError:
+        return {}
+    return {name: address for name, _, address in (line.partition(", ") for line in lines)}
+
+
+def help_lines() -> tuple[str, ...]:
+    """What `rosml --help` says of further help."""
+    if found := addresses():
+        return tuple(f"{name}: {address}" for name, address in found.items())
+    where = "that you cloned" if IN_CHECKOUT else "that rosml was installed from"
+    return (
+        "Pages: docs/. Messages and remedies: docs/troubleshooting.md.",
+        f"Report a problem in the repository {where}.",
+    )
