@@ -13,7 +13,7 @@ from pathlib import Path
 from tests.pages import ROOT, Block, blocks, commands
 
 EXTEND = ROOT / "docs/extend.md"
-OWN_SET = "A set of your own"
+OWN_SET = ROOT / "docs/own-set.md"
 NEEDS_NETWORK = ("./rosml locks", "./rosml image", "make image", "gpg ")
 """Steps of the page that are not walked: tests run them with local replacements."""
 
@@ -45,13 +45,9 @@ def section(name: str) -> Iterator[Block]:
 
 
 def insert(project: Path, block: Block) -> None:
-    """Puts an entry where its title says: before the first thing that is less indented, or is there already. A title
-    without a place names a file alone: then each of the block's keys takes the place of the file's own one."""
+    """Puts an entry where its title says: before the first thing that is less indented, or is there already."""
     file, _, place = block.title.partition(", ")
     lines = (project / file).read_text().split("\n")
-    if not place:
-        (project / file).write_text(replaced(lines, block.text.rstrip("\n").split("\n")))
-        return
     at = 0
     for key in [f"{'  ' * depth}{key}:" for depth, key in enumerate(place.split("."))]:
         at = next(number for number in range(at, len(lines)) if lines[number].split(" #")[0] == key) + 1
@@ -60,21 +56,6 @@ def insert(project: Path, block: Block) -> None:
         at += 1
     lines[at:at] = block.text.rstrip("\n").split("\n")
     (project / file).write_text("\n".join(lines))
-
-
-def replaced(lines: list[str], entries: list[str]) -> str:
-    """The text of a YAML file with top-level entries in the place of those of the same keys; new ones come first."""
-    keys = [line.partition(":")[0] for line in entries if not line.startswith(" ")]
-    first = next(number for number, line in enumerate(lines) if re.match(rf"({'|'.join(keys)}):", line))
-    kept, dropping = [], False
-    for number, line in enumerate(lines):
-        if number == first:
-            kept += entries
-        if line and not line.startswith((" ", "#")):
-            dropping = line.partition(":")[0] in keys
-        if not dropping:
-            kept.append(line)
-    return "\n".join(kept)
 
 
 def run(project: Path, command: str) -> str:
@@ -97,20 +78,11 @@ def follow(project: Path, name: str) -> str:
     return said
 
 
-def keep_rows(project: Path, names: tuple[str, ...]) -> None:
-    """Deletes all rows but these from matrix.yaml, as the page tells those who want a set of their own."""
-    matrix = project / "matrix.yaml"
-    before, _, rest = matrix.read_text().partition("\ndistributions:\n")
-    rows, _, after = rest.partition("\ndisk:")
-    wanted = tuple(f"  {name}:" for name in names)
-    kept = "".join(row for row in re.split(r"(?m)^(?=  \S+:(?: #.*)?$)", rows) if row.startswith(wanted))
-    matrix.write_text(f"{before}\ndistributions:\n{kept}\ndisk:{after}")
-
-
 def own_set(project: Path) -> str:
-    """Makes a set of one's own of a clone, as docs/extend.md says: humble and jazzy; gives what the commands printed."""
-    keep_rows(project, ("humble", "jazzy"))
-    return follow(project, OWN_SET)
+    """Makes a set of a fork, as docs/own-set.md says; gives what the commands printed."""
+    [text] = [block.text for block in blocks(OWN_SET) if block.title == "set.yaml"]
+    (project / "set.yaml").write_text(text)
+    return run(project, "./rosml generate")
 
 
 def set_up(project: Path) -> None:

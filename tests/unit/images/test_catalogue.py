@@ -474,7 +474,9 @@ def test_a_page_that_finds_no_room_changes_nothing(tmp_path: Path, found: Publis
     (tmp_path / "catalogue.json").write_text("before")
     (tmp_path / "CNAME").write_text("mine")
     size = max(file.stat().st_size for file in site.SOURCES.iterdir()) - 1
-    found = found.model_copy(update={"images": (), "parts": (), "layers": (), "sboms": ()})  # there is room for the first files
+    found = found.model_copy(
+        update={"images": (), "parts": (), "layers": (), "sboms": ()}
+    )  # there is room for the first files
     assert len(site.text(found)) < size / 2
     with longest_file(size), pytest.raises(RosmlError, match="cannot be written"):
         site.write(tmp_path, found)

@@ -121,13 +121,13 @@ def test_a_step_that_is_left_out_is_told(project: Path) -> None:
 
 
 def test_a_set_of_ones_own(project: Path) -> None:
-    """Two rows of ours, as a fork would keep them: what nothing uses any more is in nobody's way."""
+    """In a fork: what is generated is of the set."""
     said = walk.own_set(project)
     assert "docker-bake.hcl: written" in said and "warning" not in said
     assert "noetic" not in (project / "docs/tags.md").read_text().partition("<!-- images:")[2]
-    made = load.load(project / "matrix.yaml", project)
+    made = load.load(project / "set.yaml", project)
     assert {image.target.split("-")[0] for image in made.images} == {"humble", "jazzy"}
-    assert made.matrix.source == "https://github.com/robots/rosml"
+    assert made.matrix.source == "https://github.com/me/robot-images"
     check = [sys.executable, "scripts/generate_bake.py", "--check"]
     assert subprocess.run(check, cwd=project, check=False).returncode == 0
 

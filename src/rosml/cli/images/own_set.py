@@ -10,7 +10,7 @@ from importlib import metadata
 from pathlib import Path
 
 from rosml import IN_CHECKOUT, MATRIX, ROOT
-from rosml.base import terminal
+from rosml.base import terminal, untrusted
 from rosml.base.errors import RosmlError
 from rosml.images.image_set import load, own_set
 from rosml.images.image_set.own_set import Upstream
@@ -18,7 +18,13 @@ from rosml.machine import git
 
 
 def begin(
-    folder: Path, distributions: Sequence[str], frameworks: Sequence[str], registry: str, rosml: str, dry_run: bool, as_json: bool
+    folder: Path,
+    distributions: Sequence[str],
+    frameworks: Sequence[str],
+    registry: str,
+    rosml: str,
+    dry_run: bool,
+    as_json: bool,
 ) -> None:
     """Writes the files that are not there, and says what to call next.
 
@@ -90,8 +96,7 @@ def _upstream(named: str) -> Upstream:
 def _installed_from() -> tuple[str, str]:
     """The address and the commit that pip or uv installed rosml from; empty if that was no repository."""
     try:
-        text = metadata.distribution("rosml").read_text("direct_url.json") or "{}"
-        said = json.loads(text)
+        said = untrusted.json_value(metadata.distribution("rosml").read_text("direct_url.json") or "{}")
         return _public(str(said["url"])), str(said["vcs_info"]["commit_id"])
     except (metadata.PackageNotFoundError, ValueError, LookupError, TypeError):
         return "", ""

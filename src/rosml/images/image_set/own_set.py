@@ -214,7 +214,7 @@ def _workflow(found: Chosen, upstream: Upstream) -> str:
     told = "" if ours else " # ROSML_USER and ROSML_PASSWORD: who publishes there"
     secrets = "".join(f"      {name}: ${{{{ secrets.{name} }}}}\n" for name in ("ROSML_USER", "ROSML_PASSWORD"))
     return f"""\
-# Builds, tests and publishes what is missing or stale in the set, every night. To move to a newer rosml, take a newer commit.
+# Builds, tests and publishes what is missing or outdated in the set, every night. To move to a newer rosml, take a newer commit.
 name: images
 
 on:
@@ -252,7 +252,7 @@ jobs:
 
 def _readme(found: Chosen, upstream: Upstream) -> str:
     nightly = (
-        f"Every night, `{WORKFLOW}` builds, tests and publishes what is missing or stale. Start it by hand at first, with one image:"
+        f"Every night, `{WORKFLOW}` builds, tests and publishes what is missing or outdated. Start it by hand at first, with one image:"
         f' Actions, `images`, "Run workflow", with `only` = `{found.image.target}`.\n'
         if upstream.on_github
         else "Call the last command every night, by cron or CI.\n"
