@@ -26,7 +26,6 @@ TRIED = {name: f"rosml setup {name}" for name in ("clean", "client", "down", "sc
     "exec": "rosml attach",
     "images": "rosml list",
     "info": "rosml explain",
-    "init": "rosml setup",
     "inspect": "rosml explain",
     "install": "rosml setup, for this machine; pip or apt-get in your Dockerfile, for an image",
     "login": "docker login, which rosml follows",
@@ -54,7 +53,11 @@ TRIED = {name: f"rosml setup {name}" for name in ("clean", "client", "down", "sc
 
 SECTIONS = {
     "Run images": {"run": "run.run", "attach": "run.attach"},
-    "Build images of your own packages": {"containerize": "containerize.containerize", "ci": "containerize.ci"},
+    "Build images of your own packages": {
+        "init": "containerize.init",
+        "containerize": "containerize.containerize",
+        "ci": "containerize.ci",
+    },
     "Find and build base images": {
         "list": "images.listing",
         "explain": "images.explain",
@@ -110,7 +113,7 @@ class Rosml(Group):
 def cli(context: click.Context, quiet: bool) -> None:
     """ROS base images with machine learning inside.
 
-    list, explain, join and doctor need neither Docker nor root nor a checkout; nor do status, catalogue, publish undo and publish
+    list, explain, init, join and doctor need neither Docker nor root nor a checkout; nor do status, catalogue, publish undo and publish
     prune with --registry. run and attach need docker or podman, containerize needs Docker. The others need a checkout: call
     its own ./rosml.
 

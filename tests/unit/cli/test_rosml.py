@@ -45,6 +45,7 @@ WORDS = [
     "explain",
     "generate",
     "image",
+    "init",
     "join",
     "list",
     "locks",

@@ -40,7 +40,7 @@ COMMANDS: dict[str, click.Command] = {
     **{f"publish {name}": found for name, found in publish.main.commands.items()},
     **{
         name: main.cli.commands[name]
-        for name in ("catalogue", "generate", "image", "join", "locks", "part", "plan", "status")
+        for name in ("catalogue", "generate", "image", "init", "join", "locks", "part", "plan", "status")
     },
 }
 
@@ -205,6 +205,13 @@ VALUES: Mapping[str, st.SearchStrategy[str]] = {
     "policy": st.sampled_from(["{root}/policy.yaml", "{root}/none.yaml", "{root}/matrix.yaml"]),
     "database": st.sampled_from(["{host}/x:1", "{host}/x@sha256:1", "x", ""]),
     **dict.fromkeys(("output", "markdown"), st.sampled_from(["{root}/out", "{root}/matrix.yaml/x"])),
+    "folder": st.sampled_from(["{root}/examples/ros1", "{root}/examples/ros2", "{root}/docs", "{root}/none"]),
+    "distribution": st.sampled_from([*REAL.matrix.distributions, "bookworm", "jazy", ""]),
+    "component": st.sampled_from([*REAL.matrix.components, "bse", ""]),
+    "framework": st.sampled_from([*REAL.matrix.frameworks, "PyTorch", "tf", "trch", ""]),
+    "accelerator": st.sampled_from([*REAL.matrix.stacks, "gpu", ""]),
+    "command": st.sampled_from(["ros2 launch a b.launch.py", "x 'y", "a; b", ""]),
+    "ci": st.sampled_from(["github", "gitlab", "none", "jenkins", ""]),
     "report": st.just("{root}/report.md"),
     "reports": st.just("{root}/reports"),
     "day": st.sampled_from(["2026-11-22", "today"]),

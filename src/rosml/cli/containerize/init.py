@@ -1,0 +1,277 @@
+"""`rosml init`: the files with which people begin, for the ROS packages in a folder."""
+
+from __future__ import annotations
+
+import datetime
+import json
+import os
+import shlex
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from rosml import IN_CHECKOUT, ROOT
+from rosml.base import terminal
+from rosml.base.errors import RosmlError
+from rosml.cli import options
+from rosml.cli.checkout import Command
+from rosml.cli.command import warn
+
+if TYPE_CHECKING:
+    from rosml.containerize.init.choices import Choice, Decided
+    from rosml.containerize.init.contents import Project
+    from rosml.containerize.init.folder import File
+    from rosml.containerize.init.packages import Found
+
+KEPT = "interrupted: nothing was written"
+"""The message after Ctrl-C."""
+
+UNNAMED = (
+    "no registry is named: the base image in .env is one that only a checkout has on its machine",
+    "name a registry with --registry; or write it before the name in .env, such as ghcr.io/me/rosml/",
+)
+"""What to say where rosml is installed, and nobody said where base images are."""
+
+Calls = list[tuple[str, str]]
+"""Lines to call next, and what each does."""
+
+
+@click.command(
+    "init",
+    short_help="Writes the first files for the ROS packages in a folder.",
+    cls=Command,
+    alone=True,
+    kept=KEPT,
+)
+@click.argument("folder", type=click.Path(exists=True, file_okay=False, path_type=Path), default=".")
+@click.option("--distribution", default="", metavar="NAME", help="ROS distribution of the base image, such as jazzy")
+@click.option("--component", default="", metavar="NAME", help="how much of ROS it has, such as base")
+@click.option("--framework", default="", metavar="NAME", help="what it has for machine learning; none for nothing")
+@click.option("--gpu/--cpu", default=None, help="compute on NVIDIA GPUs, or on the CPU")
+@click.option("--accelerator", default="", metavar="NAME", help="its stack, such as cpu; rosml list names all")
+@click.option("--command", default=None, metavar="TEXT", help="what the run image starts, as a shell reads it")
+@click.option("--ci", default="", metavar="FORGE", help="write a CI file for github or gitlab, or for none")
+@options.registry("where base images are")
+@options.MATRIX
+@click.option("-y", "--yes", is_flag=True, help="take what is proposed, and ask nothing")
+@click.option("--dry-run", is_flag=True, help="print the files, and write nothing")
+@options.JSON
+def main(
+    folder: Path,
+    ci: str,
+    registry: str,
+    matrix: Path,
+    yes: bool,
+    dry_run: bool,
+    as_json: bool,
+    accelerator: str,
+    **given: Any,
+) -> None:
+    """Finds the ROS packages in FOLDER, proposes a base image for them, and writes what you need to build and run them.
+
+    \b
+    .env           inputs of rosml containerize: base image, command, name
+    .rosml.toml    defaults of rosml run in this folder
+    Dockerfile     for those who build with Docker alone
+    .dockerignore  what neither of them gets
+    a CI file      if --registry names a registry that CI reaches
+
+    On a terminal, it asks about each choice; options answer in advance. Files that are there stay as they are. It reaches no
+    network.
+
+    \b
+    Examples:
+      rosml init
+      rosml init --yes --distribution jazzy --framework torch --gpu
+      rosml init --ci github --registry ghcr.io/me/rosml
+    """
+    from rosml.containerize.init import choices, contents, forge, packages
+    from rosml.containerize.init import folder as folders
+    from rosml.images.image_set import load
+    from rosml.registry import references
+    from rosml.registry.place import Place
+    from rosml.run import gpu as gpus
+    from rosml.run.host import host
+
+    folder = folder.resolve()
+    place = str(Place.at(registry)) if registry else ""
+    image_set = load.load(matrix, ROOT)
+    found = packages.find(folder, choices.libraries(image_set.matrix))
+    env, broken = folders.env(folder)
+    if not place and image_set.by_tag(named := env.get("BASE_IMAGE", "")) and references.has_registry(named):
+        place = named.rpartition("/")[0]
+    machine = host(os.environ)
+    here = choices.Here(
+        datetime.datetime.now(datetime.UTC).date(),
+        env,
+        tuple(folders.hints(folder, os.environ)),
+        gpus.is_nvidia(machine),
+        gpus.driver(machine),
+    )
+    ask: choices.Ask = _take
+    if not (yes or as_json) and _has_terminal():
+        terminal.echo(_packages(found), err=True)
+        ask = _ask
+        if not place and not IN_CHECKOUT:
+            proposal = choices.Choice("", "base images are in a registry, such as ghcr.io/me/rosml")
+            named = ask("Registry and path", proposal, ())
+            place = str(Place.at(named)) if named else ""
+    decided = choices.decide(image_set, found, choices.Given(stack=accelerator, **given), here, ask)
+    ci_file = forge.chosen(folder, ci, place, image_set.matrix, ask)
+    project = contents.Project(
+        name=contents.image_name(env.get("IMAGE_NAME") or folder.name),
+        tag=decided.image.tags[0],
+        place=place,
+        ros=decided.image.ros,
+        command=decided.command,
+        ended=decided.ended,
+        pip=found.pip,
+        repos=contents.repos_of(found.repos, image_set.matrix, decided.image.distribution),
+        one_of_several=len(found.repos) > 1,
+        packages=tuple(str(package.folder) for package in found.packages),
+        forge=ci_file.value,
+        source=forge.source(ci_file.value, place, image_set.matrix),
+        revision=forge.revision(ci_file.value),
+    )
+    wanted = folders.compared(folder, contents.contents(project))
+    if not dry_run:
+        folders.write(folder, wanted)
+    notes = [*decided.notes, *([broken] if broken else _lacking(env, wanted, project))]
+    for message, remedy in [*notes, *([] if IN_CHECKOUT or place else [UNNAMED])]:
+        warn(message, remedy)
+    chosen = {**decided.choices, "ci": ci_file}
+    calls = _calls(folder, decided, project)
+    if as_json:
+        terminal.echo(json.dumps(_as_json(folder, found, chosen, project, wanted, calls), indent=2))
+    else:
+        _print(found, chosen, wanted, calls, dry_run)
+
+
+# ---- Questions -------------------------------------------------------------------------------------------------------
+
+
+def _has_terminal() -> bool:
+    """Whether there is a terminal for questions and their answers."""
+    return os.isatty(0) and os.isatty(2)
+
+
+def _ask(question: str, proposal: Choice, answers: Sequence[str]) -> str:
+    terminal.echo(f"\n{proposal.reason[:1].upper()}{proposal.reason[1:]}.", err=True)
+    kind = click.Choice(answers) if answers else click.STRING
+    answer: str = click.prompt(question, default=proposal.value, type=kind, err=True, show_default=bool(proposal.value))
+    return answer
+
+
+def _take(question: str, proposal: Choice, answers: Sequence[str]) -> str:
+    return proposal.value
+
+
+# ---- What comes next -------------------------------------------------------------------------------------------------
+
+
+def _lacking(env: Mapping[str, str], wanted: Sequence[File], project: Project) -> Iterator[tuple[str, str]]:
+    """What a `.env` that stays does not say."""
+    from rosml.containerize import app_inputs
+    from rosml.containerize.init import contents
+
+    if any(file.path == app_inputs.FILE and file.there for file in wanted):
+        inputs = contents.variables(project).items()
+        said = {**env, **({"IMAGE_NAME": project.name} if "IMAGE" in env else {})}
+        if lines := [contents.assigned(name, value) for name, value in inputs if said.get(name) != value]:
+            yield f"{app_inputs.FILE} stays as it is, and does not say {', '.join(lines)}", "write that into it"
+
+
+def _calls(folder: Path, decided: Decided, project: Project) -> Calls:
+    from rosml.containerize.init import contents
+
+    here = Path.cwd()
+    where = shlex.quote(str(folder.relative_to(here) if folder.is_relative_to(here) else folder))
+    own = "rosml"
+    if IN_CHECKOUT:
+        own = "./rosml" if here == ROOT else shlex.quote(str(ROOT / "rosml"))
+    calls: Calls = []
+    local, has = ("", False) if project.place else _local(project.tag)
+    if IN_CHECKOUT and not project.place and not has:
+        calls.append(
+            (f"{own} image {decided.image.target}", "builds the base image, which this machine does not have yet")
+        )
+    made = f"{project.name} to run them, {project.dev_image} to work on them"
+    calls.append(
+        (f"{own} containerize{'' if where == '.' else f' {where}'}", f"builds and tests your packages: {made}")
+    )
+    run = (
+        f"{own} run"
+        if where == "."
+        else f"cd {where} && {shlex.quote(str(ROOT / 'rosml')) if IN_CHECKOUT else own} run"
+    )
+    calls.append((run, "a shell in the image to work in, with your folder in it"))
+    base = "" if project.place else f"--build-arg BASE_IMAGE={local or 'REGISTRY'}/{project.tag} "
+    calls.append((f"docker build {base}-t {project.name} {where}", "the same without rosml, by the Dockerfile"))
+    if file := contents.FORGES.get(project.forge):
+        calls.append(("git push", f"{file} does it for each commit"))
+    return calls
+
+
+def _local(tag: str) -> tuple[str, bool]:
+    """The place of a checkout's local registry, empty if it is not up; and whether it has a tag."""
+    from rosml.machine.services import Services
+    from rosml.registry.place import Place
+
+    if not IN_CHECKOUT:
+        return "", False
+    try:
+        place = Place.at(Services.load(ROOT).place)
+        repository, _, name = tag.partition(":")
+        return str(place), bool(place.client.head(place.path(repository), name))
+    except RosmlError:
+        return "", False
+
+
+# ---- Output ----------------------------------------------------------------------------------------------------------
+
+
+def _packages(found: Found) -> str:
+    from rosml.base.problems import counted, listed, some
+
+    spoken = listed(list(dict.fromkeys(name for package in found.packages for name in package.languages)))
+    text = f"{counted(len(found.packages), 'package')}: {some(package.name for package in found.packages)}"
+    return f"{text} ({spoken})" if spoken else text
+
+
+def _print(found: Found, chosen: Mapping[str, Choice], wanted: Sequence[File], calls: Calls, dry_run: bool) -> None:
+    terminal.echo(f"{_packages(found)}\n")
+    wide, width = max(map(len, chosen)), max(len(choice.value) for choice in chosen.values())
+    for name, choice in chosen.items():
+        terminal.echo(f"{name:<{wide}}  {choice.value or '-':<{width}}  {choice.reason}")
+    terminal.echo()
+    for file in wanted:
+        state = "same" if file.same else "kept" if file.there else "new" if dry_run else "written"
+        terminal.echo(f"{state:<7}  {file.path}")
+        if dry_run and not file.same:
+            terminal.echo("".join(f"    {line}\n" for line in file.text.splitlines()))
+    terminal.echo("\nnext:")
+    for line, what in calls:
+        terminal.echo(f"  {line}\n      {what}")
+
+
+def _as_json(
+    folder: Path,
+    found: Found,
+    chosen: Mapping[str, Choice],
+    project: Project,
+    wanted: Sequence[File],
+    calls: Calls,
+) -> dict[str, Any]:
+    return {
+        "folder": str(folder),
+        "packages": [
+            {"name": package.name, "folder": str(package.folder), "languages": list(package.languages)}
+            for package in found.packages
+        ],
+        "choices": {name: {"value": choice.value, "reason": choice.reason} for name, choice in chosen.items()},
+        "base_image": project.base_image,
+        "files": [{"path": file.path, "there": file.there, "same": file.same, "text": file.text} for file in wanted],
+        "next": [line for line, _ in calls],
+    }

@@ -1,0 +1,463 @@
+"""Which base image and command fit the packages of a folder: a proposal with its reason for each, unless the user chooses."""
+
+from __future__ import annotations
+
+import datetime
+import re
+import shlex
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed, unknown
+from rosml.containerize import app_inputs
+from rosml.containerize.init.packages import Found, Package
+from rosml.images.image_set import explain, missing
+from rosml.images.image_set.expand import FLOATING
+from rosml.images.image_set.model import Image, ImageSet
+from rosml.images.matrix import names, rules
+from rosml.images.matrix.model import Matrix
+from rosml.run.gpu import numbers
+
+DEBIAN = "noetic"
+"""The distribution whose name conditions in package.xml compare with if ROS 1 is Debian's own (docs/containerize.md, rosdep)."""
+
+ONNX, OPENCV = "ONNX Runtime", "OpenCV"
+
+OTHERS = {ONNX: ("onnxruntime",), OPENCV: ("opencv", "opencv2", "cv2", "libopencv", "cv_bridge")}
+"""Libraries that no framework brings, and the words for each."""
+
+INSTALLED_BY = {
+    ONNX: f"a line onnxruntime in {app_inputs.default('additional-pip-file')}",
+    OPENCV: "<depend>libopencv-dev</depend> for C++, <depend>python3-opencv</depend> for Python",
+}
+"""What brings each of them into an image."""
+
+
+@dataclass(frozen=True)
+class Choice:
+    """A value, and why it is proposed or taken, in one clause."""
+
+    value: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Given:
+    """What the user says; empty or None if nothing."""
+
+    distribution: str = ""
+    component: str = ""
+    framework: str = ""
+    stack: str = ""
+    gpu: bool | None = None
+    command: str | None = None
+
+
+@dataclass(frozen=True)
+class Here:
+    """What counts of this machine and of the folder's repository.
+
+    Attributes:
+        today: the day, for ends of life.
+        env: the variables of the folder's `.env`.
+        hints: words among which are names of ROS distributions, the most telling first, and what has them.
+        nvidia: there is an NVIDIA GPU with its driver.
+        driver: the driver's version; empty if unknown.
+    """
+
+    today: datetime.date
+    env: Mapping[str, str] = field(default_factory=dict)
+    hints: tuple[tuple[frozenset[str], str], ...] = ()
+    nvidia: bool = False
+    driver: str = ""
+
+
+_BEFORE = ".env says so"
+
+Ask = Callable[[str, Choice, Sequence[str]], str]
+"""Asks the user: the question, the proposal and all possible answers. Returns the answer."""
+
+
+@dataclass(frozen=True)
+class Decided:
+    """What is decided.
+
+    Attributes:
+        choices: what was chosen, by the name of the question, with the reason.
+        image: the base image.
+        command: what the run image starts; empty if nothing.
+        ended: the end of life of the distribution has passed.
+        notes: sentences for the user, each with a remedy.
+    """
+
+    choices: Mapping[str, Choice]
+    image: Image
+    command: str
+    ended: bool
+    notes: tuple[tuple[str, str], ...] = field(default=())
+
+
+def libraries(matrix: Matrix) -> dict[str, set[str]]:
+    """The libraries to look for: what the parts of the matrix bring, by title, and others. Each with the words for it."""
+    found: dict[str, set[str]] = {}
+    for part in matrix.parts:
+        if part.title:
+            beside = {
+                name for release in matrix.releases.get(part.release or "", {}).values() for name in release.beside
+            }
+            found[part.title] = {part.name, f"lib{part.name}", part.title.lower(), *beside}
+    return found | {name: set(words) for name, words in OTHERS.items()}
+
+
+def decide(image_set: ImageSet, found: Found, given: Given, here: Here, ask: Ask) -> Decided:
+    """Decides by what the user says, and proposes the rest.
+
+    Raises:
+        RosmlError: the packages are for different ROS, or the user names what does not exist or fit (exit code 2).
+    """
+    return _Decision(image_set, found, given, here, ask).made()
+
+
+class _Decision:
+    def __init__(self, image_set: ImageSet, found: Found, given: Given, here: Here, ask: Ask) -> None:
+        self._set, self._matrix, self._found, self._here, self._ask = image_set, image_set.matrix, found, here, ask
+        ours = names.our_words(self._matrix)
+        framework = ours.get(given.framework.lower(), given.framework)
+        self._given = replace(given, framework=framework)
+        self._before = image_set.by_tag(here.env.get("BASE_IMAGE", ""))
+        self._notes: list[tuple[str, str]] = []
+
+    def made(self) -> Decided:
+        row = self._distribution()
+        component = self._component(row.value)
+        framework = self._framework(row.value, component.value)
+        stack = self._stack(row.value, component.value, framework.value)
+        target = names.image_target(row.value, component.value, framework.value, stack.value or None)
+        image = self._set.by_target[target]
+        command = self._command(self._matrix.distributions[row.value].ros)
+        if not image.locked:
+            self._notes.append((f"{target} cannot be built yet: {missing.reason(image)}", missing.remedy(image)))
+        for library, brings in INSTALLED_BY.items():
+            if (at := self._found.named.get(library)) and not at.manifest and not self._found.pip:
+                self._notes.append((f"{at.place} names {at.word}, and no package.xml does", f"write {brings}"))
+        choices = {
+            "distribution": row,
+            "component": component,
+            "framework": framework,
+            "accelerator": stack,
+            "command": command,
+        }
+        return Decided(choices, image, command.value, self._ended(row.value), tuple(self._notes))
+
+    # ---- Distribution ------------------------------------------------------------------------------------------------
+
+    def _distribution(self) -> Choice:
+        fitting = [name for name in self._matrix.distributions if self._fits(name)]
+        if not fitting:
+            raise self._mixed()
+        name = self._given.distribution
+        if name:
+            self._require_fitting(name, fitting)
+            chosen = Choice(name, self._supported(name))
+        else:
+            proposal = self._proposed(fitting)
+            name = self._ask("ROS distribution", proposal, self._sorted(fitting))
+            chosen = proposal if name == proposal.value else Choice(name, self._supported(name))
+        if self._ended(name):
+            others = [other for other in self._sorted(fitting) if not self._ended(other)]
+            remedy = f"if your packages allow it, take {listed(others[:3], 'or')}" if others else ""
+            self._notes.append((f"{name} had its end of life on {self._matrix.distributions[name].eol}", remedy))
+        return chosen
+
+    def _fits(self, name: str, packages: Collection[Package] = ()) -> bool:
+        """Whether packages are for a distribution; all of them if none is named."""
+        facts = self._matrix.distributions[name]
+        words = facts.ros_distro or name
+        words = DEBIAN if facts.ros == 1 and words not in self._matrix.distributions else words
+        return all(package.fits(facts.ros, words) for package in packages or self._found.packages)
+
+    def _mixed(self) -> RosmlError:
+        by_ros = {
+            ros: next((package for package in self._found.packages if self._only(package) == ros), None)
+            for ros in (1, 2)
+        }
+        told = [f"{package.manifest} (ROS {ros})" for ros, package in by_ros.items() if package]
+        if len(told) < 2:
+            told = [
+                package.manifest
+                for package in self._found.packages
+                if not any(self._fits(row, [package]) for row in self._matrix.distributions)
+            ]
+            return RosmlError(
+                f"no distribution fits {listed(told) or 'all packages together'}",
+                "check their build types",
+                exit_code=2,
+            )
+        text = f"packages of ROS 1 and of ROS 2 do not build together: {listed(told)}"
+        return RosmlError(text, "name the folder of some of them, or put COLCON_IGNORE into the others", exit_code=2)
+
+    def _only(self, package: Package) -> int:
+        """The ROS that a package is for, 1 or 2; 0 if it is for both or for none."""
+        found = {facts.ros for name, facts in self._matrix.distributions.items() if self._fits(name, [package])}
+        return found.pop() if len(found) == 1 else 0
+
+    def _require_fitting(self, name: str, fitting: Sequence[str]) -> None:
+        rows = self._matrix.distributions
+        if called := next((row for row, facts in rows.items() if name in facts.aliases), ""):
+            raise RosmlError(f"{name} is called {called}", f"--distribution {called}", exit_code=2)
+        if name not in rows:
+            raise RosmlError(unknown("distribution", name, rows), f"take one of {listed(fitting, 'or')}", exit_code=2)
+        if name not in fitting:
+            odd = next(package for package in self._found.packages if not self._fits(name, [package]))
+            text = f"{odd.manifest} is not for {name}, which is ROS {rows[name].ros}"
+            raise RosmlError(text, f"take {listed(self._sorted(fitting), 'or')}", exit_code=2)
+
+    def _proposed(self, fitting: Sequence[str]) -> Choice:
+        if self._before and self._before.distribution in fitting:
+            return Choice(self._before.distribution, _BEFORE)
+        alive = [name for name in self._sorted(fitting) if not self._ended(name)] or list(fitting)
+        for words, told in self._here.hints:
+            for name in alive:
+                facts = self._matrix.distributions[name]
+                if words.intersection((name, facts.ros_distro)) and not facts.experimental:
+                    return Choice(name, f"{told}; {self._supported(name)}")
+        framework = self._given.framework or self._wanted().value
+        best = next((name for name in alive if self._carries(name, framework)), alive[0])
+        return Choice(best, self._supported(best))
+
+    def _sorted(self, distributions: Collection[str]) -> list[str]:
+        """Distributions, the best first: those of matrix.yaml's default, long-term ones, those with the longest support."""
+        usual = {
+            self._set.by_target[name].distribution
+            for name in self._matrix.default.targets
+            if name in self._set.by_target
+        }
+
+        def order(name: str) -> tuple[bool, bool, bool, bool, datetime.timedelta]:
+            facts = self._matrix.distributions[name]
+            support = datetime.date.max - (facts.eol or datetime.date.min)
+            return self._ended(name), facts.experimental, name not in usual, not facts.lts, support
+
+        return sorted(distributions, key=order)
+
+    def _carries(self, distribution: str, framework: str) -> bool:
+        """Whether a distribution has the framework on the wanted kind of accelerator, with all locks."""
+        return any(
+            image.locked
+            for image in self._set.images
+            if (image.distribution, image.framework) == (distribution, framework) and self._may(image.stack)
+        )
+
+    def _ended(self, name: str) -> bool:
+        eol = self._matrix.distributions[name].eol
+        return eol is not None and eol < self._here.today
+
+    def _supported(self, name: str) -> str:
+        facts = self._matrix.distributions[name]
+        until = f"supported until {facts.eol}" if facts.eol else "without an end of life"
+        until = f"without support since {facts.eol}" if self._ended(name) else until
+        kind = ", experimental" if facts.experimental else ", long-term" if facts.lts else ""
+        return f"ROS {facts.ros}{kind}, {until}"
+
+    # ---- Component ---------------------------------------------------------------------------------------------------
+
+    def _component(self, row: str) -> Choice:
+        has = [name for name in self._matrix.distributions[row].components if not rules.only_runs(self._matrix, name)]
+        rest = "the build installs what your packages need beyond it"
+        if name := self._given.component:
+            if name not in has:
+                text = rules.component_reason(self._matrix, row, name) or f"{name} only runs programs that are built"
+                raise RosmlError(text, f"take {listed(has, 'or')}", exit_code=2)
+            return Choice(name, rest)
+        if self._before and self._before.distribution == row and self._before.component in has:
+            proposal = Choice(self._before.component, _BEFORE)
+        else:
+            proposal = Choice(FLOATING if FLOATING in has else has[0], rest)
+            needs = {key: package for package in self._found.packages for key in package.needs}
+            for name in has[has.index(proposal.value) + 1 :]:
+                meta = (self._matrix.components[name].metapackage or name).replace("-", "_")
+                if meta in needs:
+                    proposal = Choice(name, f"{needs[meta].manifest} depends on {meta}")
+        name = self._ask("Component", proposal, has)
+        return proposal if name == proposal.value else Choice(name, rest)
+
+    # ---- Framework ---------------------------------------------------------------------------------------------------
+
+    def _wanted(self) -> Choice:
+        """The smallest framework that brings what manifests and sources name."""
+        matrix, named = self._matrix, self._found.named
+        titled = {part.name: at for part in matrix.parts if (at := named.get(part.title or ""))}
+        onnx = named.get(ONNX)
+        if onnx and "gpu" in onnx.word.lower():
+            titled |= {part.name: onnx for part in matrix.parts if part.versions and part.name not in titled}
+        released = {name: at for name, at in titled.items() if matrix.part[name].release}
+        needed = released or titled
+        plain = rules.plain(matrix)
+        if not needed:
+            if self._given.gpu or (
+                self._given.stack and self._given.stack in self._matrix.stacks and self._on_gpu(self._given.stack)
+            ):
+                bare = self._smallest({part.name for part in matrix.parts if part.versions})
+                return Choice(bare or plain, "you ask for a GPU, and no file names a framework")
+            titles = [part.title for part in matrix.parts if part.title]
+            return Choice(plain, f"no package.xml and no source names {listed(titles, 'or')}")
+        places = listed([f"{at.place} names {at.word}" for at in needed.values()])
+        return Choice(self._smallest(needed.keys()) or plain, places)
+
+    def _smallest(self, parts: Collection[str]) -> str:
+        facts = self._matrix.frameworks
+        return min(
+            (name for name in facts if set(parts) <= set(facts[name].parts)),
+            key=lambda name: len(facts[name].parts),
+            default="",
+        )
+
+    def _framework(self, row: str, component: str) -> Choice:
+        plain = rules.plain(self._matrix)
+        there = [name for name in self._matrix.frameworks if name == plain or self._stacks(row, name)]
+        if name := self._given.framework:
+            if name not in self._matrix.frameworks:
+                text = unknown("framework", name, self._matrix.frameworks)
+                raise RosmlError(text, f"{row} has {listed(there)}", exit_code=2)
+            if name not in there:
+                raise RosmlError(self._lacking(row, component, name), f"{row} has {listed(there)}", exit_code=2)
+            return Choice(name, "you ask for it")
+        if self._before and self._before.distribution == row:
+            proposal = Choice(self._before.framework, _BEFORE)
+        else:
+            proposal = self._wanted()
+        if proposal.value not in there:
+            self._notes.append(
+                (self._lacking(row, component, proposal.value), "take another distribution, or install it in the image")
+            )
+            proposal = Choice(plain, f"{row} has no {proposal.value}")
+        name = self._ask("Framework", proposal, there)
+        return proposal if name == proposal.value else Choice(name, "you ask for it")
+
+    def _lacking(self, row: str, component: str, framework: str) -> str:
+        """Why there is no framework on a distribution, on the wanted kind of accelerator."""
+        told = explain.why_not(self._set, f"{row}-{component}-{framework}") if self._given.gpu is None else None
+        asked = {None: "", True: " for GPUs", False: " for the CPU"}[self._given.gpu]
+        return (told or f"{row} has no {framework}{asked}").rstrip(".")
+
+    # ---- Accelerator -------------------------------------------------------------------------------------------------
+
+    def _on_gpu(self, stack: str) -> bool:
+        return bool(self._matrix.stacks[stack].cuda)
+
+    def _may(self, stack: str | None) -> bool:
+        """Whether the user allows a stack."""
+        if stack is None or self._given.gpu is None:
+            return True
+        return self._on_gpu(stack) == self._given.gpu
+
+    def _stacks(self, row: str, framework: str) -> list[str]:
+        """The stacks of a framework that the user allows, the default of the distribution first."""
+        if not self._matrix.frameworks[framework].parts:
+            return []
+        default = self._matrix.distributions[row].default_stacks
+        there = [name for name in self._matrix.stacks if rules.stack_reason(self._matrix, row, framework, name) is None]
+        return sorted(
+            filter(self._may, there), key=lambda name: default.index(name) if name in default else len(default)
+        )
+
+    def _stack(self, row: str, component: str, framework: str) -> Choice:
+        there, given = self._stacks(row, framework), self._given.stack
+        if given and given not in self._matrix.stacks:
+            text = unknown("accelerator", given, self._matrix.stacks)
+            raise RosmlError(text, f"take {listed(there, 'or') or 'none'}; or --gpu or --cpu", exit_code=2)
+        if not self._matrix.frameworks[framework].parts:
+            if self._given.gpu or (given and self._on_gpu(given)):
+                with_gpu = [name for name, facts in self._matrix.frameworks.items() if facts.parts]
+                raise RosmlError(
+                    f"framework {framework} computes nothing on a GPU", f"take {listed(with_gpu, 'or')}", exit_code=2
+                )
+            return Choice("", "an image without a framework fits every machine")
+        if given:
+            if given not in there:
+                text = rules.stack_reason(self._matrix, row, framework, given) or f"{given} is not what you ask for"
+                raise RosmlError(text, f"take {listed(there, 'or')}", exit_code=2)
+            return Choice(given, self._computes(given))
+        before = self._before
+        if before and (before.distribution, before.framework) == (row, framework) and before.stack in there:
+            proposal = Choice(before.stack, _BEFORE)
+        else:
+            proposal = self._fitting(row, component, framework, there)
+        name = self._ask("Accelerator", proposal, there)
+        return proposal if name == proposal.value else Choice(name, self._computes(name))
+
+    def _fitting(self, row: str, component: str, framework: str, there: Sequence[str]) -> Choice:
+        """The stack for this machine; without a GPU here, the one for the CPU."""
+        locked = [
+            name for name in there if self._set.by_target[names.image_target(row, component, framework, name)].locked
+        ]
+        gpus = [name for name in locked or there if self._on_gpu(name)]
+        others = [name for name in locked or there if not self._on_gpu(name)]
+        if self._here.nvidia and gpus and (runs := [name for name in gpus if self._runs(name)]):
+            told = f"this machine's driver {self._here.driver}" if self._here.driver else "this machine's GPU"
+            return Choice(runs[0], f"{told} runs CUDA {self._matrix.stacks[runs[0]].cuda}")
+        if others:
+            why = "this machine has no NVIDIA GPU" if not self._here.nvidia else "this machine's driver runs no other"
+            why = "you ask for the CPU" if self._given.gpu is False else f"{why}; --gpu for one that has"
+            return Choice(others[0], why)
+        return Choice((gpus or list(there))[0], self._computes((gpus or list(there))[0]))
+
+    def _runs(self, stack: str) -> bool:
+        """Whether the driver of this machine runs a stack; also if the driver is unknown."""
+        oldest = self._matrix.drivers.get((self._matrix.stacks[stack].cuda or "").partition(".")[0], "0")
+        return not numbers(self._here.driver) or numbers(self._here.driver) >= numbers(oldest)
+
+    def _computes(self, stack: str) -> str:
+        cuda = self._matrix.stacks[stack].cuda or ""
+        driver = self._matrix.drivers.get(cuda.partition(".")[0], "")
+        return f"CUDA {cuda}" + (f", for driver {driver} or newer" if driver else "") if cuda else "for the CPU"
+
+    # ---- Command -----------------------------------------------------------------------------------------------------
+
+    def _command(self, ros: int) -> Choice:
+        """A launch file, or the only program of Python."""
+        if self._given.command is not None:
+            _require_words(self._given.command)
+            return Choice(self._given.command, "you ask for it")
+        if said := self._here.env.get("COMMAND"):
+            _require_words(said)
+            return Choice(said, _BEFORE)
+        launch, run = ("roslaunch", "rosrun") if ros == 1 else ("ros2 launch", "ros2 run")
+        launches = [(package, file) for package in self._found.packages for file in package.launches]
+        scripts = [
+            f"{run} {shlex.join((package.name, name))}" for package in self._found.packages for name in package.scripts
+        ]
+        likely = list(_likely(launches))
+        for found in (launches, likely):
+            if len(found) == 1:
+                package, file = found[0]
+                which = "the only" if found is launches else "the likeliest"
+                proposal = Choice(f"{launch} {shlex.join((package.name, file))}", f"{which} launch file")
+                break
+        else:
+            if not launches and len(scripts) == 1:
+                proposal = Choice(scripts[0], "the only program")
+            else:
+                count = f"{len(launches)} launch files" if launches else f"{len(scripts)} programs of Python"
+                proposal = Choice("", f"{count}; --command names one" if launches or scripts else "--command names one")
+        text = self._ask("Command", proposal, ())
+        _require_words(text)
+        return proposal if text == proposal.value else Choice(text, "you ask for it")
+
+
+def _require_words(command: str) -> None:
+    """Raises RosmlError if a shell could not read a command (exit code 2)."""
+    try:
+        shlex.split(command)
+    except ValueError as error:
+        text = f"the command {command!r} is none that a shell reads: {str(error).lower()}"
+        raise RosmlError(text, "close its quotation", exit_code=2) from None
+
+
+def _likely(launches: Sequence[tuple[Package, str]]) -> Iterator[tuple[Package, str]]:
+    """The launch files that start a whole robot, by their names: those of a package for bringing it up, or called like their package."""
+    for package, file in launches:
+        stem = re.sub(r"[._]launch.*$", "", file)
+        if stem in ("bringup", "all", "main", package.name):
+            yield package, file

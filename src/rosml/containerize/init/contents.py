@@ -1,0 +1,300 @@
+"""The files that `rosml init` writes."""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from rosml.containerize import app_inputs, left_out
+from rosml.containerize.init.packages import PIP
+from rosml.images.matrix.model import Distribution, Matrix
+from rosml.run import defaults
+
+DOCKERFILE = "Dockerfile"
+GITHUB = ".github/workflows/images.yml"
+GITLAB = ".gitlab-ci.yml"
+
+PAGE = "docs/containerize.md"
+"""The page of the documentation about all of them."""
+
+FORGES = {"github": GITHUB, "gitlab": GITLAB}
+"""The forges whose CI files we know, and the file for each."""
+
+
+@dataclass(frozen=True)
+class Project:
+    """What the files say.
+
+    Attributes:
+        name: the name of the run image.
+        tag: the base image in its registry, such as `ros:jazzy-base`.
+        place: the registry and the path before it, such as `ghcr.io/me/rosml`; empty if only this machine has the base image.
+        ros: 1 or 2.
+        command: what the run image starts; empty if nothing.
+        ended: the distribution is past its end of life.
+        pip: files of requirements, relative to the folder.
+        repos: the list of upstream repositories for the distribution; empty if there is none.
+        one_of_several: there are more lists than that one.
+        packages: the folder of each package, relative to the folder.
+        forge: `github`, `gitlab`, or `none`.
+        source: the repository of rosml on that forge, such as `me/rosml`.
+        revision: its branch or commit.
+    """
+
+    name: str
+    tag: str
+    place: str
+    ros: int
+    command: str
+    ended: bool
+    pip: tuple[str, ...]
+    repos: str
+    one_of_several: bool
+    packages: tuple[str, ...]
+    forge: str
+    source: str
+    revision: str
+
+    @property
+    def base_image(self) -> str:
+        """The base image as `rosml containerize` gets it."""
+        return f"{self.place}/{self.tag}" if self.place else self.tag
+
+    @property
+    def dev_image(self) -> str:
+        """The image to work in, as Docker knows it."""
+        return f"{self.name}:{app_inputs.default('image-tag')}-dev"
+
+
+def image_name(folder: str) -> str:
+    """The name of a folder as the name of an image: small letters and digits, with single separators."""
+    text = re.sub(r"[^a-z0-9._-]+", "-", folder.lower())
+    return re.sub(r"([._-])[._-]*", r"\1", text).strip("._-") or "app"
+
+
+def repos_of(lists: Sequence[str], matrix: Matrix, distribution: str) -> str:
+    """The list of upstream repositories that counts for a distribution: the one with its name, or the only one without a name of
+    any.
+
+    Args:
+        lists: paths of all lists.
+
+    Returns:
+        Its path; empty if there is none, or more than one.
+    """
+
+    def names(rows: Mapping[str, Distribution]) -> set[str]:
+        return {word for row, facts in rows.items() for word in (row, facts.ros_distro) if word}
+
+    words = {path: set(re.split(r"[^a-z0-9]+", path.rpartition("/")[2].lower())) for path in lists}
+    own = names({distribution: matrix.distributions[distribution]})
+    found = [path for path in lists if words[path].intersection(own)]
+    found = found or [path for path in lists if not words[path].intersection(names(matrix.distributions))]
+    return found[0] if len(found) == 1 else ""
+
+
+def contents(project: Project) -> dict[str, str]:
+    """The files, by their paths in the folder."""
+    made = {
+        DOCKERFILE: _dockerfile(project),
+        ".dockerignore": _lines(_dockerignore(project)),
+        app_inputs.FILE: _lines(_env(project)),
+        defaults.PROJECT: _lines(_defaults(project)),
+    }
+    if project.forge in FORGES:
+        made[FORGES[project.forge]] = _lines(_github(project) if project.forge == "github" else _gitlab(project))
+    return made
+
+
+def _lines(lines: Iterator[str]) -> str:
+    return "".join(f"{line}\n" for line in lines)
+
+
+# ---- What rosml reads ------------------------------------------------------------------------------------------------
+
+
+def variables(project: Project) -> dict[str, str]:
+    """The inputs of `rosml containerize` that `.env` has."""
+    found = {"BASE_IMAGE": project.base_image}
+    if project.command:
+        found["COMMAND"] = project.command
+    found["IMAGE_NAME"] = project.name
+    if project.pip and app_inputs.default("additional-pip-file") not in project.pip:
+        found["ADDITIONAL_PIP_FILE"] = project.pip[0]
+        if len(project.pip) > 1:
+            found |= {"ADDITIONAL_PIP_FILE": PIP, "ENABLE_RECURSIVE_ADDITIONAL_PIP": "true"}
+    if project.repos and project.one_of_several:
+        found |= {"ENABLE_RECURSIVE_VCS_IMPORT": "false", "VCS_IMPORT_FILE": project.repos}
+    return found
+
+
+def _env(project: Project) -> Iterator[str]:
+    yield f"# Inputs of rosml containerize ({PAGE}). Each can be an option instead: --base-image."
+    for name, value in variables(project).items():
+        yield assigned(name, value)
+    if not project.command:
+        yield "# What the run image starts:"
+        yield "# COMMAND='ros2 launch PACKAGE FILE'"
+
+
+def assigned(name: str, value: str) -> str:
+    """A line of `.env`, which a shell and `app_inputs.read_env` read alike."""
+    return f"{name}={shlex.quote(value)}"
+
+
+def _defaults(project: Project) -> Iterator[str]:
+    yield "# Defaults of rosml run in this folder (docs/run.md): it enters the image to work in, with the folder as"
+    yield "# /docker-ros/ws/src/target. rosml containerize makes that image. rosml asks you once whether to allow this file."
+    yield f"image = {json.dumps(project.dev_image)}"
+    yield 'options = ["--mws"]'
+
+
+# ---- What Docker reads -----------------------------------------------------------------------------------------------
+
+
+def _dockerignore(project: Project) -> Iterator[str]:
+    yield "# What neither rosml containerize nor docker build gets."
+    yield from (".git", "**/__pycache__", ".venv", ".vscode")
+    tops = {folder.split("/")[0] for folder in project.packages}
+    yield from sorted({*left_out.MADE, "devel", "devel_isolated", "install_isolated"} - tops)
+    yield "# Files that change no image: without them here, each change would build everything again."
+    yield from (app_inputs.FILE, defaults.PROJECT, DOCKERFILE, ".dockerignore", ".github", GITLAB)
+
+
+_CACHES = (
+    "--mount=type=cache,target=/var/cache/apt,sharing=locked",
+    "--mount=type=cache,target=/var/lib/apt/lists,sharing=locked",
+    "--mount=type=cache,target=/root/.ros/rosdep,sharing=locked",
+    "--mount=type=cache,target=/root/.cache/pip,sharing=locked",
+)
+"""Folders that are kept for the next build, and are in no layer."""
+
+
+def _dockerfile(project: Project) -> str:
+    """A Dockerfile for people who build without rosml."""
+    default = f"={project.base_image}" if project.place else ""
+    head = [
+        *([] if default else ["# check=skip=InvalidDefaultArgInFrom"]),
+        "# Builds with Docker alone. rosml containerize does not read this file.",
+        f"#   docker build {'' if default else '--build-arg BASE_IMAGE=… '}-t {project.name} .",
+        f"#   docker run --rm -it -e DOCKER_UID=$(id -u) -e DOCKER_GID=$(id -g) {project.name}",
+        f"ARG BASE_IMAGE{default}",
+    ]
+    stages = [head, *_source_stages(project)]
+    stages.append(["FROM ${BASE_IMAGE} AS build", *_install(project, "")])
+    stages[-1] += [
+        "COPY --from=sources /src src",
+        "RUN /entrypoint.sh colcon build --cmake-args -DCMAKE_BUILD_TYPE=Release",
+    ]
+    tests = "colcon test && colcon test-result --verbose"
+    if project.ros == 1:  # catkin builds them by a target of their own
+        tests = f"colcon build --cmake-target tests --cmake-target-skip-unavailable && /entrypoint.sh {tests}"
+    stages.append(["# docker build --target test .", "FROM build AS test", f"RUN /entrypoint.sh {tests}"])
+    stages.append(
+        [
+            "# The image to run: without what only the build needs.",
+            "FROM ${BASE_IMAGE} AS run",
+            *_install(project, " --dependency-types exec"),
+            "COPY --from=build /docker-ros/ws/install install",
+            *([f"CMD {json.dumps(shlex.split(project.command))}"] if _is_plain(project.command) else []),
+            *(
+                [f"CMD {json.dumps(['bash', '-c', project.command])}"]
+                if project.command and not _is_plain(project.command)
+                else []
+            ),
+        ]
+    )
+    return "\n\n".join("\n".join(stage) for stage in stages) + "\n"
+
+
+def _source_stages(project: Project) -> Iterator[list[str]]:
+    """The stages with all sources, and with those files of them that name dependencies."""
+    if project.repos:
+        file = shlex.quote(project.repos)
+        yield [
+            "FROM ${BASE_IMAGE} AS upstream",
+            f"COPY {json.dumps([project.repos, '/upstream.repos'])}",
+            f"RUN mkdir /upstream && vcs import --input /upstream.repos /upstream # {file}",
+        ]
+        yield ["FROM scratch AS sources", "COPY --from=upstream /upstream /src/upstream", "COPY . /src/target"]
+    else:
+        yield ["FROM scratch AS sources", "COPY . /src/target"]
+    kept = " ".join(f"! -name {shlex.quote(name)}" for name in ("package.xml", "*_IGNORE", *_pip_names(project)))
+    yield [
+        "# Only the files that name dependencies: a change of any other file installs nothing again.",
+        "FROM ${BASE_IMAGE} AS manifests",
+        "COPY --from=sources /src /src",
+        f"RUN find /src ! -type d {kept} -delete && find /src -type d -empty -delete",
+    ]
+
+
+def _pip_names(project: Project) -> list[str]:
+    return sorted({file.rpartition("/")[2] for file in project.pip})
+
+
+def _install(project: Project, options: str) -> Iterator[str]:
+    """The step that installs dependencies."""
+    mounts = ("--mount=type=bind,from=manifests,source=/src,target=/run/src", *_CACHES)
+    update = "rosdep update --include-eol-distros" if project.ended else "rosdep update"
+    steps = [
+        "export DEBIAN_FRONTEND=noninteractive",
+        "apt-get update",
+        update,
+        f"rosdep install --from-paths /run/src --ignore-src -y{options}",
+        *(f"pip install -r {shlex.quote(f'/run/src/target/{file}')}" for file in project.pip),
+    ]
+    yield " \\\n    ".join([f"RUN {mounts[0]}", *mounts[1:], " \\\n && ".join(steps)])
+
+
+def _is_plain(command: str) -> bool:
+    """Whether a command needs no shell."""
+    return bool(command) and re.search(r"[;&|<>$`(){}*?#~\n\\]", command) is None
+
+
+# ---- CI --------------------------------------------------------------------------------------------------------------
+
+
+def _github(project: Project) -> Iterator[str]:
+    yield f"# Builds and tests the packages of this repository, and pushes their images ({PAGE}, On GitHub)."
+    yield "name: images"
+    yield "on: [push, pull_request]"
+    yield "permissions: {}"
+    yield "jobs:"
+    yield "  images:"
+    yield "    runs-on: ubuntu-24.04"
+    yield "    permissions:"
+    yield "      contents: read # the checkout"
+    yield "      packages: write # the images"
+    yield "    steps:"
+    yield f"      - uses: {project.source}/containerize@{project.revision}"
+    yield "        with:"
+    yield f"          base-image: {json.dumps(project.base_image)}"
+    for name, value in _beyond(project):
+        yield f"          {name}: {json.dumps(value)}"
+    yield "          push: ${{ github.event_name != 'pull_request' }} # a fork's job may not push"
+
+
+def _gitlab(project: Project) -> Iterator[str]:
+    yield f"# Builds and tests the packages of this repository, and pushes their images ({PAGE}, On GitLab)."
+    yield "include:"
+    yield f"  - project: {json.dumps(project.source)}"
+    yield "    file: containerize/gitlab.yml"
+    yield f"    ref: {json.dumps(project.revision)}"
+    yield "    inputs:"
+    yield f"      rosml-url: {json.dumps('$CI_SERVER_URL/' + project.source + '.git')}"
+    yield f"      rosml-ref: {json.dumps(project.revision)}"
+    yield f"      base-image: {json.dumps(project.base_image)}"
+    for name, value in _beyond(project):
+        yield f"      {name}: {json.dumps(value)}"
+
+
+def _beyond(project: Project) -> Sequence[tuple[str, str]]:
+    """The inputs beside the base image. The names of images are those that CI chooses."""
+    return [
+        (name.lower().replace("_", "-"), value)
+        for name, value in variables(project).items()
+        if name not in ("BASE_IMAGE", "IMAGE_NAME")
+    ]

@@ -1,0 +1,105 @@
+"""The folder for which `rosml init` writes: what its repository says beside the packages, and the writing itself."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.containerize import app_inputs
+from rosml.containerize.init.contents import DOCKERFILE, GITLAB
+
+LARGEST = 256 << 10
+"""The most bytes of a file that is read for a hint."""
+
+
+# ---- What it says ----------------------------------------------------------------------------------------------------
+
+
+def env(folder: Path) -> tuple[dict[str, str], tuple[str, str] | None]:
+    """The variables of its `.env`; none if that is broken, with the problem and its remedy."""
+    try:
+        return app_inputs.read_env(folder / app_inputs.FILE), None
+    except RosmlError as error:
+        return {}, (error.message, error.remedy)
+
+
+def hints(folder: Path, environment: Mapping[str, str]) -> Iterator[tuple[frozenset[str], str]]:
+    """Words among which may be a ROS distribution, the most telling first, and a clause that says what has them."""
+    if sourced := environment.get("ROS_DISTRO", ""):
+        yield frozenset([sourced]), f"ROS_DISTRO is {sourced} here"
+    head = text_of(folder / ".git/HEAD").strip()
+    if branch := head.removeprefix("ref: refs/heads/") if head.startswith("ref: ") else "":
+        yield frozenset([branch, *re.split(r"[^a-z0-9]+", branch)]), f"git's branch is {branch}"
+    workflows = sorted((folder / ".github/workflows").glob("*.y*ml"))
+    for file in (*workflows, folder / GITLAB, folder / ".travis.yml", folder / DOCKERFILE):
+        if words := frozenset(re.findall(r"[a-z0-9]+(?:-[a-z0-9]+)*", text_of(file))):
+            yield words | {piece for word in words for piece in word.split("-")}, f"{file.relative_to(folder)} names it"
+
+
+def text_of(file: Path) -> str:
+    """The text of a file of the repository; empty if there is none that can be read, or a link is in its place."""
+    with contextlib.suppress(RosmlError):
+        return (files.regular(file, LARGEST) or b"").decode("utf-8", "replace")
+    return ""
+
+
+# ---- What is written -------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class File:
+    """A file to begin with.
+
+    Attributes:
+        path: its path in the folder.
+        text: what it is to have.
+        there: something is at its place, which stays.
+        same: that is a file with the very text.
+    """
+
+    path: str
+    text: str
+    there: bool
+    same: bool
+
+
+def compared(folder: Path, texts: Mapping[str, str]) -> list[File]:
+    """The files, compared with what is there."""
+    found = []
+    for path, text in texts.items():
+        place = folder / path
+        found.append(File(path, text, os.path.lexists(place), os.path.lexists(place) and text_of(place) == text))
+    return found
+
+
+def write(folder: Path, wanted: list[File]) -> None:
+    """Writes all files whose place is free, or none.
+
+    Raises:
+        RosmlError: one of them cannot be written, or a link leads out of the folder.
+    """
+    new = {folder / file.path: file.text for file in wanted if not file.there}
+    for file in new:
+        if not file.parent.resolve().is_relative_to(folder.resolve()):
+            text = f"{file}: cannot be written: a link leads out of {folder}, to {file.parent.resolve()}"
+            raise RosmlError(text, "remove the link, then run it again")
+    made = [place for file in new for place in reversed(file.parents) if not os.path.lexists(place)]
+    try:
+        for file in new:
+            try:
+                file.parent.mkdir(parents=True, exist_ok=True)
+            except OSError as error:
+                text = f"{files.shown(file)}: cannot be written: {error.strerror}"
+                raise RosmlError(text, files.WRITABLE) from None
+        files.write_all(new, within=folder)
+    except BaseException:
+        for place in reversed(made):
+            with contextlib.suppress(OSError):
+                place.rmdir()
+        raise

@@ -1,0 +1,93 @@
+"""The CI file of `rosml init`: for which forge, and where its jobs get rosml."""
+
+from __future__ import annotations
+
+import contextlib
+import re
+from pathlib import Path
+
+from rosml import IN_CHECKOUT, ROOT
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed, unknown
+from rosml.containerize.init.choices import Ask, Choice
+from rosml.containerize.init.contents import FORGES, GITLAB
+from rosml.containerize.init.folder import text_of
+from rosml.images.matrix.model import Matrix
+from rosml.machine import git
+
+NONE = "none"
+"""The answer of those who want no CI file."""
+
+BRANCH = "main"
+"""The branch of rosml that jobs take if no commit is known to be there."""
+
+GITHUB_ADDRESS = "https://github.com/"
+
+
+def chosen(folder: Path, asked: str, place: str, matrix: Matrix, ask: Ask) -> Choice:
+    """The forge for which a CI file is written: the one that the user names, or that of the repository.
+
+    Args:
+        asked: the user's answer; empty if they gave none.
+        place: the registry and path of the base images; empty if they are on this machine alone.
+
+    Raises:
+        RosmlError: there is no such forge, or the user asks for a file that could not work (exit code 2).
+    """
+    known = [*FORGES, NONE]
+    if asked and asked not in known:
+        raise RosmlError(unknown("forge", asked, known), f"take {listed(known, 'or')}", exit_code=2)
+    proposed, told = (asked, "you ask for it") if asked else _of(folder)
+    if proposed in ("", NONE):
+        return Choice(NONE, told)
+    if why := _hinders(folder, proposed, place, matrix):
+        if asked:
+            raise RosmlError(*why, exit_code=2)
+        return Choice(NONE, f"{why[0]}; {why[1]}")
+    answer = proposed if asked else ask("CI file for", Choice(proposed, told), known)
+    return Choice(answer, told if answer == proposed else "you ask for it")
+
+
+def _of(folder: Path) -> tuple[str, str]:
+    """The forge of a repository, and how we know; empty if we know none."""
+    if (folder / ".github").is_dir():
+        return "github", "there is a folder .github"
+    if (folder / GITLAB).is_file():
+        return "gitlab", f"there is {GITLAB}"
+    for address in re.findall(r"^[ \t]*url[ \t]*=[ \t]*(\S+)", text_of(folder / ".git/config"), re.MULTILINE):
+        if name := next((name for name in FORGES if re.search(rf"\b{name}\b", address)), ""):
+            return name, f"git's remote is {address.rpartition('@')[2]}"
+    return "", "no forge is known; --ci names one"
+
+
+def _hinders(folder: Path, forge: str, place: str, matrix: Matrix) -> tuple[str, str] | None:
+    """Why there can be no CI file, and the remedy; None if there can."""
+    if not place or place.partition("/")[0].partition(":")[0] in ("localhost", "127.0.0.1"):
+        return "jobs do not reach this machine's images", "--registry ghcr.io/me/rosml names a registry that they reach"
+    if (top := git.top(folder) or folder) != folder:
+        return f"CI files belong into {top}", "call rosml init there"
+    if not source(forge, place, matrix):
+        remedy = f"write its address into matrix.yaml, such as source: {GITHUB_ADDRESS}me/rosml"
+        return f"nobody knows where on {forge} the repository of rosml is", remedy
+    return None
+
+
+def source(forge: str, place: str, matrix: Matrix) -> str:
+    """The repository of rosml on a forge, such as `me/rosml`: the one to which the registry's path belongs, or the one that
+    matrix.yaml names. Empty if neither is on that forge."""
+    host, _, path = place.partition("/")
+    if forge == "github":
+        if host == "ghcr.io" and "/" in path:
+            return "/".join(path.split("/")[:2])
+        named = (matrix.source or "").removesuffix(".git")
+        return named.removeprefix(GITHUB_ADDRESS) if named.startswith(GITHUB_ADDRESS) else ""
+    return path if forge == "gitlab" and host.startswith("registry.") and "/" in path else ""
+
+
+def revision(forge: str) -> str:
+    """The commit of this checkout if its remote has it, for a forge that takes one; else the branch."""
+    if forge == "github" and IN_CHECKOUT and (commit := git.commit(ROOT)):
+        with contextlib.suppress(RosmlError):
+            if git.ask(ROOT, "for-each-ref", "--count=1", f"--contains={commit.hash}", "refs/remotes").strip():
+                return commit.hash
+    return BRANCH

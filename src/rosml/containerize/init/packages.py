@@ -1,0 +1,280 @@
+"""The ROS packages of a folder, and what their manifests and sources name. Reads files and starts nothing."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from xml.etree import ElementTree
+
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.containerize import within, workspace
+from rosml.containerize.init.conditions import holds
+from rosml.containerize.left_out import LeftOut
+
+LARGEST = 1 << 20
+"""The most bytes of a manifest, and those that are read of a source file."""
+
+MOST_FILES = 20_000
+"""The most source files that are read."""
+
+LANGUAGES = {
+    "C++": (".cpp", ".cc", ".cxx", ".c", ".hpp", ".hh", ".h", ".cu"),
+    "Python": (".py",),
+}
+"""Languages, and the ends of the names of their files."""
+
+PIP = "requirements.txt"
+"""The file in which Python packages name what pip is to install."""
+
+REPOS = ".repos"
+"""The end of the names of files that list upstream repositories."""
+
+_GENERATIONS = {1: ("roscpp", "rospy", "message_generation"), 2: ("rclcpp", "rclpy", "rosidl_default_generators")}
+"""Packages by which we know the ROS of a package whose build type says nothing."""
+
+Libraries = Mapping[str, Collection[str]]
+"""Names of libraries, and the words by which manifests and sources name each, in small letters."""
+
+
+@dataclass(frozen=True)
+class Named:
+    """Where a library is named first.
+
+    Attributes:
+        place: the file, relative to the folder, and its line: `src/node.py:3`.
+        word: the name as it stands there.
+        manifest: a package.xml names it, so that rosdep installs it.
+    """
+
+    place: str
+    word: str
+    manifest: bool
+
+
+@dataclass(frozen=True)
+class Package:
+    """A ROS package.
+
+    Attributes:
+        name: its name.
+        folder: its folder, relative to the folder of all packages; `.` if it is that.
+        kinds: texts of its build types, each with its condition.
+        tools: its build tools, likewise.
+        needs: the keys that it depends on, without build tools.
+        languages: of LANGUAGES.
+        launches: names of its launch files.
+        scripts: names of its Python programs in `setup.py` or `setup.cfg`.
+    """
+
+    name: str
+    folder: Path
+    kinds: tuple[tuple[str, str], ...]
+    tools: tuple[tuple[str, str], ...]
+    needs: frozenset[str]
+    languages: tuple[str, ...] = ()
+    launches: tuple[str, ...] = ()
+    scripts: tuple[str, ...] = ()
+
+    @property
+    def manifest(self) -> str:
+        """Its manifest, as people find it."""
+        return str(self.folder / workspace.MANIFEST)
+
+    def fits(self, ros: int, ros_distro: str) -> bool:
+        """Whether it is for a ROS, by its build type and build tools."""
+        variables = {"ROS_VERSION": str(ros), "ROS_DISTRO": ros_distro}
+
+        def holding(texts: tuple[tuple[str, str], ...]) -> list[str]:
+            return [text for text, condition in texts if holds(condition, variables)]
+
+        words = holding(self.kinds) or holding(self.tools)
+        if not words and (self.kinds or self.tools):
+            return False
+        found = {1 for word in words if word.startswith("catkin")} | {2 for word in words if word.startswith("ament")}
+        found = found or {number for number, names in _GENERATIONS.items() if self.needs.intersection(names)}
+        return not found or ros in found
+
+
+@dataclass(frozen=True)
+class Found:
+    """What a folder has.
+
+    Attributes:
+        packages: its packages, in the order of their paths.
+        named: the libraries that are named, and where first.
+        pip: files of requirements for pip, relative to the folder.
+        repos: lists of upstream repositories, likewise.
+    """
+
+    packages: tuple[Package, ...]
+    named: Mapping[str, Named] = field(default_factory=dict)
+    pip: tuple[str, ...] = ()
+    repos: tuple[str, ...] = ()
+
+
+def find(folder: Path, libraries: Libraries) -> Found:
+    """Finds the packages of a folder, as `rosml containerize` does.
+
+    Args:
+        libraries: what to look for in manifests and sources.
+
+    Raises:
+        RosmlError: there is no package, or a manifest cannot be read (exit code 2).
+    """
+    left = LeftOut(folder)
+    manifests = [path for path in workspace.manifests(folder, left=left) if path.name == workspace.MANIFEST]
+    if not manifests:
+        text = f"there is no {workspace.MANIFEST} in {folder}"
+        raise RosmlError(text, "call it in a folder with ROS packages, or name one", exit_code=2)
+    read = [_manifest(path, folder) for path in manifests]
+    own = {package.name for package, _ in read}
+    named = dict[str, Named]()
+    for package, keys in read:
+        for key, line in keys:
+            if key not in own:
+                _note(named, libraries, key, f"{package.manifest}:{line}", manifest=True)
+    rest = iter(range(MOST_FILES))
+    packages = tuple(_with_files(package, folder, left, named, libraries, rest) for package, _ in read)
+    pip = [str(path) for path in dict.fromkeys([Path(PIP), *(package.folder / PIP for package in packages)])]
+    pip = [
+        name
+        for name in pip
+        if name.isprintable() and (folder / name).is_file() and within.is_own(folder / name, folder)
+    ]
+    if PIP in pip:
+        _sources(folder / PIP, PIP, named, libraries)
+    lists = (file for file in _files(folder, folder, left) if REPOS in (file.suffix, file.name))
+    repos = sorted(name for file in lists if (name := str(file.relative_to(folder))).isprintable())
+    return Found(packages, named, tuple(pip), tuple(repos))
+
+
+def _with_files(
+    package: Package, folder: Path, left: LeftOut, named: dict[str, Named], libraries: Libraries, rest: Iterator[int]
+) -> Package:
+    """A package with what its files say.
+
+    Args:
+        rest: has an item for each source file that may still be read.
+    """
+    languages, launches, scripts = set[str](), list[str](), list[str]()
+    for file in _files(folder / package.folder, folder, left):
+        if file.name not in _SETUP:
+            languages |= {
+                name for name, ends in LANGUAGES.items() if file.suffix in ends and file.parent.name != "launch"
+            }
+        if file.parent.name == "launch" and _LAUNCH.search(file.name):
+            launches.append(file.name)
+        if _patterns(file) and next(rest, None) is not None:
+            text = _sources(file, str(file.relative_to(folder)), named, libraries)
+            if file.name in _SETUP:
+                scripts += _SCRIPT.findall(text)
+    spoken = tuple(name for name in LANGUAGES if name in languages)
+    return replace(package, languages=spoken, launches=tuple(sorted(launches)), scripts=tuple(dict.fromkeys(scripts)))
+
+
+def _sources(file: Path, shown: str, named: dict[str, Named], libraries: Libraries) -> str:
+    """Notes the libraries that a file names. Returns its text."""
+    text = ""
+    with contextlib.suppress(OSError):
+        text = files.limited(file, LARGEST).decode("utf-8", "replace")
+    for pattern in _patterns(file):
+        for match in pattern.finditer(text):
+            for word in match[1].split(","):
+                _note(
+                    named,
+                    libraries,
+                    word.strip().partition(" ")[0],
+                    f"{shown}:{text.count(chr(10), 0, match.start(1)) + 1}",
+                )
+    return text
+
+
+def _manifest(path: Path, folder: Path) -> tuple[Package, list[tuple[str, int]]]:
+    """A package by its manifest, and its keys with their lines.
+
+    Raises:
+        RosmlError: it cannot be read, is no XML, or has no name (exit code 2).
+    """
+    within.there(path, folder)
+    shown = path.relative_to(folder)
+    try:
+        content = files.limited(path, LARGEST)
+    except OSError as error:
+        raise RosmlError(f"{path}: cannot be read: {error.strerror}", "make it readable", exit_code=2) from None
+    if len(content) > LARGEST:
+        raise RosmlError(f"{path}: has more than {LARGEST >> 20} MiB", "check the file", exit_code=2)
+    try:
+        root = ElementTree.fromstring(content)
+    except ElementTree.ParseError as error:
+        line, column = error.position
+        text = f"{path}:{line}:{column + 1}: no XML: {str(error).partition(':')[0]}"
+        raise RosmlError(text, "correct that line", exit_code=2) from None
+    except (LookupError, ValueError) as error:  # an encoding that Python does not know
+        raise RosmlError(f"{path}:1: no XML: {error}", "save it as UTF-8", exit_code=2) from None
+    name = (root.findtext("name") or "").strip()
+    if root.tag != "package" or not name:
+        what = "no <name>" if root.tag == "package" else f"its first element is <{root.tag}>, not <package>"
+        raise RosmlError(f"{path}: no manifest of a ROS package: {what}", "correct it", exit_code=2)
+    lines = content.decode("utf-8", "replace").split("\n")
+    kinds, tools, keys = list[tuple[str, str]](), list[tuple[str, str]](), list[tuple[str, int]]()
+    for element in root:
+        text, condition = (element.text or "").strip(), element.get("condition", "")
+        if element.tag == "buildtool_depend":
+            tools.append((text, condition))
+        elif element.tag.endswith("depend") and text:
+            keys.append((text, next((number for number, line in enumerate(lines, 1) if f">{text}<" in line), 1)))
+    for element in root.iterfind("export/build_type"):
+        kinds.append(((element.text or "").strip(), element.get("condition", "")))
+    needs = frozenset(key for key, _ in keys)
+    return Package(name, shown.parent, tuple(kinds), tuple(tools), needs), keys
+
+
+def _files(place: Path, root: Path, left: LeftOut) -> Iterator[Path]:
+    """The files below a place that the builder gets, without hidden folders and without links."""
+    for path, folders, names in os.walk(place):
+        folders[:] = sorted(name for name in folders if not name.startswith(".") and not left.whole(Path(path, name)))
+        for name in sorted(names):
+            file = Path(path, name)
+            if not file.is_symlink() and file.is_file() and not left(file):
+                yield file
+
+
+_SETUP = ("setup.py", "setup.cfg")
+"""Files of a Python package that say what it installs."""
+
+_LAUNCH = re.compile(r"(\.launch|\.launch\.(py|xml|ya?ml)|_launch\.(py|xml|ya?ml))$")
+_SCRIPT = re.compile(r"""(?:^|["'])[ \t]*([\w.-]+)[ \t]*=[ \t]*[\w.]+:\w""", re.MULTILINE)
+_PYTHON = (
+    re.compile(r"^[ \t]*from[ \t]+([A-Za-z_]\w*)[\w.]*[ \t]+import\b", re.MULTILINE),
+    re.compile(r"^[ \t]*import[ \t]+([\w., \t]+)", re.MULTILINE),
+)
+_INCLUDES = (re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([^/>"\n]+)', re.MULTILINE),)
+_CMAKE = (re.compile(r"^[ \t]*find_package[ \t]*\([ \t]*(\w+)", re.MULTILINE | re.IGNORECASE),)
+_REQUIREMENTS = (re.compile(r"^([A-Za-z][\w.-]*)(?=[ \t]*(?:$|[<>=~!;\[#]))", re.MULTILINE),)
+_INSTALLED = (re.compile(r"""["']([A-Za-z][\w.-]*)(?:[<>=~!;\[][^"'\n]*)?["'][ \t]*[,\]\n]"""),)
+
+
+def _patterns(file: Path) -> tuple[re.Pattern[str], ...]:
+    """How a file names libraries; none if it names none."""
+    if file.name == PIP:
+        return _REQUIREMENTS
+    if file.name in _SETUP:
+        return _INSTALLED
+    if file.name == workspace.PLAIN or file.suffix == ".cmake":
+        return _CMAKE
+    if file.suffix in LANGUAGES["Python"]:
+        return _PYTHON
+    return _INCLUDES if file.suffix in LANGUAGES["C++"] else ()
+
+
+def _note(named: dict[str, Named], libraries: Libraries, word: str, place: str, manifest: bool = False) -> None:
+    """Keeps where a library is named first; a manifest counts before sources."""
+    pieces = {word.lower(), *re.split(r"[^a-z0-9]+", word.lower())}
+    for library, words in libraries.items():
+        if pieces.intersection(words) and library not in named:
+            named[library] = Named(place, word, manifest)

@@ -1,0 +1,561 @@
+"""`rosml init`: what it finds in a folder, what it proposes, and the files that it writes, which their readers understand."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shlex
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+from click.testing import CliRunner, Result
+from conftest import ROOT
+
+from rosml.cli import main
+from rosml.cli.containerize import init
+from rosml.containerize import app_inputs, workspace
+from rosml.containerize.init import contents, forge
+from rosml.containerize.init.conditions import holds
+from rosml.containerize.left_out import LeftOut
+from rosml.images.image_set import load
+from rosml.images.image_set.model import ImageSet
+from rosml.machine import git
+from rosml.run import defaults, gpu
+
+REGISTRY = ["--registry", "ghcr.io/me/rosml"]
+
+
+@pytest.fixture(autouse=True)
+def machine(monkeypatch: pytest.MonkeyPatch, real: ImageSet) -> None:
+    """A machine without a GPU, without ROS and without a local registry."""
+    monkeypatch.setattr(load, "load", lambda *_: real)
+    monkeypatch.setattr(gpu, "is_nvidia", lambda _: False)
+    monkeypatch.setattr(init, "_local", lambda _: ("", False))
+    monkeypatch.delenv("ROS_DISTRO", raising=False)
+
+
+def manifest(name: str = "arm", build: str = "ament_python", depends: str = "", condition: str = "") -> str:
+    """A package.xml."""
+    where = f' condition="{condition}"' if condition else ""
+    needs = "".join(f"\n  <depend>{key}</depend>" for key in depends.split())
+    kind = f"<export><build_type{where}>{build}</build_type></export>" if build else ""
+    return f'<package format="3">\n  <name>{name}</name>{needs}\n  {kind}\n</package>\n'
+
+
+def write(folder: Path, files: Mapping[str, str]) -> Path:
+    for name, text in files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    return folder
+
+
+def called(folder: Path, *words: str, code: int = 0, typed: str | None = None) -> Result:
+    done = CliRunner().invoke(main.cli, ["init", str(folder), *words], input=typed)
+    error = done.exception
+    found = getattr(error, "exit_code", done.exit_code)
+    assert found == code, (done.output, error)
+    return done
+
+
+def chosen(folder: Path, *words: str) -> dict[str, str]:
+    """The values that are chosen, by question."""
+    said = json.loads(called(folder, "--json", *words).stdout)
+    return {name: choice["value"] for name, choice in said["choices"].items()}
+
+
+def snapshot(folder: Path) -> dict[str, tuple[bytes, int]]:
+    files = (path for path in folder.rglob("*") if path.is_file() and not path.is_symlink())
+    return {str(path.relative_to(folder)): (path.read_bytes(), path.stat().st_mtime_ns) for path in files}
+
+
+# ---- Files -----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("registry", [[], REGISTRY])
+def test_those_who_read_the_files_understand_them(tmp_path: Path, registry: list[str]) -> None:
+    folder = write(
+        tmp_path / "My Robot",
+        {"arm/package.xml": manifest(), "arm/launch/it's $HOME.launch.py": "", ".git/HEAD": "ref: refs/heads/jazzy\n"},
+    )
+    called(folder, "--yes", "--gpu", "--framework", "torch", *registry)
+    values = app_inputs.values({}, folder, {})
+    place = "ghcr.io/me/rosml/" if registry else ""
+    assert values.base_image == f"{place}ros-torch:jazzy-base-cu130"
+    assert shlex.split(values.command) == ["ros2", "launch", "arm", "it's $HOME.launch.py"]
+    assert values.image_name == "my-robot"
+    assert list(app_inputs.answers(folder, {})) == []
+    project = defaults.files({"XDG_CONFIG_HOME": str(tmp_path)}, str(folder), ["--mws"], []).project
+    assert project and (project.line.image, project.line.own) == ("my-robot:latest-dev", ("--mws",))
+    left = LeftOut(folder)
+    assert left(folder / ".env") and left.whole(folder / ".git") and left.whole(folder / "build")
+    assert [path.parent.name for path in workspace.manifests(folder, left=left)] == ["arm"]
+
+
+def test_a_dockerfile_names_only_a_registry_that_was_named(tmp_path: Path) -> None:
+    """Otherwise Docker would look for `ros:jazzy-base` on Docker Hub, where others have a repository of that name."""
+    one, two = (write(tmp_path / name, {"package.xml": manifest()}) for name in ("one", "two"))
+    called(one, "--yes")
+    called(two, "--yes", *REGISTRY)
+    assert "\nARG BASE_IMAGE\n" in (one / "Dockerfile").read_text()
+    assert "\nARG BASE_IMAGE=ghcr.io/me/rosml/ros:jazzy-base\n" in (two / "Dockerfile").read_text()
+
+
+@pytest.mark.parametrize(
+    ("command", "last"),
+    [
+        ("ros2 run arm 'a b'", 'CMD ["ros2", "run", "arm", "a b"]'),
+        ("a && b $X", 'CMD ["bash", "-c", "a && b $X"]'),
+        ("", "COPY --from=build /docker-ros/ws/install install"),
+    ],
+)
+def test_the_command_of_a_dockerfile(tmp_path: Path, command: str, last: str) -> None:
+    called(write(tmp_path, {"package.xml": manifest()}), "--yes", "--command", command)
+    assert (tmp_path / "Dockerfile").read_text().splitlines()[-1] == last
+
+
+def test_a_folder_of_a_package_is_sent_although_builds_make_folders_of_that_name(tmp_path: Path) -> None:
+    called(write(tmp_path, {"install/package.xml": manifest(), "src/package.xml": manifest("leg")}), "--yes")
+    ignored = (tmp_path / ".dockerignore").read_text().splitlines()
+    assert "install" not in ignored and "build" in ignored
+
+
+def test_a_second_call_changes_nothing_and_keeps_to_the_first(tmp_path: Path) -> None:
+    write(tmp_path, {"package.xml": manifest(), ".github/x": "", "Dockerfile": "FROM mine\n"})
+    words = ["--distribution", "humble", "--component", "core", "--framework", "torch", "--accelerator", "cu128"]
+    called(tmp_path, "--yes", *words, "--command", "mine", *REGISTRY)
+    before = snapshot(tmp_path)
+    assert before["Dockerfile"][0] == b"FROM mine\n" and ".github/workflows/images.yml" in before
+    done = called(tmp_path, "--yes")
+    assert snapshot(tmp_path) == before
+    assert re.findall(r"^(same|kept) +(\S+)", done.stdout, re.MULTILINE) == [
+        ("kept", "Dockerfile"),
+        *(("same", name) for name in (".dockerignore", ".env", ".rosml.toml", ".github/workflows/images.yml")),
+    ]
+    assert done.stderr == ""
+
+
+def test_a_dry_run_shows_the_files_and_writes_none(tmp_path: Path) -> None:
+    before = snapshot(write(tmp_path, {"package.xml": manifest()}))
+    done = called(tmp_path, "--yes", "--dry-run")
+    assert snapshot(tmp_path) == before
+    assert "    BASE_IMAGE=ros:jazzy-base\n" in done.stdout
+
+
+def test_what_a_file_of_variables_lacks(tmp_path: Path) -> None:
+    write(tmp_path, {"package.xml": manifest(), ".env": "IMAGE=robot:v1\nPORT=1\nBASE_IMAGE=ros:humble-base\n"})
+    done = called(tmp_path, "--yes", "--distribution", "jazzy")
+    assert ".env stays as it is, and does not say BASE_IMAGE=ros:jazzy-base\n" in done.stderr
+    assert "IMAGE_NAME" not in done.stderr
+
+
+def test_a_broken_file_of_variables_is_told(tmp_path: Path) -> None:
+    done = called(write(tmp_path, {"package.xml": manifest(), ".env": "x y\n"}), "--yes")
+    assert f"{tmp_path}/.env:1: it is not NAME=VALUE" in done.stderr
+    assert (tmp_path / "Dockerfile").exists()
+
+
+@pytest.mark.parametrize("name", [".env", "Dockerfile", ".rosml.toml"])
+def test_a_link_stays_wherever_it_leads(tmp_path: Path, name: str) -> None:
+    folder = write(tmp_path / "robot", {"package.xml": manifest()})
+    (folder / name).symlink_to(tmp_path / "outside")
+    called(folder, "--yes")
+    assert (folder / name).is_symlink() and not (tmp_path / "outside").exists()
+
+
+def test_no_file_is_written_behind_a_link_out_of_the_folder(tmp_path: Path) -> None:
+    folder = write(tmp_path / "robot", {"package.xml": manifest()})
+    (tmp_path / "outside").mkdir()
+    (folder / ".github").symlink_to(tmp_path / "outside")
+    done = called(folder, "--yes", "--ci", "github", *REGISTRY, code=1)
+    assert "a link leads out of" in str(done.exception)
+    assert [path.name for path in folder.iterdir() if path.name != ".github"] == ["package.xml"]
+    assert list((tmp_path / "outside").iterdir()) == []
+
+
+def test_a_folder_that_cannot_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The third file cannot be written: the first two are not there either, nor is the folder for the last one."""
+    write(tmp_path, {"package.xml": manifest()})
+    calls, real = iter(range(9)), os.fdopen
+
+    def full(*words: Any, **more: Any) -> Any:
+        if words[1:] == ("w",) and next(calls) == 2:
+            raise PermissionError(13, "Permission denied")
+        return real(*words, **more)
+
+    monkeypatch.setattr(os, "fdopen", full)
+    done = called(tmp_path, "--yes", "--ci", "github", *REGISTRY, code=1)
+    assert "cannot be written: Permission denied" in str(done.exception)
+    assert [path.name for path in tmp_path.iterdir()] == ["package.xml"]
+
+
+# ---- What is found ---------------------------------------------------------------------------------------------------
+
+TORCH = "import torch\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "wanted"),
+    [
+        ({"package.xml": manifest()}, ("jazzy", "base", "none")),
+        ({"package.xml": manifest(build="catkin")}, ("ros1-bookworm", "base", "none")),
+        ({"package.xml": manifest(build="", depends="rospy")}, ("ros1-bookworm", "base", "none")),
+        ({"package.xml": manifest(build="cmake", depends="rclcpp")}, ("jazzy", "base", "none")),
+        ({"package.xml": manifest(build="catkin", condition="$ROS_VERSION == 1")}, ("ros1-bookworm", "base", "none")),
+        ({"package.xml": manifest(condition="$ROS_DISTRO == humble")}, ("humble", "base", "none")),
+        (
+            {"package.xml": manifest(build="catkin", condition="$ROS_DISTRO == noetic")},
+            ("ros1-bookworm", "base", "none"),
+        ),
+        ({"package.xml": manifest(depends="desktop")}, ("jazzy", "desktop", "none")),
+        ({"package.xml": manifest(), "a.py": TORCH}, ("jazzy", "base", "torch")),
+        ({"package.xml": manifest(), "a.py": "import os, torch.nn as nn\n"}, ("jazzy", "base", "torch")),
+        ({"package.xml": manifest(), "a.py": "  from torch.nn import Linear\n"}, ("jazzy", "base", "torch")),
+        ({"package.xml": manifest(), "a.py": "# import torch\nfrom tf import x\n"}, ("jazzy", "base", "none")),
+        ({"package.xml": manifest(), "a.py": "import torchvision\n"}, ("jazzy", "base", "torch")),
+        ({"package.xml": manifest(depends="python3-pytorch-pip")}, ("jazzy", "base", "torch")),
+        (
+            {"package.xml": manifest(depends="tf tf2_ros torch_msgs"), "m/package.xml": manifest("x")},
+            ("jazzy", "base", "torch"),
+        ),
+        ({"package.xml": manifest(), "CMakeLists.txt": "find_package(Torch REQUIRED)\n"}, ("jazzy", "base", "torch")),
+        ({"package.xml": manifest(), "a.cpp": "#include <torch/script.h>\n"}, ("jazzy", "base", "torch")),
+        (
+            {"package.xml": manifest(), "setup.py": "setup(install_requires=['tensorflow>=2'])\n"},
+            ("jazzy", "base", "tensorflow"),
+        ),
+        ({"package.xml": manifest(), "requirements.txt": "torch==2.1\ntensorflow\n"}, ("jazzy", "base", "ml")),
+        ({"package.xml": manifest(), "a.cu": "#include <cuda_runtime.h>\n"}, ("jazzy", "base", "cuda")),
+        (
+            {"package.xml": manifest(), "a.cpp": "#include <cuda.h>\n#include <torch/script.h>\n"},
+            ("jazzy", "base", "torch"),
+        ),
+        ({"package.xml": manifest(), "requirements.txt": "onnxruntime-gpu\n"}, ("jazzy", "base", "cuda")),
+        (
+            {"package.xml": manifest(), ".venv/a.py": TORCH, "env/pyvenv.cfg": "", "env/a.py": TORCH},
+            ("jazzy", "base", "none"),
+        ),
+        (
+            {"package.xml": manifest(), "x/COLCON_IGNORE": "", "x/package.xml": manifest(build="catkin")},
+            ("jazzy", "base", "none"),
+        ),
+        # Without the locks of ROS 1's default row, the other one can be built for the CPU.
+        ({"package.xml": manifest(build="catkin"), "a.py": TORCH}, ("ros1-bookworm", "base", "torch")),
+    ],
+)
+def test_what_packages_and_sources_ask_for(tmp_path: Path, files: dict[str, str], wanted: tuple[str, str, str]) -> None:
+    found = chosen(write(tmp_path, files))
+    assert (found["distribution"], found["component"], found["framework"]) == wanted
+
+
+def test_a_proposal_can_be_built_where_another_one_cannot(tmp_path: Path, real: ImageSet) -> None:
+    """ros1-bookworm lacks the lock of PyTorch for the CPU."""
+    write(tmp_path, {"package.xml": manifest(build="catkin"), "a.py": TORCH})
+    found = chosen(tmp_path, "--cpu")
+    target = "-".join(found[name] for name in ("distribution", "component", "framework", "accelerator"))
+    assert real.image(target).locked
+    assert not real.image("ros1-bookworm-base-torch-cpu").locked
+    done = called(tmp_path, "--yes", "--cpu", "--distribution", "ros1-bookworm")
+    assert "ros1-bookworm-base-torch-cpu cannot be built yet" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("files", "environment", "wanted"),
+    [
+        ({".git/HEAD": "ref: refs/heads/humble-devel\n"}, {}, "humble"),
+        ({".git/HEAD": "ref: refs/heads/feature/kilted_x\n"}, {}, "kilted"),
+        ({".git/HEAD": f"{'1' * 40}\n"}, {}, "jazzy"),
+        ({".git/HEAD": "ref: refs/heads/foxy\n"}, {}, "jazzy"),
+        ({".git/HEAD": "ref: refs/heads/humble\n"}, {"ROS_DISTRO": "rolling"}, "rolling"),
+        ({}, {"ROS_DISTRO": "noetic"}, "jazzy"),
+        ({".github/workflows/ci.yml": "container: ros:humble-ros-base\n"}, {}, "humble"),
+        ({".github/workflows/ci.yml": "ros: [foxy, humble, rolling]\n"}, {}, "humble"),
+        ({"Dockerfile": "FROM osrf/ros:kilted-desktop\n"}, {}, "kilted"),
+        ({".env": "BASE_IMAGE=ros:rolling-core\n", ".git/HEAD": "ref: refs/heads/humble\n"}, {}, "rolling"),
+        ({".env": "BASE_IMAGE=ubuntu\n"}, {}, "jazzy"),
+    ],
+)
+def test_where_a_distribution_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, files: dict[str, str], environment: dict[str, str], wanted: str
+) -> None:
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+    found = chosen(write(tmp_path, {"package.xml": manifest(), **files}))
+    assert found["distribution"] == wanted
+
+
+@pytest.mark.parametrize(
+    ("driver", "words", "wanted"),
+    [
+        ("580.1", [], "cu130"),
+        ("570.86", [], "cu128"),
+        ("", [], "cu130"),
+        ("390.1", [], "cpu"),
+        ("580.1", ["--cpu"], "cpu"),
+        ("570.86", ["--accelerator", "cu130"], "cu130"),
+        (None, [], "cpu"),
+        (None, ["--gpu"], "cu130"),
+    ],
+)
+def test_which_accelerator_fits_a_machine(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, driver: str | None, words: list[str], wanted: str
+) -> None:
+    monkeypatch.setattr(gpu, "is_nvidia", lambda _: driver is not None)
+    monkeypatch.setattr(gpu, "driver", lambda _: driver or "")
+    assert chosen(write(tmp_path, {"package.xml": manifest(), "a.py": TORCH}), *words)["accelerator"] == wanted
+
+
+@pytest.mark.parametrize(
+    ("files", "wanted"),
+    [
+        ({"launch/a.launch.py": ""}, "ros2 launch arm a.launch.py"),
+        ({"launch/a.launch.py": "", "launch/bringup.launch.xml": ""}, "ros2 launch arm bringup.launch.xml"),
+        ({"launch/a.launch.py": "", "launch/b_launch.py": ""}, ""),
+        ({"setup.py": "entry_points={'console_scripts': ['go = arm.go:main']},\n"}, "ros2 run arm go"),
+        ({"setup.cfg": "[options.entry_points]\nconsole_scripts =\n  go = arm.go:main\n"}, "ros2 run arm go"),
+        ({"setup.py": "x = ['a = arm.a:main', 'b = arm.b:main']\n"}, ""),
+        ({}, ""),
+    ],
+)
+def test_the_command_that_is_proposed(tmp_path: Path, files: dict[str, str], wanted: str) -> None:
+    assert chosen(write(tmp_path, {"package.xml": manifest(), **files}))["command"] == wanted
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("", True),
+        ("$ROS_VERSION == 2", True),
+        ("$ROS_VERSION==1", False),
+        ("$ROS_VERSION == 1 or $ROS_DISTRO == 'jazzy'", True),
+        ("$ROS_VERSION == 1 or $ROS_VERSION == 2 and $ROS_DISTRO == foxy", False),
+        ("($ROS_VERSION == 1 or $ROS_VERSION == 2) and $ROS_DISTRO == jazzy", True),
+        ('$ROS_DISTRO >= "humble"', True),
+        ("$ROS_DISTRO < humble", False),
+        ("$ROS_DISTRO != jazzy", False),
+        ("$OTHER == ''", True),
+        *(
+            (broken, True)
+            for broken in ("$ROS_VERSION ==", "a b c", "(", "$ROS_VERSION == 1)", "((" * 5_000, "$ROS_VERSION = 1")
+        ),
+    ],
+)
+def test_conditions(text: str, wanted: bool) -> None:
+    assert holds(text, {"ROS_VERSION": "2", "ROS_DISTRO": "jazzy"}) is wanted
+
+
+def test_lists_of_upstream_repositories_and_requirements(tmp_path: Path) -> None:
+    """Of lists for several distributions one counts; requirements are installed, wherever they are."""
+    files = {"a/package.xml": manifest("a"), "b/package.xml": manifest("b"), "c.jazzy.repos": "", "c.humble.repos": ""}
+    write(tmp_path, {**files, "a/requirements.txt": "scipy\n", "b/requirements.txt": "scipy\n"})
+    called(tmp_path, "--yes")
+    values = app_inputs.values({}, tmp_path, {})
+    assert (values.enable_recursive_vcs_import, values.vcs_import_file) == (False, "c.jazzy.repos")
+    assert (values.enable_recursive_additional_pip, values.additional_pip_file) == (True, "requirements.txt")
+    text = (tmp_path / "Dockerfile").read_text()
+    assert 'COPY ["c.jazzy.repos", "/upstream.repos"]' in text and "! -name requirements.txt" in text
+    assert text.count("pip install -r /run/src/target/b/requirements.txt") == 2
+
+
+# ---- What is wrong ---------------------------------------------------------------------------------------------------
+
+BOTH = {"a/package.xml": manifest("a"), "b/package.xml": manifest("b", "catkin")}
+
+
+@pytest.mark.parametrize(
+    ("files", "words", "says"),
+    [
+        ({}, [], "there is no package.xml in"),
+        (BOTH, [], r"ROS 1 and of ROS 2 do not build together: b/package.xml \(ROS 1\) and a/package.xml \(ROS 2\)"),
+        ({"package.xml": "<package>\n<name>x</nam>\n</package>"}, [], r"package.xml:2:\d+: no XML: mismatched tag"),
+        ({"package.xml": ""}, [], "package.xml:1:1: no XML: no element found"),
+        ({"package.xml": "<package/>"}, [], "no manifest of a ROS package: no <name>"),
+        ({"package.xml": "<x/>"}, [], "its first element is <x>, not <package>"),
+        ({"package.xml": '<?xml version="1.0" encoding="x-y"?><package/>'}, [], "package.xml:1: no XML"),
+        ({"package.xml": manifest()}, ["--distribution", "jazy"], "no distribution named 'jazy'; did you mean 'jazzy'"),
+        ({"package.xml": manifest()}, ["--distribution", "noetic"], "package.xml is not for noetic, which is ROS 1"),
+        ({"package.xml": manifest(build="catkin")}, ["--distribution", "bookworm"], "bookworm is called ros1-bookworm"),
+        ({"package.xml": manifest()}, ["--component", "robot"], "has no robot metapackage"),
+        ({"package.xml": manifest()}, ["--component", "core-run"], "core-run only runs programs"),
+        ({"package.xml": manifest()}, ["--framework", "trch"], "no framework named 'trch'; did you mean 'torch'"),
+        (
+            {"package.xml": manifest()},
+            ["--framework", "tf", "--distribution", "lyrical"],
+            "has a wheel for Python 3.14",
+        ),
+        ({"package.xml": manifest()}, ["--framework", "torch", "--accelerator", "cu121"], "torch 2.4.1 has no wheel"),
+        ({"package.xml": manifest()}, ["--framework", "torch", "--accelerator", "gpu"], "no accelerator named 'gpu'"),
+        (
+            {"package.xml": manifest()},
+            ["--framework", "torch", "--accelerator", "cpu", "--gpu"],
+            "not what you ask for",
+        ),
+        ({"package.xml": manifest()}, ["--framework", "cuda", "--cpu"], "has no cuda for the CPU"),
+        ({"package.xml": manifest()}, ["--framework", "none", "--gpu"], "none computes nothing on a GPU"),
+        ({"package.xml": manifest()}, ["--command", "a 'b"], "no closing quotation"),
+        ({"package.xml": manifest()}, ["--registry", "https://x/y"], "no place for images"),
+        ({"package.xml": manifest()}, ["--ci", "jenkins", *REGISTRY], "no forge named 'jenkins'"),
+        ({"package.xml": manifest()}, ["--ci", "github"], "do not reach this machine's images"),
+        ({"package.xml": manifest()}, ["--ci", "github", "--registry", "127.0.0.1:5/x"], "do not reach this machine's"),
+        ({"package.xml": manifest()}, ["--ci", "github", "--registry", "quay.io/me/x"], "nobody knows where on github"),
+        ({"package.xml": manifest()}, ["--ci", "gitlab", *REGISTRY], "nobody knows where on gitlab"),
+    ],
+)
+def test_what_is_wrong_is_told_with_a_remedy_and_nothing_is_written(
+    tmp_path: Path, files: dict[str, str], words: list[str], says: str
+) -> None:
+    before = snapshot(write(tmp_path, files))
+    error: Any = called(tmp_path, "--yes", *words, code=2).exception
+    assert re.search(says, error.message), error.message
+    assert error.remedy
+    assert snapshot(tmp_path) == before
+
+
+def test_an_end_of_life_is_a_warning(tmp_path: Path) -> None:
+    done = called(write(tmp_path, {"package.xml": manifest()}), "--yes", "--distribution", "foxy")
+    assert "foxy had its end of life on 2023-06-20\nremedy: if your packages allow it, take jazzy" in done.stderr
+    assert "rosdep update --include-eol-distros" in (tmp_path / "Dockerfile").read_text()
+
+
+def test_a_framework_that_the_distribution_of_the_branch_lacks(tmp_path: Path) -> None:
+    write(
+        tmp_path, {"package.xml": manifest(), "a.py": "import tensorflow\n", ".git/HEAD": "ref: refs/heads/lyrical\n"}
+    )
+    done = called(tmp_path, "--yes")
+    assert "no release of tensorflow has a wheel for Python 3.14" in done.stderr
+    assert "BASE_IMAGE=ros:lyrical-base\n" in (tmp_path / ".env").read_text()
+
+
+def test_a_library_that_no_manifest_names(tmp_path: Path) -> None:
+    write(tmp_path, {"package.xml": manifest(), "a.py": "\nimport cv2\nimport onnxruntime\n"})
+    said = called(tmp_path, "--yes").stderr
+    assert "a.py:2 names cv2, and no package.xml does" in said and "a.py:3 names onnxruntime" in said
+    write(tmp_path, {"package.xml": manifest(depends="python3-opencv"), "requirements.txt": "onnxruntime\n"})
+    assert "names" not in called(tmp_path, "--yes").stderr
+
+
+# ---- Questions, CI, output -------------------------------------------------------------------------------------------
+
+
+def test_a_terminal_is_asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(init, "_has_terminal", lambda: True)
+    write(tmp_path, {"package.xml": manifest()})
+    done = called(tmp_path, "--framework", "torch", typed="humbl\nhumble\ncore\ncu128\nros2 run arm go\n")
+    assert "'humbl' is not one of" in done.stderr and "Framework" not in done.stderr
+    values = app_inputs.values({}, tmp_path, {})
+    assert (values.base_image, values.command) == ("ros-torch:humble-core-cu128", "ros2 run arm go")
+
+
+def test_an_interruption_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(init, "_has_terminal", lambda: True)
+    before = snapshot(write(tmp_path, {"package.xml": manifest()}))
+    called(tmp_path, typed="humble\n", code=1)
+    assert snapshot(tmp_path) == before
+
+
+def test_without_a_checkout_a_registry_is_asked_for(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(init, "IN_CHECKOUT", False)
+    write(tmp_path, {"package.xml": manifest()})
+    assert init.UNNAMED[0] in called(tmp_path, "--yes", "--dry-run").stderr
+    monkeypatch.setattr(init, "_has_terminal", lambda: True)
+    done = called(tmp_path, typed="ghcr.io/Me/rosml\n".lower() + "\n" * 9)
+    assert init.UNNAMED[0] not in done.stderr
+    assert app_inputs.values({}, tmp_path, {}).base_image == "ghcr.io/me/rosml/ros:jazzy-base"
+    assert "rosml image" not in done.stdout
+
+
+GITHUB_REMOTE = '[remote "origin"]\n\turl = git@github.com:me/robot.git\n'
+GITLAB_REMOTE = '[remote "origin"]\n\turl = https://gitlab.example.com/me/robot.git\n'
+
+
+@pytest.mark.parametrize(
+    ("files", "words", "wanted"),
+    [
+        ({}, REGISTRY, "none"),
+        ({".github/dependabot.yml": ""}, REGISTRY, "github"),
+        ({".github/dependabot.yml": ""}, [], "none"),
+        ({".github/dependabot.yml": ""}, [*REGISTRY, "--ci", "none"], "none"),
+        ({".git/HEAD": "", ".git/config": GITHUB_REMOTE}, REGISTRY, "github"),
+        ({".git/HEAD": "", ".git/config": GITLAB_REMOTE}, REGISTRY, "none"),
+        ({".git/HEAD": "", ".git/config": GITLAB_REMOTE}, ["--registry", "registry.example.com/me/rosml"], "gitlab"),
+    ],
+)
+def test_the_forge_of_a_repository(tmp_path: Path, files: dict[str, str], words: list[str], wanted: str) -> None:
+    assert chosen(write(tmp_path, {"package.xml": manifest(), **files}), *words)["ci"] == wanted
+
+
+def test_ci_files_belong_to_the_top_of_a_repository(tmp_path: Path) -> None:
+    write(tmp_path, {"ros/package.xml": manifest(), ".git/HEAD": ""})
+    error: Any = called(tmp_path / "ros", "--ci", "github", *REGISTRY, code=2).exception
+    assert error.message == f"CI files belong into {tmp_path}"
+
+
+@pytest.mark.parametrize(
+    ("name", "place"), [("github", "ghcr.io/me/rosml"), ("gitlab", "registry.gitlab.com/me/rosml")]
+)
+def test_inputs_of_a_ci_file_are_those_that_there_are(tmp_path: Path, name: str, place: str) -> None:
+    write(
+        tmp_path,
+        {"package.xml": manifest(), "a/x.jazzy.repos": "", "b/x.humble.repos": "", "requirements.txt": "scipy\n"},
+    )
+    called(tmp_path, "--yes", "--ci", name, "--registry", place, "--command", 'ros2 run "a b" c: d # é')
+    found = yaml.safe_load((tmp_path / contents.FORGES[name]).read_text())
+    if name == "github":
+        [step] = found["jobs"]["images"]["steps"]
+        assert step["uses"].startswith("me/rosml/containerize@")
+        given, known = step["with"], yaml.safe_load((ROOT / "containerize/action.yml").read_text())["inputs"]
+    else:
+        [included] = found["include"]
+        assert included["project"] == "me/rosml" and (ROOT / included["file"]).is_file()
+        given, known = (
+            included["inputs"],
+            next(yaml.safe_load_all((ROOT / included["file"]).read_text()))["spec"]["inputs"],
+        )
+    assert set(given) <= set(known)
+    assert (given["base-image"], given["command"]) == (f"{place}/ros:jazzy-base", 'ros2 run "a b" c: d # é')
+    assert given["vcs-import-file"] == "a/x.jazzy.repos" and given["additional-pip-file"] == "requirements.txt"
+
+
+def test_a_job_gets_a_commit_only_if_a_remote_has_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(git, "commit", lambda _: git.Commit("1" * 40, 0))
+    monkeypatch.setattr(git, "ask", lambda *_: b"1 commit refs/remotes/origin/main\n")
+    assert (forge.revision("github"), forge.revision("gitlab")) == ("1" * 40, "main")
+    monkeypatch.setattr(git, "ask", lambda *_: b"")
+    assert forge.revision("github") == "main"
+
+
+def test_what_comes_next(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    write(tmp_path, {"package.xml": manifest("robot")})
+    monkeypatch.chdir(tmp_path)
+    own = f"{ROOT}/rosml"
+    said = json.loads(called(Path("."), "--json").stdout)
+    name = contents.image_name(tmp_path.name)
+    assert said["next"] == [
+        f"{own} image jazzy-base",
+        f"{own} containerize",
+        f"{own} run",
+        f"docker build --build-arg BASE_IMAGE=REGISTRY/ros:jazzy-base -t {name} .",
+    ]
+    monkeypatch.setattr(init, "_local", lambda _: ("127.0.0.1:5000/rosml", True))
+    said = json.loads(called(Path("."), "--json").stdout)
+    assert said["next"][0] == f"{own} containerize"
+    assert "BASE_IMAGE=127.0.0.1:5000/rosml/ros:jazzy-base" in said["next"][2]
+    assert said["packages"] == [{"name": "robot", "folder": ".", "languages": []}]
+
+
+@pytest.mark.parametrize(
+    ("folder", "name"),
+    [
+        ("my_robot", "my_robot"),
+        ("My Robot!", "my-robot"),
+        ("a..b", "a.b"),
+        ("_x-", "x"),
+        ("機械", "app"),
+        ("a-_b", "a-b"),
+    ],
+)
+def test_the_name_of_an_image(folder: str, name: str) -> None:
+    assert contents.image_name(folder) == name
