@@ -63,7 +63,7 @@ def called(folder: Path, *words: str, code: int = 0, typed: str | None = None) -
 
 def chosen(folder: Path, *words: str) -> dict[str, str]:
     """The values that are chosen, by question."""
-    said = json.loads(called(folder, "--json", *words).stdout)
+    said = json.loads(called(folder, "--json", "--dry-run", *words).stdout)
     return {name: choice["value"] for name, choice in said["choices"].items()}
 
 
@@ -136,6 +136,7 @@ def test_a_second_call_changes_nothing_and_keeps_to_the_first(tmp_path: Path) ->
         *(("same", name) for name in (".dockerignore", ".env", ".rosml.toml", ".github/workflows/images.yml")),
     ]
     assert done.stderr == ""
+    assert "docker build" not in done.stdout, "the Dockerfile is somebody else's"
 
 
 def test_a_dry_run_shows_the_files_and_writes_none(tmp_path: Path) -> None:
@@ -228,7 +229,8 @@ TORCH = "import torch\n"
             ("jazzy", "base", "tensorflow"),
         ),
         ({"package.xml": manifest(), "requirements.txt": "torch==2.1\ntensorflow\n"}, ("jazzy", "base", "ml")),
-        ({"package.xml": manifest(), "a.cu": "#include <cuda_runtime.h>\n"}, ("jazzy", "base", "cuda")),
+        ({"package.xml": manifest(), "a.cu": "#include <cuda_runtime.h>\n"}, ("jazzy", "base", "none")),
+        ({"package.xml": manifest(), "a.py": "import cupy as cp\n"}, ("jazzy", "base", "cuda")),
         (
             {"package.xml": manifest(), "a.cpp": "#include <cuda.h>\n#include <torch/script.h>\n"},
             ("jazzy", "base", "torch"),
@@ -242,8 +244,8 @@ TORCH = "import torch\n"
             {"package.xml": manifest(), "x/COLCON_IGNORE": "", "x/package.xml": manifest(build="catkin")},
             ("jazzy", "base", "none"),
         ),
-        # Without the locks of ROS 1's default row, the other one can be built for the CPU.
-        ({"package.xml": manifest(build="catkin"), "a.py": TORCH}, ("ros1-bookworm", "base", "torch")),
+        # The lock of ros1-bookworm for the CPU is missing, and this machine has no GPU.
+        ({"package.xml": manifest(build="catkin"), "a.py": TORCH}, ("ros1-trixie", "base", "torch")),
     ],
 )
 def test_what_packages_and_sources_ask_for(tmp_path: Path, files: dict[str, str], wanted: tuple[str, str, str]) -> None:
@@ -254,6 +256,7 @@ def test_what_packages_and_sources_ask_for(tmp_path: Path, files: dict[str, str]
 def test_a_proposal_can_be_built_where_another_one_cannot(tmp_path: Path, real: ImageSet) -> None:
     """ros1-bookworm lacks the lock of PyTorch for the CPU."""
     write(tmp_path, {"package.xml": manifest(build="catkin"), "a.py": TORCH})
+    assert chosen(tmp_path, "--gpu")["distribution"] == "ros1-bookworm"
     found = chosen(tmp_path, "--cpu")
     target = "-".join(found[name] for name in ("distribution", "component", "framework", "accelerator"))
     assert real.image(target).locked
@@ -273,6 +276,7 @@ def test_a_proposal_can_be_built_where_another_one_cannot(tmp_path: Path, real: 
         ({}, {"ROS_DISTRO": "noetic"}, "jazzy"),
         ({".github/workflows/ci.yml": "container: ros:humble-ros-base\n"}, {}, "humble"),
         ({".github/workflows/ci.yml": "ros: [foxy, humble, rolling]\n"}, {}, "humble"),
+        ({".github/workflows/a.yml": "humble", ".github/workflows/b.yml": "jazzy kilted"}, {}, "jazzy"),
         ({"Dockerfile": "FROM osrf/ros:kilted-desktop\n"}, {}, "kilted"),
         ({".env": "BASE_IMAGE=ros:rolling-core\n", ".git/HEAD": "ref: refs/heads/humble\n"}, {}, "rolling"),
         ({".env": "BASE_IMAGE=ubuntu\n"}, {}, "jazzy"),
@@ -433,11 +437,22 @@ def test_a_library_that_no_manifest_names(tmp_path: Path) -> None:
     write(tmp_path, {"package.xml": manifest(), "a.py": "\nimport cv2\nimport onnxruntime\n"})
     said = called(tmp_path, "--yes").stderr
     assert "a.py:2 names cv2, and no package.xml does" in said and "a.py:3 names onnxruntime" in said
+    write(tmp_path, {"a.cpp": "#include <cuda_runtime.h>\n"})
+    assert (
+        "a.cpp:1 names cuda_runtime.h, and base images have CUDA's libraries, and no nvcc"
+        in called(tmp_path, "-y").stderr
+    )
+    (tmp_path / "a.cpp").unlink()
     write(tmp_path, {"package.xml": manifest(depends="python3-opencv"), "requirements.txt": "onnxruntime\n"})
     assert "names" not in called(tmp_path, "--yes").stderr
 
 
 # ---- Questions, CI, output -------------------------------------------------------------------------------------------
+
+
+def test_git_may_leave_out_the_file_of_variables(tmp_path: Path) -> None:
+    write(tmp_path, {"package.xml": manifest(), ".gitignore": "build/\n.env\n"})
+    assert ".gitignore leaves out .env" in called(tmp_path, "--yes").stderr
 
 
 def test_a_terminal_is_asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

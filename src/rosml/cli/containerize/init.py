@@ -139,10 +139,12 @@ def main(
     if not dry_run:
         folders.write(folder, wanted)
     notes = [*decided.notes, *([broken] if broken else _lacking(env, wanted, project))]
+    if folders.ignores_env(folder):
+        notes.append((".gitignore leaves out .env: who clones the repository has none", "git add --force .env"))
     for message, remedy in [*notes, *([] if IN_CHECKOUT or place else [UNNAMED])]:
         warn(message, remedy)
     chosen = {**decided.choices, "ci": ci_file}
-    calls = _calls(folder, decided, project)
+    calls = _calls(folder, decided, project, wanted)
     if as_json:
         terminal.echo(json.dumps(_as_json(folder, found, chosen, project, wanted, calls), indent=2))
     else:
@@ -183,7 +185,7 @@ def _lacking(env: Mapping[str, str], wanted: Sequence[File], project: Project) -
             yield f"{app_inputs.FILE} stays as it is, and does not say {', '.join(lines)}", "write that into it"
 
 
-def _calls(folder: Path, decided: Decided, project: Project) -> Calls:
+def _calls(folder: Path, decided: Decided, project: Project, wanted: Sequence[File]) -> Calls:
     from rosml.containerize.init import contents
 
     here = Path.cwd()
@@ -207,10 +209,13 @@ def _calls(folder: Path, decided: Decided, project: Project) -> Calls:
         else f"cd {where} && {shlex.quote(str(ROOT / 'rosml')) if IN_CHECKOUT else own} run"
     )
     calls.append((run, "a shell in the image to work in, with your folder in it"))
-    base = "" if project.place else f"--build-arg BASE_IMAGE={local or 'REGISTRY'}/{project.tag} "
-    calls.append((f"docker build {base}-t {project.name} {where}", "the same without rosml, by the Dockerfile"))
-    if file := contents.FORGES.get(project.forge):
-        calls.append(("git push", f"{file} does it for each commit"))
+    ours = [file.path for file in wanted if file.same or not file.there]
+    if contents.DOCKERFILE in ours:
+        base = "" if project.place else f"--build-arg BASE_IMAGE={local or 'REGISTRY'}/{project.tag} "
+        calls.append((f"docker build {base}-t {project.name} {where}", "the same without rosml, by the Dockerfile"))
+    if (file := contents.FORGES.get(project.forge)) in ours:
+        git = "git" if where == "." else f"git -C {where}"
+        calls.append((f"{git} add {' '.join(ours)}", f"then commit and push: {file} builds and tests each commit"))
     return calls
 
 
@@ -234,8 +239,9 @@ def _local(tag: str) -> tuple[str, bool]:
 
 def _packages(found: Found) -> str:
     from rosml.base.problems import counted, listed, some
+    from rosml.containerize.init.packages import LANGUAGES
 
-    spoken = listed(list(dict.fromkeys(name for package in found.packages for name in package.languages)))
+    spoken = listed([name for name in LANGUAGES if any(name in package.languages for package in found.packages)])
     text = f"{counted(len(found.packages), 'package')}: {some(package.name for package in found.packages)}"
     return f"{text} ({spoken})" if spoken else text
 

@@ -22,16 +22,31 @@ from rosml.run.gpu import numbers
 DEBIAN = "noetic"
 """The distribution whose name conditions in package.xml compare with if ROS 1 is Debian's own (docs/containerize.md, rosdep)."""
 
-ONNX, OPENCV = "ONNX Runtime", "OpenCV"
+ONNX, CUPY, CUDA, OPENCV = "ONNX Runtime", "CuPy", "CUDA", "OpenCV"
 
-OTHERS = {ONNX: ("onnxruntime",), OPENCV: ("opencv", "opencv2", "cv2", "libopencv", "cv_bridge")}
-"""Libraries that no framework brings, and the words for each."""
-
-INSTALLED_BY = {
-    ONNX: f"a line onnxruntime in {app_inputs.default('additional-pip-file')}",
-    OPENCV: "<depend>libopencv-dev</depend> for C++, <depend>python3-opencv</depend> for Python",
+OTHERS = {
+    ONNX: ("onnxruntime",),
+    CUPY: ("cupy",),
+    CUDA: ("cuda",),
+    OPENCV: ("opencv", "opencv2", "cv2", "libopencv", "cv_bridge"),
 }
-"""What brings each of them into an image."""
+"""Libraries that no release of a framework brings, and the words for each."""
+
+_PIP = f"a line in {app_inputs.default('additional-pip-file')}"
+
+LACKING = {
+    ONNX: ("no package.xml does", _PIP),
+    CUPY: ("no package.xml does", _PIP),
+    CUDA: (
+        "base images have CUDA's libraries, and no nvcc",
+        "if it is to be compiled, name NVIDIA's image with -devel as BASE_IMAGE: containerize installs ROS on it",
+    ),
+    OPENCV: (
+        "no package.xml does",
+        "write <depend>libopencv-dev</depend> for C++, <depend>python3-opencv</depend> for Python",
+    ),
+}
+"""What is missing if only sources name them, and the remedy."""
 
 
 @dataclass(frozen=True)
@@ -102,7 +117,7 @@ def libraries(matrix: Matrix) -> dict[str, set[str]]:
     """The libraries to look for: what the parts of the matrix bring, by title, and others. Each with the words for it."""
     found: dict[str, set[str]] = {}
     for part in matrix.parts:
-        if part.title:
+        if part.title and part.release:
             beside = {
                 name for release in matrix.releases.get(part.release or "", {}).values() for name in release.beside
             }
@@ -138,9 +153,10 @@ class _Decision:
         command = self._command(self._matrix.distributions[row.value].ros)
         if not image.locked:
             self._notes.append((f"{target} cannot be built yet: {missing.reason(image)}", missing.remedy(image)))
-        for library, brings in INSTALLED_BY.items():
-            if (at := self._found.named.get(library)) and not at.manifest and not self._found.pip:
-                self._notes.append((f"{at.place} names {at.word}, and no package.xml does", f"write {brings}"))
+        for library, (lacks, remedy) in LACKING.items():
+            at = self._found.named.get(library)
+            if at and not at.manifest and not (self._found.pip and remedy == _PIP):
+                self._notes.append((f"{at.place} names {at.word}, and {lacks}", remedy))
         choices = {
             "distribution": row,
             "component": component,
@@ -242,12 +258,23 @@ class _Decision:
         return sorted(distributions, key=order)
 
     def _carries(self, distribution: str, framework: str) -> bool:
-        """Whether a distribution has the framework on the wanted kind of accelerator, with all locks."""
-        return any(
-            image.locked
+        """Whether a distribution has the framework with all locks, on the accelerator that this machine has or the user wants."""
+        stacks = {
+            image.stack
             for image in self._set.images
-            if (image.distribution, image.framework) == (distribution, framework) and self._may(image.stack)
+            if image.locked and (image.distribution, image.framework) == (distribution, framework)
+        }
+        wanted = self._here.nvidia if self._given.gpu is None else self._given.gpu
+        with_cpu = any(
+            not facts.cuda
+            for facts in self._matrix.stacks.values()
+            if facts.accelerator in self._accelerators(framework)
         )
+        return any(stack is None or self._on_gpu(stack) == (wanted or not with_cpu) for stack in stacks)
+
+    def _accelerators(self, framework: str) -> Collection[str]:
+        facts = self._matrix.frameworks.get(framework)
+        return facts.accelerators if facts else ()
 
     def _ended(self, name: str) -> bool:
         eol = self._matrix.distributions[name].eol
@@ -287,12 +314,11 @@ class _Decision:
     def _wanted(self) -> Choice:
         """The smallest framework that brings what manifests and sources name."""
         matrix, named = self._matrix, self._found.named
-        titled = {part.name: at for part in matrix.parts if (at := named.get(part.title or ""))}
-        onnx = named.get(ONNX)
-        if onnx and "gpu" in onnx.word.lower():
-            titled |= {part.name: onnx for part in matrix.parts if part.versions and part.name not in titled}
-        released = {name: at for name, at in titled.items() if matrix.part[name].release}
-        needed = released or titled
+        needed = {part.name: at for part in matrix.parts if part.release and (at := named.get(part.title or ""))}
+        onnx, cupy = named.get(ONNX), named.get(CUPY)
+        at = cupy or (onnx if onnx and "gpu" in onnx.word.lower() else None)
+        if at and not needed:
+            needed = {part.name: at for part in matrix.parts if part.versions}
         plain = rules.plain(matrix)
         if not needed:
             if self._given.gpu or (
@@ -300,7 +326,7 @@ class _Decision:
             ):
                 bare = self._smallest({part.name for part in matrix.parts if part.versions})
                 return Choice(bare or plain, "you ask for a GPU, and no file names a framework")
-            titles = [part.title for part in matrix.parts if part.title]
+            titles = [part.title for part in matrix.parts if part.title and part.release]
             return Choice(plain, f"no package.xml and no source names {listed(titles, 'or')}")
         places = listed([f"{at.place} names {at.word}" for at in needed.values()])
         return Choice(self._smallest(needed.keys()) or plain, places)

@@ -35,11 +35,23 @@ def hints(folder: Path, environment: Mapping[str, str]) -> Iterator[tuple[frozen
         yield frozenset([sourced]), f"ROS_DISTRO is {sourced} here"
     head = text_of(folder / ".git/HEAD").strip()
     if branch := head.removeprefix("ref: refs/heads/") if head.startswith("ref: ") else "":
-        yield frozenset([branch, *re.split(r"[^a-z0-9]+", branch)]), f"git's branch is {branch}"
+        yield _words(branch), f"git's branch is {branch}"
     workflows = sorted((folder / ".github/workflows").glob("*.y*ml"))
-    for file in (*workflows, folder / GITLAB, folder / ".travis.yml", folder / DOCKERFILE):
-        if words := frozenset(re.findall(r"[a-z0-9]+(?:-[a-z0-9]+)*", text_of(file))):
-            yield words | {piece for word in words for piece in word.split("-")}, f"{file.relative_to(folder)} names it"
+    text = "\n".join(map(text_of, (*workflows, folder / GITLAB, folder / ".travis.yml")))
+    yield _words(text), "files for CI name it"
+    yield _words(text_of(folder / DOCKERFILE)), f"{DOCKERFILE} names it"
+
+
+def _words(text: str) -> frozenset[str]:
+    """The words of a text, with hyphens and without."""
+    found = frozenset(re.findall(r"[a-z0-9]+(?:-[a-z0-9]+)*", text))
+    return found | {piece for word in found for piece in word.split("-")}
+
+
+def ignores_env(folder: Path) -> bool:
+    """Whether git leaves out its `.env`, by the usual lines of a `.gitignore`."""
+    lines = text_of(folder / ".gitignore").split("\n")
+    return not {".env", "/.env", "*.env", ".env*"}.isdisjoint(line.strip() for line in lines)
 
 
 def text_of(file: Path) -> str:
