@@ -122,7 +122,8 @@ def test_zizmor() -> None:
 
 
 def test_hadolint() -> None:
-    check("hadolint", "--no-color", ROOT / "Dockerfile", ROOT / "tests/e2e/docker_ros/Dockerfile")
+    examples = sorted((ROOT / "examples").rglob("Dockerfile"))
+    check("hadolint", "--no-color", ROOT / "Dockerfile", ROOT / "tests/e2e/docker_ros/Dockerfile", *examples)
 
 
 def test_oxlint() -> None:

@@ -1,0 +1,46 @@
+"""The folders of examples/ and their pages: what is copied is whole, and installs what it needs as the pages say."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+
+from tests.pages import pages
+
+LINES = 60
+"""Of a page, at most."""
+INSTALL = (
+    "apt-get update && rosdep update && rosdep install --from-paths src --ignore-src -y && rm -rf /var/lib/apt/lists/*"
+)
+"""As builds of the examples run it."""
+
+EXAMPLES = sorted(path.name for path in (ROOT / "examples").iterdir() if path.name not in ("ros1", "ros2"))
+"""Without those that are for `rosml containerize`, whose page tells of them."""
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_an_example_has_a_short_page(name: str) -> None:
+    page = (ROOT / f"docs/examples/{name}.md").read_text()
+    assert page.count("\n") <= LINES
+    assert f"({name}.md)" in (ROOT / "docs/examples/index.md").read_text()
+    assert f"../../examples/{name}/" in page, "code is shown by reference"
+
+
+@pytest.mark.parametrize("file", sorted((ROOT / "examples").rglob("Dockerfile")), ids=lambda file: file.parent.name)
+def test_a_dockerfile_installs_what_packages_need(file: Path) -> None:
+    text = file.read_text()
+    assert re.match(r"ARG BASE_IMAGE=<registry>/ros\S*\nFROM \$\{BASE_IMAGE\}\n", text)
+    if "colcon" in text:
+        assert f"RUN {INSTALL}\n" in text
+
+
+def test_every_page_installs_dependencies_by_the_line_that_is_built() -> None:
+    """rosdep of the images refuses `--yes`, which an earlier line had."""
+    found = [
+        line for page in pages() for line in re.findall(r"apt-get update && .*rosdep install [^`\n]*", page.read_text())
+    ]
+    assert len(found) >= 4
+    assert [line for line in found if not INSTALL.startswith(line)] == []
