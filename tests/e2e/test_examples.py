@@ -6,10 +6,11 @@ import json
 import re
 import shlex
 import shutil
-from collections.abc import Callable
+import sys
 from pathlib import Path
 
 import pytest
+import yaml
 
 from rosml import ROOT
 from rosml.machine.services import Services
@@ -18,8 +19,6 @@ from tests.e2e.images import Publish, build, ca_secret
 
 EXAMPLES = ROOT / "examples"
 HERE = Path(__file__).parent / "examples_base"
-
-Base = Callable[[str], str]
 
 
 def base(services: Services, reference: str, name: str) -> str:
@@ -50,14 +49,44 @@ def command(name: str) -> str:
     return shlex.join(json.loads(words))
 
 
-def says(words: str, what: str) -> str:
-    """A step that starts a command, waits until it says something, and stops it as `docker stop` does."""
-    script = (
-        f"/tini -s -- /entrypoint.sh {what} >/said 2>&1 & for try in {{1..300}}; do "
-        f"if grep -q {shlex.quote(words)} /said; then break; fi; sleep 0.1; done; "
-        f"cat /said; kill $!; wait; grep {shlex.quote(words)} /said"
+def says(words: str, *commands: str) -> str:
+    """A step that starts commands side by side, waits until one of them says something, and stops them as `docker stop` does."""
+    script = "".join(f"/tini -s -- /entrypoint.sh {words} >>/said 2>&1 & " for words in commands)
+    script += (
+        f"for try in {{1..300}}; do if grep -q {shlex.quote(words)} /said; then break; fi; sleep 0.1; done; "
+        f"cat /said; kill $(jobs -p); wait; grep -q {shlex.quote(words)} /said"
     )
     return f"bash -c {shlex.quote(script)}"
+
+
+@pytest.fixture(scope="module")
+def ros2(services: Services, published: Publish) -> str:
+    """ROS 2 from wheels."""
+    return base(services, published("jazzy-wheels-core").reference, "ros2")
+
+
+@pytest.fixture(scope="module")
+def ros2_tensorflow(services: Services, published: Publish) -> str:
+    """The same with TensorFlow, joined in the registry: an image set's own would run tests that another image has passed."""
+    ros, parts = published("jazzy-wheels-core"), published("ros1-bookworm-core-tensorflow-cpu").image.parts
+    prefix = f"{services.registry}/{NAMESPACE}"
+    joined = f"{prefix}/examples/joined:tensorflow"
+    words = [ros.reference, *(f"{prefix}/part:{name}" for name in parts), "--tag", joined]
+    done = run(sys.executable, str(ROOT / "src"), "join", *words)
+    assert done.code == 0, done.err
+    return base(services, joined, "ros2-tensorflow")
+
+
+def test_tensorflow_node(services: Services, ros2_tensorflow: str, tmp_path: Path) -> None:
+    check = says("TensorFlow .* on the CPU", command("tensorflow-node"))
+    example(services, "tensorflow-node", ros2_tensorflow, tmp_path, check)
+
+
+def test_compose(services: Services, ros2: str, tmp_path: Path) -> None:
+    """Both services side by side, on one network as compose gives them the host's; an engine with compose has not run them."""
+    found = yaml.safe_load((EXAMPLES / "compose/compose.yaml").read_text())["services"]
+    check = says("the light is in column", *(service["command"] for service in found.values()))
+    example(services, "compose", ros2, tmp_path, check)
 
 
 @pytest.mark.full(proof="cuda")
@@ -65,3 +94,9 @@ def test_torch_node(services: Services, published: Publish, tmp_path: Path) -> N
     image = base(services, published("jazzy-wheels-core-torch-cu128").reference, "torch-node")
     said = example(services, "torch-node", image, tmp_path, says("PyTorch .* on cpu", command("torch-node")))
     assert re.search(r"PyTorch [\d.]+\S* on cpu", said)
+
+
+@pytest.mark.full(proof="cuda")
+def test_torch_nodelet(services: Services, published: Publish, tmp_path: Path) -> None:
+    image = base(services, published("ros1-bookworm-core-torch-cu128").reference, "torch-nodelet")
+    example(services, "torch-nodelet", image, tmp_path, says("PyTorch .* on cpu", command("torch-nodelet")))
