@@ -5,12 +5,14 @@ from __future__ import annotations
 import datetime
 import json
 import os
+import re
 import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
+from click.core import ParameterSource
 
 from rosml import IN_CHECKOUT, ROOT
 from rosml.base import terminal
@@ -45,7 +47,7 @@ Calls = list[tuple[str, str]]
     alone=True,
     kept=KEPT,
 )
-@click.argument("folder", type=click.Path(exists=True, file_okay=False, path_type=Path), default=".")
+@click.argument("folder", type=click.Path(file_okay=False, path_type=Path), default=".")
 @click.option("--distribution", default="", metavar="NAME", help="ROS distribution of the base image, such as jazzy")
 @click.option("--component", default="", metavar="NAME", help="how much of ROS it has, such as base")
 @click.option("--framework", default="", metavar="NAME", help="what it has for machine learning; none for nothing")
@@ -53,7 +55,9 @@ Calls = list[tuple[str, str]]
 @click.option("--accelerator", default="", metavar="NAME", help="its stack, such as cpu; rosml list names all")
 @click.option("--command", default=None, metavar="TEXT", help="what the run image starts, as a shell reads it")
 @click.option("--ci", default="", metavar="FORGE", help="write a CI file for github or gitlab, or for none")
-@options.registry("where base images are")
+@options.registry("where base images are; with --images, where yours go")
+@click.option("--images", is_flag=True, help="write the files of a set of your own images, which extends rosml's")
+@click.option("--rosml", default="", metavar="ADDRESS", help="with --images: rosml's repository, if it is not known")
 @options.MATRIX
 @click.option("-y", "--yes", is_flag=True, help="take what is proposed, and ask nothing")
 @click.option("--dry-run", is_flag=True, help="print the files, and write nothing")
@@ -67,6 +71,8 @@ def main(
     dry_run: bool,
     as_json: bool,
     accelerator: str,
+    images: bool,
+    rosml: str,
     **given: Any,
 ) -> None:
     """Finds the ROS packages in FOLDER, proposes a base image for them, and writes what you need to build and run them.
@@ -86,7 +92,15 @@ def main(
       rosml init
       rosml init --yes --distribution jazzy --framework torch --gpu
       rosml init --ci github --registry ghcr.io/me/rosml
+      rosml init --images robot-images --registry ghcr.io/me/robot-images --distribution jazzy,humble
     """
+    if images:
+        _set_of_images(folder, registry, rosml, dry_run, as_json)
+        return
+    if rosml:
+        raise click.UsageError("--rosml belongs to --images.")
+    if not folder.is_dir():
+        raise click.BadParameter(f"Directory '{folder}' does not exist.", param_hint="'[FOLDER]'")
     from rosml.containerize.init import choices, contents, forge, packages
     from rosml.containerize.init import folder as folders
     from rosml.images.image_set import load
@@ -149,6 +163,29 @@ def main(
         terminal.echo(json.dumps(_as_json(folder, found, chosen, project, wanted, calls), indent=2))
     else:
         _print(found, chosen, wanted, calls, dry_run)
+
+
+# ---- A set of images -------------------------------------------------------------------------------------------------
+
+
+def _set_of_images(folder: Path, registry: str, rosml: str, dry_run: bool, as_json: bool) -> None:
+    """`--images`.
+
+    Raises:
+        click.UsageError: an option has no meaning for it.
+    """
+    from rosml.cli.images import own_set
+
+    context = click.get_current_context()
+    taken = ("folder", "registry", "images", "rosml", "dry_run", "as_json", "yes", "distribution", "framework")
+    for parameter in context.command.params:
+        if (
+            parameter.name not in taken
+            and context.get_parameter_source(str(parameter.name)) is not ParameterSource.DEFAULT
+        ):
+            raise click.UsageError(f"{parameter.opts[0]} has no meaning with --images: {own_set.EDIT}.")
+    names = {name: tuple(re.findall(r"[^,\s]+", context.params[name])) for name in ("distribution", "framework")}
+    own_set.begin(folder, names["distribution"], names["framework"], registry, rosml, dry_run, as_json)
 
 
 # ---- Questions -------------------------------------------------------------------------------------------------------

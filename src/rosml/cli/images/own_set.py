@@ -16,6 +16,8 @@ from rosml.images.image_set import load, own_set
 from rosml.images.image_set.own_set import Upstream
 from rosml.machine import git
 
+EDIT = f"edit {own_set.SET} afterwards"
+
 
 def begin(
     folder: Path,

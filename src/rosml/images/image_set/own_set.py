@@ -183,7 +183,10 @@ now="$commit $(cd "$here" && find $own -type f -exec cksum {} + 2>/dev/null | ck
 if [ "$now" != "$(cat "$rosml/.state/set" 2>/dev/null)" ]; then
   [ -d "$rosml/.git" ] || git init --quiet "$rosml"
   if [ "$(git -C "$rosml" rev-parse --verify --quiet HEAD)" != "$commit" ]; then
-    git -C "$rosml" fetch --quiet --depth 1 "$repository" "$commit"
+    git -C "$rosml" fetch --quiet --depth 1 "$repository" "$commit" || {
+      printf 'error: git cannot fetch commit %s of %s\nremedy: check the network; or name a commit that is there\n' "$commit" "$repository" >&2
+      exit 1
+    }
   fi
   git -C "$rosml" checkout --quiet --force --detach "$commit"
   git -C "$rosml" clean --quiet --force -d
