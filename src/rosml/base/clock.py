@@ -45,7 +45,7 @@ def require_not_ahead(date: str, clock: str) -> None:
     if is_ahead(date, clock):
         raise RosmlError(
             f"the run's date {date} is in the future (it is {clock}): no run before that date could move its tags",
-            "correct the date, or this machine's clock; --force takes it all the same",
+            "correct the date, or this machine's clock; --force takes it anyway",
             exit_code=2,
         )
 

@@ -606,7 +606,7 @@ class App:
                 raise RosmlError(
                     f"the {which} image would lack what the tests had; no image was made{_lines(lost)}",
                     "install it with the package that it is of, or name the package that has it as exec_depend in"
-                    " package.xml; --no-tests makes the images all the same",
+                    " package.xml; --no-tests makes the images anyway",
                 )
 
     def _require_started(self, built: Built) -> None:
@@ -622,7 +622,7 @@ class App:
             raise RosmlError(
                 f"the command starts what is not installed; no image was made{_lines(built.unstarted)}",
                 "install it: install(DIRECTORY launch DESTINATION share/${PROJECT_NAME}) or install(PROGRAMS …) in"
-                " CMakeLists.txt, data_files or entry_points in setup.py; --no-tests makes the images all the same",
+                " CMakeLists.txt, data_files or entry_points in setup.py; --no-tests makes the images anyway",
             )
 
     def _require_passed(self, built: Built) -> None:

@@ -50,7 +50,5 @@ def there(path: Path, root: Path, folder: bool = False) -> bool:
         raise RosmlError(f"{path}: it is neither a file nor a folder", "put a file in its place", exit_code=2)
     if path.is_dir() != folder:
         kinds = ("a file", "a folder") if folder else ("a folder", "a file")
-        raise RosmlError(
-            f"{path}: {kinds[0]} in the place of {kinds[1]}", "rename it, or name another one", exit_code=2
-        )
+        raise RosmlError(f"{path}: {kinds[0]} instead of {kinds[1]}", "rename it, or name another one", exit_code=2)
     return True

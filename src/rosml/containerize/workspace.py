@@ -119,7 +119,7 @@ def write_manifests(
         hides = any(path.name == MANIFEST for path in manifests(roots["target"]))
         raise RosmlError(
             f"there is no package.xml in {roots['target']}"
-            + (", but for what .dockerignore leaves out" if hides else ""),
+            + (", except what .dockerignore leaves out" if hides else ""),
             "call it in a folder with ROS packages, or name one"
             + ("; bring packages back with lines such as !src" if hides else ""),
             exit_code=2,

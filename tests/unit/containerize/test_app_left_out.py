@@ -110,7 +110,7 @@ def test_packages_that_dockerignore_leaves_out_are_not_built(tmp_path: Path) -> 
     (robot / ".dockerignore").write_text("src/b\n")
     assert workspace.write_manifests({"target": robot}, tmp_path / "out") == {"target": 1}
     (robot / ".dockerignore").write_text("*\n!docker\n")
-    with pytest.raises(RosmlError, match=r"no package\.xml in .*but for what \.dockerignore leaves out") as caught:
+    with pytest.raises(RosmlError, match=r"no package\.xml in .*except what \.dockerignore leaves out") as caught:
         workspace.write_manifests({"target": robot}, tmp_path / "out")
     assert "!src" in caught.value.remedy
 

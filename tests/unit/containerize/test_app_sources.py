@@ -353,7 +353,7 @@ def test_the_format_of_rosinstall_is_read_as_vcstool_does(place: Place) -> None:
         ("extends: ../outside.repos", "leads out of"),
         ("extends: /etc/hostname", "leads out of"),
         ("extends: .env", "gets into no image"),
-        ("extends: y", "a folder in the place of a file"),
+        ("extends: y", "a folder instead of a file"),
         ("extends: {a: b}", "extends is no file"),
         ("repositories: {<<: [x], x: {type: git, url: /a}}", "merges is no mapping"),
     ],

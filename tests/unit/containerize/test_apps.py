@@ -377,7 +377,7 @@ def link_to_itself(place: Path) -> None:
         (link_out, "leads out of"),
         (link_to_nothing, "a link to nothing"),
         (link_to_itself, "a link to nothing"),
-        (Path.mkdir, "a folder in the place of a file"),
+        (Path.mkdir, "a folder instead of a file"),
     ],
 )
 @pytest.mark.parametrize("recursive", ["true", "false"])
@@ -524,7 +524,7 @@ def test_additional_files_are_a_folder(tmp_path: Path) -> None:
     assert workspace.additional_files("docker/additional-files", tmp_path) is None
     assert workspace.additional_files("", tmp_path) is None
     (tmp_path / "files").touch()
-    with pytest.raises(RosmlError, match="files: a file in the place of a folder"):
+    with pytest.raises(RosmlError, match="files: a file instead of a folder"):
         workspace.additional_files("files", tmp_path)
     with pytest.raises(RosmlError, match="additional-files-dir: there is no folder file in"):
         workspace.additional_files("file", tmp_path)
