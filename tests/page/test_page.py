@@ -124,6 +124,7 @@ FILTERS: dict[str, tuple[dict[str, str], Callable[[Image], bool]]] = {
     "framework": ({"framework": "ml"}, lambda i: i.framework == "ml"),
     "stack": ({"stack": "cu130"}, lambda i: i.stack == "cu130"),
     "architecture": ({"architecture": "arm64"}, lambda i: "linux/arm64" in i.platforms),
+    "support": ({"support": "end of life"}, lambda i: i.distribution in ("noetic", "foxy", "iron")),
     "status": ({"status": "not built"}, lambda i: i.status == "not built"),
     "two groups": (
         {"distribution": "ros1-trixie", "framework": "torch"},
@@ -468,13 +469,13 @@ def test_packages_come_from_the_sboms(window: Windows) -> None:
 def test_an_image_says_what_changed_since_the_build_before(window: Windows) -> None:
     page = window().open(f"#/image/{TORCH}")
     news = page.locator("section:has(#news)")
-    assert "The build of 2026-11-22 beside the one of 2026-11-21:" in (news.text_content() or "")
+    assert "The build of 2026-11-22 compared with that of 2026-11-21:" in (news.text_content() or "")
     assert "numpy 1.26.4 → 1.26.5" in (news.text_content() or "")
     page.get_by_text("Packages that changed for linux/amd64").click()
     expect(news.locator("tbody tr")).to_have_count(1)
     assert rows(page, "Packages that changed for linux/amd64") == [["torch", "2.1", "2.2", "Python"]]
     page = window().open("#/image/ros1-bookworm-core")
-    assert "2026-11-21 beside the one of 2026-11-20" in (page.locator("section:has(#news)").text_content() or "")
+    assert "2026-11-21 compared with that of 2026-11-20" in (page.locator("section:has(#news)").text_content() or "")
     page.get_by_text("Packages that changed for linux/arm64").click()
     page.get_by_role("region", name="Packages that changed for linux/arm64").wait_for()
     assert rows(page, "Packages that changed for linux/arm64") == [
@@ -499,6 +500,33 @@ def test_what_is_not_published_says_why(window: Windows, published: Published) -
     assert texts(page, "pre") == ["./rosml image jazzy-base-torch-cu128"]
     promised = image(published, "jazzy-base-torch-cu128").promised_tags
     assert texts(page, "#main ul li") == [f"ros-torch:{tag}" for tag in promised]
+
+
+BADGES = {
+    "jazzy-base-torch-cu130": ["LTS until 2029-05-31", "NVIDIA driver 580 or newer"],
+    "noetic-base-cuda-cu121": ["end of life since 2025-05-31", "NVIDIA driver 525 or newer"],
+    "kilted-base": ["end of life on 2026-11-30"],
+    "jazzy-wheels-core": ["experimental"],
+    "rolling-base": [],
+    "ros1-trixie-base-torch-cpu": [],
+}
+
+
+def test_badges_say_what_one_has_to_know_first(window: Windows) -> None:
+    page = window().open(ANY)
+    for target, badges in BADGES.items():
+        page.get_by_label("Search names").fill(target)
+        row = page.locator(f'tr:has(a[href="#/image/{target}"])')
+        assert texts(row, ".badge") == badges
+        page.evaluate(f"location.hash = '#/image/{target}'")
+        expect(page.locator("h1")).to_have_text(target)
+        assert texts(page, ".badge") == badges
+        page.go_back()
+        page.locator(".list").wait_for()
+    page = window().open("#/image/jazzy-base-torch-cu130")
+    facts = " ".join(texts(page, ".facts dd"))
+    assert "PyTorch, amd64: sm_75 sm_80 sm_86 sm_90 sm_100 sm_120" in facts
+    assert "PyTorch, arm64: sm_80 sm_90 sm_100 sm_110 sm_120" in facts
 
 
 # ---- History and comparison ------------------------------------------------------------------------------------------

@@ -161,6 +161,9 @@ class Image(Tagged):
     promised_tags: tuple[str, ...] = Field(
         description="tags that a publishing run gives it, published or not; the main one first"
     )
+    gpu: dict[str, str] = Field(
+        description="of images with CUDA: `driver`, the oldest NVIDIA driver; by release and architecture the GPUs that it was built for"
+    )
     search: tuple[str, ...] = Field(description="words by which people look for it, such as noble, py312, gpu")
     status: Status
     reason: str = Field(description="why it is not published; empty if it is")

@@ -272,6 +272,7 @@ class Gatherer:
             platforms=image.platforms,
             promised=image.versions,
             promised_tags=tuple(tags_of(image)),
+            gpu=image.gpu,
             search=words(self.image_set, image),
             status=state,
             reason=reason,

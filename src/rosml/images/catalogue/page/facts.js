@@ -192,10 +192,32 @@
       .filter((item) => item.found);
   }
 
-  /** Words for the end of life of an image's distribution, and whether it is over. */
+  const SOON = 180; // days
+
+  /** Words for the end of life of an image's distribution, and whether it is over, or soon. */
   function endOfLife(image) {
     const { eol } = catalogue.distributions[image.distribution];
-    return { text: eol || "none: rolling", over: Boolean(eol) && eol < catalogue.created.slice(0, 10) };
+    const left = eol ? (Date.parse(eol) - Date.parse(catalogue.created.slice(0, 10))) / 86_400_000 : Infinity;
+    return { text: eol || "none: rolling", over: left < 0, soon: left >= 0 && left < SOON };
+  }
+
+  /** What one has to know before one takes an image: {text, kind}. */
+  function badges(image) {
+    const { lts, experimental } = catalogue.distributions[image.distribution];
+    const end = endOfLife(image);
+    const until = lts ? { text: `LTS until ${end.text}`, kind: "good" } : null;
+    return [
+      end.over ? { text: `end of life since ${end.text}`, kind: "over" } : null,
+      end.soon ? { text: `end of life on ${end.text}`, kind: "warn" } : null,
+      end.over || end.soon ? null : until,
+      experimental ? { text: "experimental", kind: "warn" } : null,
+      image.gpu.driver ? { text: `NVIDIA driver ${image.gpu.driver} or newer`, kind: "need" } : null,
+    ].filter(Boolean);
+  }
+
+  /** The same as elements. */
+  function badgeNodes(image) {
+    return badges(image).map(({ text, kind: name }) => window.rosml.el("span", { class: `badge ${name}` }, text));
   }
 
   /** A scan's outcome for people: clean means that the policy stops nothing, and not that nothing is known. */
@@ -227,5 +249,6 @@
     changes,
     published,
     endOfLife,
+    badgeNodes,
   });
 })();

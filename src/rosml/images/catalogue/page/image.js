@@ -223,7 +223,7 @@
       "section",
       { "aria-labelledby": "news" },
       el("h2", { id: "news" }, "What changed"),
-      el("p", null, "The build of ", r.day(now.created), " beside the one of ", r.day(before.created), ":"),
+      el("p", null, "The build of ", r.day(now.created), " compared with that of ", r.day(before.created), ":"),
       el("ul", null, r.changes(before, now).map(describe)),
       r.changedPackages(before, now),
     );
@@ -290,6 +290,17 @@
     );
   }
 
+  /** The GPUs that the libraries of an image were built for, on its architectures. */
+  function builtFor(image) {
+    const names = image.platforms.map(r.architecture);
+    return Object.entries(image.gpu)
+      .map(([name, gpus]) => [...name.split("."), gpus])
+      .filter(([, architecture]) => names.includes(architecture))
+      .map(([release, architecture, gpus]) =>
+        el("p", { class: "sub" }, `${r.CARRIED[release] || release}, ${architecture}: ${gpus}`),
+      );
+  }
+
   /** What an image is, line by line. */
   function about(image) {
     const build = r.present(image);
@@ -318,6 +329,7 @@
         el("span", { class: end.over ? "bad" : null }, end.text + (end.over ? " (over)" : "")),
         facts.experimental ? el("p", { class: "sub" }, "experimental") : null,
       ),
+      image.gpu.driver ? r.fact("GPU", `NVIDIA driver ${image.gpu.driver} or newer`, builtFor(image)) : null,
       build ? r.fact("Created", r.day(build.created)) : null,
       build
         ? r.fact(
@@ -341,6 +353,7 @@
     main.append(
       el("p", { class: "crumbs" }, el("a", { href: "#/" }, "Images"), " / "),
       el("h1", null, image.target),
+      el("p", { class: "badges" }, r.badgeNodes(image)),
       about(image),
     );
     const build = r.present(image);

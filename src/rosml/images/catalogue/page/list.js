@@ -12,6 +12,13 @@
     framework: { title: "Framework", of: (image) => [image.framework], name: (value) => r.TITLES[value] || value },
     stack: { title: "Stack", of: (image) => [image.stack || "none"] },
     architecture: { title: "Architecture", of: (image) => r.platforms(image).own.map(r.architecture) },
+    support: {
+      title: "Support",
+      of: (image) => [
+        r.endOfLife(image).over ? "end of life" : "maintained",
+        ...(r.catalogue.distributions[image.distribution].lts ? ["LTS"] : []),
+      ],
+    },
     status: { title: "Status", of: (image) => [image.status], name: (value) => r.STATUS[value] },
   };
   const ORDER = Object.keys(r.STATUS);
@@ -66,19 +73,16 @@
     return row.node;
   }
 
+  function sizes(platform) {
+    if (!platform) return "";
+    const { compressed, unpacked } = platform.size;
+    const disk = unpacked ? `${r.size(unpacked)} unpacked` : "unpacked: not counted";
+    return [r.size(compressed), el("span", { class: "sub" }, disk)];
+  }
+
   function element({ image, build, platform }) {
     const tag = r.mainTag(image);
     const line = `FROM ${r.reference(image, tag)}`;
-    const size = platform
-      ? [
-          r.size(platform.size.compressed),
-          el(
-            "span",
-            { class: "sub" },
-            platform.size.unpacked ? `${r.size(platform.size.unpacked)} unpacked` : "unpacked: not counted",
-          ),
-        ]
-      : "";
     return el(
       "tr",
       { class: image.status === "built" ? null : "absent", role: "row" },
@@ -92,9 +96,10 @@
         "td",
         { class: "content", role: "cell" },
         content(image).map((text) => el("span", { class: "chip" }, text)),
+        r.badgeNodes(image),
       ),
       el("td", { class: "place", role: "cell" }, r.platformNames(image, r.architecture)),
-      el("td", { class: "number", role: "cell" }, size),
+      el("td", { class: "number", role: "cell" }, sizes(platform)),
       el("td", { class: "line", role: "cell" }, checks(platform)),
       el("td", { class: "line", role: "cell" }, build ? r.day(build.created) : ""),
       el(
