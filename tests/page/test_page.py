@@ -7,6 +7,7 @@ import http.server
 import json
 import logging
 import re
+import tarfile
 import threading
 from collections.abc import Callable, Iterator
 from datetime import UTC, datetime, timedelta
@@ -37,6 +38,7 @@ ROUTES = {
     "compare": "#/compare",
     "compared": f"#/compare?a={TORCH}&b=ros1-trixie-base-torch-cu128",
     "layers": "#/layers",
+    "start": "#/start",
 }
 
 
@@ -357,12 +359,22 @@ def test_an_image_is_used_in_the_ways_of_the_docs(window: Windows) -> None:
     def said(name: str, what: str) -> Any:
         return page.evaluate(f"([name, what]) => {call}", [name, what])
 
-    assert yaml.safe_load(said("compose", f"image: {reference}")) == yaml.safe_load(fences["compose.yaml"])
+    assert yaml.safe_load(said("compose", reference)) == yaml.safe_load(fences["compose.yaml"])
     files = said("devcontainer", reference)
     assert files[".devcontainer/Dockerfile"] == fences[".devcontainer/Dockerfile"]
     ours, theirs = (json.loads(item[".devcontainer/devcontainer.json"]) for item in (files, fences))
     assert ours == theirs
     assert f"\n{said('run', 'IMAGE')}\n" in told
+    for image_name, target in (
+        ("ros-torch:jazzy-base-cu130", "jazzy-base-torch-cu130"),
+        ("ros-torch:ros1-bookworm-core-cu130", "ros1-bookworm-core-torch-cu130"),
+    ):
+        made = page.evaluate(
+            "([target, name]) => rosml.usage.dockerfile(rosml.byTarget.get(target), name)",
+            [target, f"<registry>/{image_name}"],
+        )
+        lines = [line for line in made.splitlines() if "rosdep" not in line]
+        assert "```dockerfile\n" + "\n".join(lines) + "\n```" in told
 
 
 def test_gpus_are_asked_for_by_images_that_have_cuda_alone(window: Windows) -> None:
@@ -527,6 +539,101 @@ def test_badges_say_what_one_has_to_know_first(window: Windows) -> None:
     facts = " ".join(texts(page, ".facts dd"))
     assert "PyTorch, amd64: sm_75 sm_80 sm_86 sm_90 sm_100 sm_120" in facts
     assert "PyTorch, arm64: sm_80 sm_90 sm_100 sm_110 sm_120" in facts
+
+
+# ---- Start -----------------------------------------------------------------------------------------------------------
+
+
+def choices(page: Any, name: str) -> list[str]:
+    return [str(option.get_attribute("value")) for option in page.get_by_label(name).locator("option").all()]
+
+
+def unpacked(page: Any, folder: Path) -> dict[str, str]:
+    """The files that the page gives."""
+    with page.expect_download() as found:
+        page.get_by_role("button", name="Download rosml.tar").click()
+    assert found.value.suggested_filename == "rosml.tar"
+    found.value.save_as(folder / "rosml.tar")
+    with tarfile.open(folder / "rosml.tar") as archive:
+        archive.extractall(folder, filter="data")
+    names = [path for path in folder.rglob("*") if path.is_file() and path.name != "rosml.tar"]
+    return {path.relative_to(folder).as_posix(): path.read_text() for path in names}
+
+
+def test_choices_lead_to_files_with_a_tag_that_exists(window: Windows, published: Published, tmp_path: Path) -> None:
+    page = window(accept_downloads=True).open("#/start")
+    assert choices(page, "ROS distribution") == ["ros1-bookworm", "ros1-trixie"], "published ones alone"
+    assert "core-run" not in choices(page, "Component"), "which has no compiler"
+    page.get_by_label("ROS distribution").select_option("ros1-trixie")
+    assert page.evaluate("document.activeElement.id") == "choose-distribution"
+    page.get_by_label("GPU").select_option("525")
+    reference = f"{REGISTRY}/ros-torch:ros1-trixie-base-cu128"
+    assert texts(page, "pre >> nth=0") == [reference]
+    assert page.get_by_role("status").filter(has_text="Your image").text_content() == f"Your image: {reference}"
+    files = unpacked(page, tmp_path)
+    assert set(files) == {
+        "Dockerfile",
+        ".dockerignore",
+        "compose.yaml",
+        ".env",
+        ".devcontainer/devcontainer.json",
+        ".devcontainer/Dockerfile",
+    }
+    assert files["Dockerfile"].splitlines()[0] == f"FROM {reference}"
+    service = yaml.safe_load(files["compose.yaml"])["services"]["detector"]
+    assert service["build"] == "." and "volumes" not in service, "a mount would hide what was built"
+    assert f"BASE_IMAGE={reference}\n" in files[".env"]
+    page.reload()
+    assert texts(page, "pre >> nth=0") == [reference], "the address keeps the choices"
+
+
+def test_every_choice_gives_an_image_that_runs_there(window: Windows, published: Published) -> None:
+    page = window().open("#/start")
+    there = {f"{REGISTRY}/{i.repository}:{tag.name}": i for i in published.images for tag in i.tags}
+    seen = set()
+    for framework in choices(page, "Framework"):
+        page.get_by_label("Framework").select_option(framework)
+        for gpu in choices(page, "GPU"):
+            page.get_by_label("GPU").select_option(gpu)
+            (reference,) = texts(page, "pre >> nth=0")
+            item = there[reference]
+            seen.add((framework, gpu, item.stack))
+            assert item.framework == framework
+            if gpu == "none":
+                assert not carries(item, "cuda")
+            elif gpu == "jetson":
+                assert "linux/arm64" in item.platforms and carries(item, "cuda")
+            else:
+                assert int(item.gpu["driver"]) <= int(gpu)
+    assert {("torch", "580", "cu130"), ("torch", "525", "cu128"), ("torch", "jetson", "cu130")} <= seen
+    assert {("tensorflow", "525", "cu128"), ("tensorflow", "none", "cpu"), ("none", "none", None)} <= seen
+
+
+def test_without_published_images_there_is_nothing_to_start_from(browser: Any, tmp_path: Path) -> None:
+    shelf = Shelf(load.load(ROOT / "matrix.yaml", ROOT))
+    site.write(tmp_path / "page", Gatherer(shelf.image_set, Place(shelf.registry, "rosml")).gather(NOW, ["jazzy-base"]))
+    windows = Windows(browser, tmp_path / "page")
+    page = windows().open("#/start")
+    assert page.get_by_text("No image to build on is published").is_visible()
+    assert page.get_by_role("button", name="Download").count() == 0
+    windows.opened[0][0].close()
+
+
+def test_starting_by_keys(window: Windows) -> None:
+    page = window(NARROW, accept_downloads=True).open("#/start")
+    tab_to(page, "base", most=12)
+    page.keyboard.type("desktop")
+    expect(page.locator("pre").first).to_have_text(f"{REGISTRY}/ros-torch:ros1-bookworm-desktop-cu130")
+    tab_to(page, "Download rosml.tar", most=8)
+    with page.expect_download():
+        page.keyboard.press("Enter")
+    told = tree(page)
+    assert [name for role, name in told if role == "combobox" and name != "Colours"] == [
+        "ROS distribution",
+        "Component",
+        "Framework",
+        "GPU",
+    ]
 
 
 # ---- History and comparison ------------------------------------------------------------------------------------------

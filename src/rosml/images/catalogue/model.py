@@ -156,6 +156,7 @@ class Image(Tagged):
     component: str
     framework: str
     stack: str | None
+    only_runs: bool = Field(description="without compilers: for programs that are built elsewhere")
     platforms: tuple[str, ...] = Field(description="those that the matrix allows; a build has its own")
     promised: dict[str, str] = Field(description="versions that the matrix gives it")
     promised_tags: tuple[str, ...] = Field(

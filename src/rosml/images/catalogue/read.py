@@ -40,6 +40,7 @@ from rosml.images.image_set import model as sets
 from rosml.images.image_set.labels import PREFIX
 from rosml.images.image_set.model import repository_of, tags_of
 from rosml.images.image_set.selection import select
+from rosml.images.matrix import rules
 from rosml.images.matrix.names import DATED
 from rosml.images.records import tag_moves
 from rosml.images.records.store import INDEX, Entry, Records, date_of
@@ -269,6 +270,7 @@ class Gatherer:
             component=image.component,
             framework=image.framework,
             stack=image.stack,
+            only_runs=rules.only_runs(self.image_set.matrix, image.component),
             platforms=image.platforms,
             promised=image.versions,
             promised_tags=tuple(tags_of(image)),

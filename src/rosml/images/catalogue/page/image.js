@@ -22,7 +22,7 @@
     const items = [
       ["docker run", () => r.snippet(usage.run(image, reference()), "Copy the docker run line")],
       ["Dockerfile", () => r.snippet(`FROM ${reference()}`, "Copy the FROM line")],
-      ["compose", () => r.snippet(usage.compose(image, `image: ${reference()}`), "Copy compose.yaml", "compose.yaml")],
+      ["compose", () => r.snippet(usage.compose(image, reference()), "Copy compose.yaml", "compose.yaml")],
       [
         "dev container",
         () =>

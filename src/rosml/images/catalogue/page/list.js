@@ -396,7 +396,9 @@
       el(
         "p",
         { class: "lead" },
-        "Find a tag, copy its line. Every published one was tested from the inside before its tag pointed at it.",
+        "Find a tag, copy its line, or ",
+        el("a", { href: "#/start" }, "answer four questions"),
+        ". Every published image was tested from the inside before its tag pointed at it.",
       ),
       el(
         "div",

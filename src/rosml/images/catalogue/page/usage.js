@@ -30,20 +30,22 @@
               capabilities: [gpu]
 `;
 
-  /** A compose file with one service; the image is `what`: a reference, or the folder to build. */
-  function compose(image, what) {
+  const MOUNT = `    volumes:
+      - .:${WORKSPACE}
+`;
+
+  /** A compose file with one service: of an image on whose workspace the folder is mounted, or of what the folder's Dockerfile builds. */
+  function compose(image, reference) {
     return `services:
   detector:
-    ${what}
+    ${reference ? `image: ${reference}` : "build: ."}
     command: ${command(image).join(" ")}
     network_mode: host
     ipc: host
     environment:
       DOCKER_UID: \${DOCKER_UID:-1000}
       DOCKER_GID: \${DOCKER_GID:-1000}
-    volumes:
-      - .:${WORKSPACE}
-${hasGpu(image) ? GPUS : ""}`;
+${reference ? MOUNT : ""}${hasGpu(image) ? GPUS : ""}`;
   }
 
   /** The dev container's files: an editor enters as the user `dev`. */
@@ -57,13 +59,40 @@ ${hasGpu(image) ? GPUS : ""}`;
       ...(hasGpu(image) ? { hostRequirements: { gpu: "optional" } } : {}),
       remoteUser: "dev",
     };
-    const dockerfile = `FROM ${reference}
+    const withUser = `FROM ${reference}
 RUN useradd --create-home --shell /bin/bash --uid 1000 --groups sudo,video dev \\
  && chown dev:dev ${WORKSPACE}
 `;
     return {
       ".devcontainer/devcontainer.json": `${JSON.stringify(content, null, 2)}\n`,
-      ".devcontainer/Dockerfile": dockerfile,
+      ".devcontainer/Dockerfile": withUser,
+    };
+  }
+
+  /** A Dockerfile for one package in the folder where it lies. */
+  function dockerfile(image, reference) {
+    const ros1 = r.catalogue.distributions[image.distribution].ros === 1;
+    const over = r.endOfLife(image).over ? " --include-eol-distros" : "";
+    return `FROM ${reference}
+COPY . ${WORKSPACE}/src/my_package
+RUN apt-get update && rosdep update${over} && rosdep install --from-paths src --ignore-src -y && rm -rf /var/lib/apt/lists/*
+RUN /entrypoint.sh ${ros1 ? "catkin_make" : "colcon build"}
+CMD ${JSON.stringify(command(image)).replaceAll(",", ", ")}
+`;
+  }
+
+  /** The files with which one begins, by their names. */
+  function files(image, reference) {
+    return {
+      Dockerfile: dockerfile(image, reference),
+      ".dockerignore": [".git", ".devcontainer", "build", "devel", "install", "log", ""].join("\n"),
+      "compose.yaml": compose(image, ""),
+      ".env": `# What rosml containerize reads, which needs no Dockerfile.
+BASE_IMAGE=${reference}
+COMMAND='${command(image).join(" ")}'
+IMAGE_NAME=detector
+`,
+      ...devcontainer(image, reference),
     };
   }
 
@@ -78,5 +107,5 @@ RUN useradd --create-home --shell /bin/bash --uid 1000 --groups sudo,video dev \
     });
   }
 
-  Object.assign(r, { hasGpu, usage: { run, compose, devcontainer, verify, command, WORKSPACE } });
+  Object.assign(r, { hasGpu, usage: { run, dockerfile, compose, devcontainer, files, verify } });
 })();
