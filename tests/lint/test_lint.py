@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from rosml.containerize.init import contents
 from tests.pages import blocks
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -105,6 +106,31 @@ def test_actionlint_of_the_documentation(page: str, tmp_path: Path) -> None:
     for block in shown:
         (tmp_path / Path(block.title).name).write_text(block.text)
     actionlint(*tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("place", ["", "ghcr.io/me/rosml"])
+def test_what_init_writes(place: str, tmp_path: Path) -> None:
+    """`rosml init` of a package with upstream sources and requirements: its workflow and its Dockerfile."""
+    project = contents.Project(
+        name="robot",
+        tag="ros:jazzy-base",
+        place=place,
+        ros=2,
+        gpu=True,
+        command="ros2 launch 'a b' x.launch.py",
+        ended=True,
+        pip=("requirements.txt",),
+        repos="my robot.repos",
+        one_of_several=True,
+        packages=(".",),
+        forge="github",
+        source="me/rosml",
+        revision="main",
+    )
+    for name, text in contents.contents(project).items():
+        (tmp_path / Path(name).name).write_text(text)
+    actionlint(tmp_path / Path(contents.GITHUB).name)
+    check("hadolint", "--no-color", tmp_path / contents.DOCKERFILE)
 
 
 def test_zizmor() -> None:

@@ -284,7 +284,7 @@ ABSOLUTE = "/usr/bin:/bin"
 OF_A_CHECKOUT = ("setup", "setup up", "setup clean", "image", "publish all")
 CALLS = [
     *((words, ABSOLUTE) for words in (*OF_A_CHECKOUT, "containerize .", "list")),
-    *((words, f"{here}:{ABSOLUTE}") for words in ("containerize .", "run x") for here in ("", ".")),
+    *((words, f"{here}:{ABSOLUTE}") for words in ("containerize .", "run x", "init -y ros") for here in ("", ".")),
 ]
 
 
@@ -292,6 +292,8 @@ CALLS = [
 def test_the_installed_command_runs_nothing_of_the_folder(wheel: Path, tmp_path: Path, words: str, path: str) -> None:
     """The folder looks like a checkout, and is a stranger's. No program of it runs, and its services are not believed."""
     folder = stranger(tmp_path / "a repository")
+    (folder / "ros").mkdir()
+    (folder / "ros/package.xml").write_text("<package><name>robot</name></package>")
     (tmp_path / "call").mkdir()
     program = tmp_path / "call/rosml"
     program.write_text("import sys\nfrom rosml.cli.main import run\nsys.exit(run())\n")
@@ -303,6 +305,8 @@ def test_the_installed_command_runs_nothing_of_the_folder(wheel: Path, tmp_path:
     if words in OF_A_CHECKOUT:
         own = f"call its own command: '{folder}/rosml'\n"
         assert (done.returncode, done.stderr.endswith(own)) == (2, True), done.stderr
+    if words.startswith("init"):
+        assert done.returncode == 0 and (folder / "ros/.env").is_file()
     if words == "list":
         assert done.returncode == 0 and done.stderr.startswith(
             f"warning: the matrix is the one that came with rosml, and not that of {folder}\n"

@@ -104,12 +104,20 @@ def test_a_dockerfile_names_only_a_registry_that_was_named(tmp_path: Path) -> No
     assert "\nARG BASE_IMAGE=ghcr.io/me/rosml/ros:jazzy-base\n" in (two / "Dockerfile").read_text()
 
 
+def test_a_dockerfile_says_how_its_image_gets_gpus(tmp_path: Path) -> None:
+    one, two = (write(tmp_path / name, {"package.xml": manifest(), "a.py": TORCH}) for name in ("one", "two"))
+    called(one, "--yes", "--gpu")
+    called(two, "--yes", "--cpu")
+    assert "docker run --rm -it --gpus all -e" in (one / "Dockerfile").read_text()
+    assert "--gpus" not in (two / "Dockerfile").read_text()
+
+
 @pytest.mark.parametrize(
     ("command", "last"),
     [
         ("ros2 run arm 'a b'", 'CMD ["ros2", "run", "arm", "a b"]'),
         ("a && b $X", 'CMD ["bash", "-c", "a && b $X"]'),
-        ("", "COPY --from=build /docker-ros/ws/install install"),
+        ("", "COPY --from=build /docker-ros/ws/install /docker-ros/ws/install"),
     ],
 )
 def test_the_command_of_a_dockerfile(tmp_path: Path, command: str, last: str) -> None:

@@ -139,6 +139,7 @@ def main(
         tag=decided.image.tags[0],
         place=place,
         ros=decided.image.ros,
+        gpu="cuda" in decided.image.versions,
         command=decided.command,
         ended=decided.ended,
         pip=found.pip,

@@ -33,6 +33,7 @@ class Project:
         tag: the base image in its registry, such as `ros:jazzy-base`.
         place: the registry and the path before it, such as `ghcr.io/me/rosml`; empty if only this machine has the base image.
         ros: 1 or 2.
+        gpu: the base image has CUDA.
         command: what the run image starts; empty if nothing.
         ended: the distribution is past its end of life.
         pip: files of requirements, relative to the folder.
@@ -48,6 +49,7 @@ class Project:
     tag: str
     place: str
     ros: int
+    gpu: bool
     command: str
     ended: bool
     pip: tuple[str, ...]
@@ -180,13 +182,13 @@ def _dockerfile(project: Project) -> str:
         *([] if default else ["# check=skip=InvalidDefaultArgInFrom"]),
         "# Builds with Docker alone. rosml containerize does not read this file.",
         f"#   docker build {'' if default else '--build-arg BASE_IMAGE=… '}-t {project.name} .",
-        f"#   docker run --rm -it -e DOCKER_UID=$(id -u) -e DOCKER_GID=$(id -g) {project.name}",
+        f"#   docker run --rm -it {'--gpus all ' if project.gpu else ''}-e DOCKER_UID=$(id -u) -e DOCKER_GID=$(id -g) {project.name}",
         f"ARG BASE_IMAGE{default}",
     ]
     stages = [head, *_source_stages(project)]
     stages.append(["FROM ${BASE_IMAGE} AS build", *_install(project, "")])
     stages[-1] += [
-        "COPY --from=sources /src src",
+        "COPY --from=sources /src /docker-ros/ws/src",
         "RUN /entrypoint.sh colcon build --cmake-args -DCMAKE_BUILD_TYPE=Release",
     ]
     tests = "colcon test && colcon test-result --verbose"
@@ -198,7 +200,7 @@ def _dockerfile(project: Project) -> str:
             "# The image to run: without what only the build needs.",
             "FROM ${BASE_IMAGE} AS run",
             *_install(project, " --dependency-types exec"),
-            "COPY --from=build /docker-ros/ws/install install",
+            "COPY --from=build /docker-ros/ws/install /docker-ros/ws/install",
             *([f"CMD {json.dumps(shlex.split(project.command))}"] if _is_plain(project.command) else []),
             *(
                 [f"CMD {json.dumps(['bash', '-c', project.command])}"]
@@ -213,11 +215,10 @@ def _dockerfile(project: Project) -> str:
 def _source_stages(project: Project) -> Iterator[list[str]]:
     """The stages with all sources, and with those files of them that name dependencies."""
     if project.repos:
-        file = shlex.quote(project.repos)
         yield [
             "FROM ${BASE_IMAGE} AS upstream",
             f"COPY {json.dumps([project.repos, '/upstream.repos'])}",
-            f"RUN mkdir /upstream && vcs import --input /upstream.repos /upstream # {file}",
+            "RUN mkdir /upstream && vcs import --input /upstream.repos /upstream",
         ]
         yield ["FROM scratch AS sources", "COPY --from=upstream /upstream /src/upstream", "COPY . /src/target"]
     else:
@@ -269,7 +270,8 @@ def _github(project: Project) -> Iterator[str]:
     yield "      contents: read # the checkout"
     yield "      packages: write # the images"
     yield "    steps:"
-    yield f"      - uses: {project.source}/containerize@{project.revision}"
+    loose = "" if len(project.revision) == 40 else " # better: a commit"
+    yield f"      - uses: {project.source}/containerize@{project.revision}{loose}"
     yield "        with:"
     yield f"          base-image: {json.dumps(project.base_image)}"
     for name, value in _beyond(project):
