@@ -14,6 +14,7 @@ import pytest
 import yaml
 from click.testing import CliRunner, Result
 from conftest import ROOT
+from desks import OURS, Desk
 
 from rosml.cli import main
 from rosml.cli.containerize import init
@@ -95,6 +96,17 @@ def test_those_who_read_the_files_understand_them(tmp_path: Path, registry: list
     assert [path.parent.name for path in workspace.manifests(folder, left=left)] == ["arm"]
 
 
+def test_rosml_run_takes_the_image_to_work_in_and_mounts_the_folder(tmp_path: Path) -> None:
+    desk = Desk(tmp_path)
+    desk.engine(images={"dr:latest-dev": OURS})
+    called(write(desk.folder, {"package.xml": manifest()}), "--yes")
+    done = desk.call("--dry-run")
+    assert done.returncode == 0, done.stderr
+    words = shlex.split(done.stdout)
+    mounted = [word for word in words if word.endswith("/docker-ros/ws/src/target")]
+    assert len(mounted) == 1 and str(desk.folder) in mounted[0] and words[-1] == "dr:latest-dev", words
+
+
 def test_a_dockerfile_names_only_a_registry_that_was_named(tmp_path: Path) -> None:
     """Otherwise Docker would look for `ros:jazzy-base` on Docker Hub, where others have a repository of that name."""
     one, two = (write(tmp_path / name, {"package.xml": manifest()}) for name in ("one", "two"))
@@ -145,6 +157,13 @@ def test_a_second_call_changes_nothing_and_keeps_to_the_first(tmp_path: Path) ->
     ]
     assert done.stderr == ""
     assert "docker build" not in done.stdout, "the Dockerfile is somebody else's"
+
+
+def test_an_option_wins_over_the_file_of_variables(tmp_path: Path) -> None:
+    write(tmp_path, {"package.xml": manifest(), ".env": "BASE_IMAGE=ros:humble-core\n"})
+    assert list(chosen(tmp_path).values())[:4] == ["humble", "core", "none", ""]
+    assert list(chosen(tmp_path, "--gpu").values())[:4] == ["humble", "core", "cuda", "cu130"]
+    assert list(chosen(tmp_path, "--distribution", "jazzy").values())[:3] == ["jazzy", "base", "none"]
 
 
 def test_a_dry_run_shows_the_files_and_writes_none(tmp_path: Path) -> None:

@@ -230,8 +230,9 @@ class _Decision:
             raise RosmlError(text, f"take {listed(self._sorted(fitting), 'or')}", exit_code=2)
 
     def _proposed(self, fitting: Sequence[str]) -> Choice:
-        if self._before and self._before.distribution in fitting:
-            return Choice(self._before.distribution, _BEFORE)
+        before = self._before
+        if before and before.distribution in fitting:
+            return Choice(before.distribution, _BEFORE)
         alive = [name for name in self._sorted(fitting) if not self._ended(name)] or list(fitting)
         for words, told in self._here.hints:
             for name in alive:
@@ -287,6 +288,10 @@ class _Decision:
         kind = ", experimental" if facts.experimental else ", long-term" if facts.lts else ""
         return f"ROS {facts.ros}{kind}, {until}"
 
+    def _named_before(self, row: str) -> Image | None:
+        """The base image that `.env` names, if it is of a distribution."""
+        return self._before if self._before and self._before.distribution == row else None
+
     # ---- Component ---------------------------------------------------------------------------------------------------
 
     def _component(self, row: str) -> Choice:
@@ -297,8 +302,8 @@ class _Decision:
                 text = rules.component_reason(self._matrix, row, name) or f"{name} only runs programs that are built"
                 raise RosmlError(text, f"take {listed(has, 'or')}", exit_code=2)
             return Choice(name, rest)
-        if self._before and self._before.distribution == row and self._before.component in has:
-            proposal = Choice(self._before.component, _BEFORE)
+        if (before := self._named_before(row)) and before.component in has:
+            proposal = Choice(before.component, _BEFORE)
         else:
             proposal = Choice(FLOATING if FLOATING in has else has[0], rest)
             needs = {key: package for package in self._found.packages for key in package.needs}
@@ -321,9 +326,7 @@ class _Decision:
             needed = {part.name: at for part in matrix.parts if part.versions}
         plain = rules.plain(matrix)
         if not needed:
-            if self._given.gpu or (
-                self._given.stack and self._given.stack in self._matrix.stacks and self._on_gpu(self._given.stack)
-            ):
+            if self._asks_for_gpu():
                 bare = self._smallest({part.name for part in matrix.parts if part.versions})
                 return Choice(bare or plain, "you ask for a GPU, and no file names a framework")
             titles = [part.title for part in matrix.parts if part.title and part.release]
@@ -349,8 +352,8 @@ class _Decision:
             if name not in there:
                 raise RosmlError(self._lacking(row, component, name), f"{row} has {listed(there)}", exit_code=2)
             return Choice(name, "you ask for it")
-        if self._before and self._before.distribution == row:
-            proposal = Choice(self._before.framework, _BEFORE)
+        if (before := self._named_before(row)) and (not self._asks_for_gpu() or before.stack):
+            proposal = Choice(before.framework, _BEFORE)
         else:
             proposal = self._wanted()
         if proposal.value not in there:
@@ -371,6 +374,11 @@ class _Decision:
 
     def _on_gpu(self, stack: str) -> bool:
         return bool(self._matrix.stacks[stack].cuda)
+
+    def _asks_for_gpu(self) -> bool:
+        """Whether the user asks for one, or for a stack that needs one."""
+        stack = self._given.stack
+        return bool(self._given.gpu or (stack in self._matrix.stacks and self._on_gpu(stack)))
 
     def _may(self, stack: str | None) -> bool:
         """Whether the user allows a stack."""
@@ -394,7 +402,7 @@ class _Decision:
             text = unknown("accelerator", given, self._matrix.stacks)
             raise RosmlError(text, f"take {listed(there, 'or') or 'none'}; or --gpu or --cpu", exit_code=2)
         if not self._matrix.frameworks[framework].parts:
-            if self._given.gpu or (given and self._on_gpu(given)):
+            if self._asks_for_gpu():
                 with_gpu = [name for name, facts in self._matrix.frameworks.items() if facts.parts]
                 raise RosmlError(
                     f"framework {framework} computes nothing on a GPU", f"take {listed(with_gpu, 'or')}", exit_code=2
@@ -405,8 +413,7 @@ class _Decision:
                 text = rules.stack_reason(self._matrix, row, framework, given) or f"{given} is not what you ask for"
                 raise RosmlError(text, f"take {listed(there, 'or')}", exit_code=2)
             return Choice(given, self._computes(given))
-        before = self._before
-        if before and (before.distribution, before.framework) == (row, framework) and before.stack in there:
+        if (before := self._named_before(row)) and before.framework == framework and before.stack in there:
             proposal = Choice(before.stack, _BEFORE)
         else:
             proposal = self._fitting(row, component, framework, there)
