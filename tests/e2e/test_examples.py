@@ -100,3 +100,29 @@ def test_torch_node(services: Services, published: Publish, tmp_path: Path) -> N
 def test_torch_nodelet(services: Services, published: Publish, tmp_path: Path) -> None:
     image = base(services, published("ros1-bookworm-core-torch-cu128").reference, "torch-nodelet")
     example(services, "torch-nodelet", image, tmp_path, says("PyTorch .* on cpu", command("torch-nodelet")))
+
+
+def test_vscode(services: Services, ros2: str, tmp_path: Path) -> None:
+    """The dev container's image, and what the editor does in it: it mounts the folder, builds, and runs its tasks."""
+    folder = EXAMPLES / "vscode"
+    container = json.loads((folder / ".devcontainer/devcontainer.json").read_text())
+    tasks = json.loads((folder / ".vscode/tasks.json").read_text())["tasks"]
+    shutil.copytree(folder, tmp_path, dirs_exist_ok=True)
+    lines = [
+        (folder / ".devcontainer/Dockerfile").read_text(),
+        f"USER {container['remoteUser']}",
+        "COPY --chown=dev . .",
+    ]
+    lines += [f"RUN {line}" for line in (container["postCreateCommand"], *(task["command"] for task in tasks))]
+    (tmp_path / "Dockerfile").write_text("\n".join(lines) + "\n")
+    said = build(services, tmp_path, "--build-arg", f"BASE_IMAGE={ros2}")
+    assert "Summary: 1 test, 0 errors, 0 failures" in said
+
+
+def test_jupyter(services: Services, ros2_tensorflow: str, tmp_path: Path) -> None:
+    """A kernel of the image runs the notebook in the build; the server starts."""
+    shutil.copytree(EXAMPLES / "jupyter", tmp_path, dirs_exist_ok=True)
+    with (tmp_path / "Dockerfile").open("a") as file:
+        file.write("RUN grep 'the nearest thing is 2.5 m away' /tmp/ran.ipynb\n")
+        file.write(f"RUN {says('127.0.0.1:8888/lab', command('jupyter'))}\n")
+    build(services, tmp_path, "--build-arg", f"BASE_IMAGE={ros2_tensorflow}")
