@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+import base64
+import http.server
 import json
 import re
+import secrets
 import shlex
 import shutil
+import subprocess
 import sys
+import tempfile
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import pytest
 import yaml
@@ -16,29 +25,36 @@ from rosml import ROOT
 from rosml.machine.services import Services
 from tests.e2e.conftest import NAMESPACE, run
 from tests.e2e.images import Publish, build, ca_secret
+from tests.e2e.test_containerize import commit
 
 EXAMPLES = ROOT / "examples"
 HERE = Path(__file__).parent / "examples_base"
 
 
-def base(services: Services, reference: str, name: str) -> str:
+def base(services: Services, reference: str, name: str, *steps: str) -> str:
     """An image with what the network has for others: lists for rosdep, the certificates of this machine, and `ros2 run` if
-    ROS 2 is from wheels, which lack the command."""
+    ROS 2 is from wheels, which lack the command; then steps of a test's own."""
     made = f"{services.registry}/{NAMESPACE}/examples/base:{name}"
     options = ["--output", f"type=image,name={made},push=true", "--build-arg", f"BASE_IMAGE={reference}"]
     options += ["--build-context", f"components={ROOT / 'components'}", *ca_secret(services)]
-    done = run(*services.buildx, "build", "--progress", "plain", *options, str(HERE), env=services.environment())
+    with tempfile.TemporaryDirectory() as folder:
+        shutil.copytree(HERE, folder, dirs_exist_ok=True)
+        with Path(folder, "Dockerfile").open("a") as file:
+            file.write("".join(f"RUN {step}\n" for step in steps))
+        done = run(*services.buildx, "build", "--progress", "plain", *options, folder, env=services.environment())
     assert done.code == 0, done.err
     return made
 
 
-def example(services: Services, name: str, image: str, folder: Path, *checks: str) -> str:
+def example(
+    services: Services, name: str, image: str, folder: Path, *checks: str, options: tuple[str, ...] = ()
+) -> str:
     """Builds the Dockerfile of an example on an image, then steps of its own; returns what the builder said."""
     place = folder / name
     shutil.copytree(EXAMPLES / name, place)
     with (place / "Dockerfile").open("a") as file:
         file.write("".join(f"RUN {check}\n" for check in checks))
-    said = build(services, place, "--build-arg", f"BASE_IMAGE={image}")
+    said = build(services, place, "--build-arg", f"BASE_IMAGE={image}", *options)
     assert re.search(r"Summary: [1-9]\d* tests?, 0 errors, 0 failures", said), said
     return said
 
@@ -126,3 +142,68 @@ def test_jupyter(services: Services, ros2_tensorflow: str, tmp_path: Path) -> No
         file.write("RUN grep 'the nearest thing is 2.5 m away' /tmp/ran.ipynb\n")
         file.write(f"RUN {says('127.0.0.1:8888/lab', command('jupyter'))}\n")
     build(services, tmp_path, "--build-arg", f"BASE_IMAGE={ros2_tensorflow}")
+
+
+DRIVER = {
+    "package.xml": """<package format="3"><name>driver</name><version>1.0.0</version><description>A driver</description>
+<maintainer email="nobody@example.org">nobody</maintainer><license>Proprietary</license>
+<export><build_type>ament_python</build_type></export></package>
+""",
+    "setup.py": """from setuptools import setup
+setup(name="driver", version="1.0.0", packages=["driver"], data_files=[
+    ("share/ament_index/resource_index/packages", ["resource/driver"]), ("share/driver", ["package.xml"])])
+""",
+    "setup.cfg": "[install]\ninstall_scripts=$base/lib/driver\n",
+    "resource/driver": "",
+    "driver/__init__.py": "FASTEST = 1.5\n",
+}
+"""The package in a private repository that the example of CI asks for."""
+
+
+@contextmanager
+def private(folder: Path, password: str) -> Iterator[str]:
+    """A server with a repository `driver.git`, for whoever has the password; gives its place, such as 127.0.0.1:1234."""
+    source = folder / "driver"
+    for name, text in DRIVER.items():
+        (source / name).parent.mkdir(parents=True, exist_ok=True)
+        (source / name).write_text(text)
+    commit(source)
+    served = folder / "served"
+    subprocess.run(["git", "clone", "--quiet", "--bare", str(source), str(served / "driver.git")], check=True)
+    subprocess.run(["git", "-C", str(served / "driver.git"), "branch", "--move", "--force", "main"], check=True)
+    subprocess.run(["git", "-C", str(served / "driver.git"), "update-server-info"], check=True)
+    wanted = "Basic " + base64.b64encode(f"x-access-token:{password}".encode()).decode()
+
+    class Server(http.server.SimpleHTTPRequestHandler):
+        def __init__(self, *arguments: Any) -> None:
+            super().__init__(*arguments, directory=str(served))
+
+        def do_GET(self) -> None:
+            if self.headers.get("Authorization") == wanted:
+                super().do_GET()
+                return
+            self.send_response(401)
+            self.send_header("WWW-Authenticate", 'Basic realm="private"')
+            self.end_headers()
+
+        def log_message(self, format: str, *args: object) -> None:
+            """Says nothing."""
+
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), Server) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"127.0.0.1:{server.server_port}"
+        server.shutdown()
+
+
+def test_ci(services: Services, published: Publish, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The Dockerfile gets a package from a private repository, and nothing of the password stays; CI calls it this way."""
+    files = [(EXAMPLES / "ci" / name).read_text() for name in (".github/workflows/image.yml", ".gitlab-ci.yml")]
+    assert [re.findall(r"--secret (\S+) --build-arg BASE_IMAGE ", file) for file in files] == [["id=git,env=GIT"]] * 2
+    password = secrets.token_hex()
+    with private(tmp_path, password) as place:
+        instead = f"git config --system url.http://{place}/.insteadOf https://github.com/me/"
+        image = base(services, published("jazzy-wheels-core").reference, "ci", instead)
+        monkeypatch.setenv("GIT", f"http://x-access-token:{password}@{place}")
+        reach = ("--network", "host", "--allow", "network.host", "--secret", "id=git,env=GIT")
+        check = f"test -e install/driver && ! grep -rsq {password} /docker-ros /root /etc /tmp /run"
+        example(services, "ci", image, tmp_path, check, options=reach)

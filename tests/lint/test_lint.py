@@ -98,6 +98,13 @@ def test_actionlint() -> None:
     actionlint()
 
 
+def test_actionlint_of_the_examples() -> None:
+    """The workflows that users copy."""
+    files = sorted((ROOT / "examples").rglob(".github/workflows/*.yml"))
+    assert files
+    actionlint(*files)
+
+
 @pytest.mark.parametrize("page", ["use", "containerize/ci"])
 def test_actionlint_of_the_documentation(page: str, tmp_path: Path) -> None:
     """The workflows that users are shown."""
@@ -144,6 +151,7 @@ def test_zizmor() -> None:
         "--quiet",
         ".github",
         "containerize",
+        "examples/ci",
     )
 
 
