@@ -120,6 +120,7 @@ def play(
     inputs: Mapping[str, str] | None = None,
     lost: str = "",
     visibility: str = "",
+    called: Mapping[str, str] | None = None,
 ) -> Played:
     """Runs a workflow.
 
@@ -131,14 +132,19 @@ def play(
         repository: owner and name. variables: of the repository. inputs: of a run by hand.
         secrets: of the repository. With ROSML_PASSWORD, that is what logs in; without, the job's own token.
         lost: artifacts that nobody can download. visibility: of the repository, `public` or `private`.
+        called: workflows that it calls, by the names of their files.
 
     Raises:
         ValueError: act does not understand the workflow; with its reasons.
     """
-    text = re.sub(r"uses: \$/(\S+)", rf"uses: {OWN}/\1@{OWN_COMMIT}", text)
+    texts = {
+        name: re.sub(r"uses: \$/(\S+)", rf"uses: {OWN}/\1@{OWN_COMMIT}", content)
+        for name, content in {"workflow.yml": text, **(called or {})}.items()
+    }
     for name in ("repository/.github/workflows", "programs", "front", "artifacts", "home", "empty"):
         (folder / name).mkdir(parents=True)
-    (folder / "repository/.github/workflows/workflow.yml").write_text(text)
+    for name, content in texts.items():
+        (folder / "repository/.github/workflows" / name).write_text(content)
     git = ["git", "-C", str(folder / "repository"), "-c", "user.name=a", "-c", "user.email=a@example.org"]
     for arguments in (
         ["init", "--quiet", "--initial-branch=main"],
@@ -166,7 +172,7 @@ def play(
     argv += ["--workflows", ".github/workflows/workflow.yml", f"--secret=GITHUB_TOKEN={TOKEN}"]
     argv += [f"--secret={name}={value}" for name, value in (secrets or {}).items()]
     argv += [f"--platform={machine}=-self-hosted" for machine in ("ubuntu-24.04", "ubuntu-24.04-arm")]
-    argv += actions(text, folder / "actions")
+    argv += actions("\n".join(texts.values()), folder / "actions")
     argv += [f"--env={name}={value}" for name, value in given.items()]
     argv += [f"--var={name}={value}" for name, value in (variables or {}).items()]
     argv += [f"--input={name}={value}" for name, value in (inputs or {}).items()]

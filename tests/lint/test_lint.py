@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from rosml.containerize.init import contents
+from rosml.images.image_set import load, own_set
 from tests.pages import blocks
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -140,19 +141,27 @@ def test_what_init_writes(place: str, tmp_path: Path) -> None:
     check("hadolint", "--no-color", tmp_path / contents.DOCKERFILE)
 
 
-def test_zizmor() -> None:
+@pytest.mark.parametrize("registry", ["ghcr.io/me/images", "registry.example.com/robots/images"])
+def test_what_init_writes_for_a_set(registry: str, tmp_path: Path) -> None:
+    """`rosml init --images`: its command and its workflow."""
+    image_set = load.load(ROOT / "matrix.yaml", ROOT)
+    found = own_set.chosen(image_set, [], [], registry, "")
+    for address in ("https://github.com/me/rosml", "https://git.example.com/me/rosml"):
+        for name, text in own_set.files(image_set, found, own_set.Upstream(address, "0" * 40)).items():
+            (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+            (tmp_path / name).write_text(text)
+        check(shellcheck(), tmp_path / own_set.COMMAND)
+    actionlint(tmp_path / own_set.WORKFLOW)
+    zizmor(tmp_path)
+
+
+def zizmor(*places: str | Path) -> None:
     """The security of workflows and actions."""
-    check(
-        "zizmor",
-        "--offline",
-        "--pedantic",
-        "--strict-collection",
-        "--no-progress",
-        "--quiet",
-        ".github",
-        "containerize",
-        "examples/ci",
-    )
+    check("zizmor", "--offline", "--pedantic", "--strict-collection", "--no-progress", "--quiet", *places)
+
+
+def test_zizmor() -> None:
+    zizmor(".github", "containerize", "examples/ci")
 
 
 def test_hadolint() -> None:

@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from rosml.images.image_set import own_set
+from rosml.images.image_set.model import ImageSet
 from tests.act import Played, play, workflow
 
 SHARDS = '[{"name":"amd64-1","runner":"ubuntu-24.04"},{"name":"arm64-1","runner":"ubuntu-24.04-arm"}]'
@@ -169,3 +171,30 @@ def test_what_a_repository_and_a_person_choose(tmp_path: Path) -> None:
     plan = played.commands["plan"][-2]
     assert "--serve amd64 --only ros1-bookworm-* jazzy-core " in plan and "--shards 3 " in plan
     assert (tmp_path / "calls.plan").read_text() == "true|ros1-bookworm-* jazzy-core\n"
+
+
+@pytest.mark.parametrize(
+    ("registry", "secrets"),
+    [("ghcr.io/somebody/images", {}), ("registry.example.com/robots", {"ROSML_USER": "me", "ROSML_PASSWORD": "word"})],
+)
+def test_a_repository_with_a_set_of_its_own_calls_it(
+    registry: str, secrets: dict[str, str], tmp_path: Path, real: ImageSet
+) -> None:
+    """By the workflow that rosml init --images writes: the set's registry, what a person chose, and who publishes."""
+    found = own_set.chosen(real, [], [], registry, "")
+    text = own_set.files(real, found, own_set.Upstream("https://github.com/rosml/rosml", "0" * 40))[own_set.WORKFLOW]
+    caller = text.replace("rosml/rosml/.github/workflows/nightly.yml@" + "0" * 40, "./.github/workflows/nightly.yml")
+    assert caller != text
+    rosml = f"FAILING='' SHARDS_PLANNED='{SHARDS}'\n{ROSML}"
+    played = play(
+        caller,
+        tmp_path,
+        {"make": ":", "rosml": rosml},
+        secrets=secrets,
+        inputs={"only": "jazzy-core"},
+        called={"nightly.yml": workflow("nightly")},
+    )
+    assert played.results["plan"] == played.results["promote"] == "success", played.log
+    [plan] = [call for call in played.commands["plan"] if "rosml plan" in call]
+    assert f"--registry {registry} " in plan and "--only jazzy-core " in plan
+    assert f"--registry {registry}" in played.commands["prune"][-1]
