@@ -3,6 +3,7 @@ TARGET ?=
 PLATFORM ?=
 SHARD ?= 1/1
 PROOF ?=
+VERSION ?=
 
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
@@ -12,12 +13,12 @@ export PATH := $(CURDIR)/.state/bin:$(PATH)
 export UV_COMPILE_BYTECODE := 1
 export UV_CACHE_DIR ?= $(CURDIR)/.state/uv
 export HYPOTHESIS_STORAGE_DIRECTORY ?= $(CURDIR)/.state/cache/hypothesis
-export TARGET PLATFORM SHARD
+export TARGET PLATFORM SHARD VERSION
 unexport PYTHONPATH PYTHONHOME PYTHONOPTIMIZE
 
 # A typo must not build something else: `make image TRAGET=x`, `make image jazzy-base`.
-COMMANDS := help image test test-all lint unit page bench docs clean test-scanner test-signer test-packages
-VARIABLES := TARGET PLATFORM SHARD PROOF COVERAGE PATH SHELL ROSML_% ROS_% BUILDX_% OS_%
+COMMANDS := help image test test-all lint unit page bench docs clean release release-build release-publish test-scanner test-signer test-packages
+VARIABLES := TARGET PLATFORM SHARD PROOF COVERAGE VERSION PATH SHELL ROSML_% ROS_% BUILDX_% OS_%
 UNKNOWN := $(filter-out $(VARIABLES),$(foreach name,$(.VARIABLES),$(if $(filter command,$(origin $(name))),$(name)))) $(filter-out $(COMMANDS),$(MAKECMDGOALS))
 $(if $(strip $(UNKNOWN)),$(error nothing was done: make has no command or variable $(strip $(UNKNOWN)); see make's words with: make, all others with: ./rosml --help))
 
@@ -64,6 +65,15 @@ test-packages: ## installs what the proofs desktop and engines need, on Debian a
 
 docs: ## the documentation as a site in .state/docs/site, without a broken link
 	@$(SETUP) linters; .venv/bin/python scripts/docs.py
+
+release: ## write, commit and tag a version, and push nothing: make release VERSION=0.2.0
+	@$(SETUP) python; .venv/bin/python scripts/release.py start "$$VERSION"
+
+release-build: ## the wheel and the notes of the tag that is checked out, into .state/release
+	@$(SETUP) python; .venv/bin/python scripts/release.py build
+
+release-publish: ## GitHub's release of them, by gh
+	@$(SETUP) python; .venv/bin/python scripts/release.py publish
 
 clean: ## stop what runs, and remove all that was made
 	@$(SETUP) clean

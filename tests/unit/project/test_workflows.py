@@ -19,7 +19,7 @@ from rosml.cli import main
 from rosml.cli.images import publish
 from rosml.containerize import ci_files
 
-NAMES = ("ci", "locks", "nightly", "proofs")
+NAMES = ("ci", "locks", "nightly", "proofs", "release")
 """Workflows of our own; test_ci_files.py is about the one that other repositories call."""
 
 JOBS = {(name, job): content for name in NAMES for job, content in load(name)["jobs"].items()}
