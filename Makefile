@@ -64,7 +64,7 @@ test-packages: ## installs what the proofs desktop and engines need, on Debian a
 	@sudo apt-get update && sudo apt-get install --yes --no-install-recommends xvfb xauth x11-utils weston podman uidmap $$(command -v runc >/dev/null || echo runc)
 
 docs: ## the documentation as a site in .state/docs/site, without a broken link
-	@$(SETUP) linters; .venv/bin/python scripts/docs.py
+	@$(SETUP) python --tests; .venv/bin/python scripts/docs.py
 
 release: ## write, commit and tag a version, and push nothing: make release VERSION=0.2.0
 	@$(SETUP) python; .venv/bin/python scripts/release.py start "$$VERSION"

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import os
+import re
 import subprocess
 import sys
 import zipfile
@@ -12,6 +14,7 @@ from pathlib import Path
 import pytest
 from conftest import ROOT
 
+from rosml.images.image_set.model import ImageSet
 from tests import walk
 
 GH = """\
@@ -127,3 +130,19 @@ def test_what_is_no_release_changes_nothing(version: str, broken: str, said: str
 def test_only_a_tag_of_this_version_is_built(project: Path) -> None:
     done = release(project, "build")
     assert done.returncode == 1 and "this commit has no tag v" in done.stderr
+
+
+def test_renovate_raises_the_date_of_a_tag_and_nothing_else(real: ImageSet) -> None:
+    """The preset for those who pin dated tags: it knows all of our repositories, and each tag with a date is a version of its own name."""
+    [rule] = json.loads((ROOT / "default.json").read_text())["packageRules"]
+    repository = re.compile(rule["matchPackageNames"][0].strip("/").replace("\\/", "/"))
+    tag = re.compile(rule["versioning"].removeprefix("regex:").replace("(?<", "(?P<"))
+    dated = re.compile(rule["matchCurrentValue"].strip("/"))
+    for image in real.images:
+        for name in image.tags:
+            path, _, text = name.partition(":")
+            assert repository.search(f"ghcr.io/me/rosml/{path}") and not dated.search(text), "only dated ones"
+            found = tag.match(f"{text}-20261126")
+            assert found and found.groupdict() == {"compatibility": text, "major": "2026", "minor": "11", "patch": "26"}
+            assert dated.search(f"{text}-20261126")
+    assert not repository.search("ghcr.io/me/rosml/part") and not repository.search("docker.io/library/debian")
