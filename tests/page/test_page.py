@@ -796,6 +796,35 @@ def test_narrow_screens_scroll_in_one_direction(route: str, window: Windows) -> 
     assert page.locator("h1").is_visible()
 
 
+def test_long_words_fit_a_narrow_screen(browser: Any, published: Published, tmp_path: Path) -> None:
+    long = "a" * 90
+    item = image(published, TORCH)
+    (platform,) = item.builds[0].platforms
+    odd = platform.model_copy(update={"ros_sync": "debian bookworm 239d", "versions": {long: long}, "inputs": "0" * 64})
+    build = item.builds[0].model_copy(update={"platforms": (odd,), "created": "2026-11-21T09:00:00Z"})
+    changed = item.model_copy(update={"builds": (build, *item.builds[1:]), "reason": long})
+    images = tuple(changed if i is item else i for i in published.images)
+    known = {found.digest: [(long, long, "deb")] for found in published.sboms}
+    site.write(tmp_path / "page", published.model_copy(update={"images": images}), known)
+    windows = Windows(browser, tmp_path / "page")
+    page = windows(NARROW).open(f"#/image/{TORCH}")
+    page.evaluate("document.querySelectorAll('details').forEach((item) => { item.open = true; })")
+    page.get_by_label("Search packages").wait_for()
+    assert page.evaluate("document.documentElement.scrollWidth") <= NARROW["width"]
+    said = page.locator("section:has(#news)").text_content() or ""
+    assert "The build of 2026-11-21 09:00 compared with that of 2026-11-21 03:00:" in said
+    windows.opened[0][0].close()
+
+
+@pytest.mark.parametrize("source", ["https://github.com/me/rosml", "javascript:alert(1)", None])
+def test_the_page_leads_to_its_source(source: str | None, browser: Any, published: Published, tmp_path: Path) -> None:
+    site.write(tmp_path / "page", published.model_copy(update={"source": source, "images": (), "parts": ()}))
+    windows = Windows(browser, tmp_path / "page")
+    link = windows().open().get_by_role("link", name="Source, documentation and questions")
+    assert [item.get_attribute("href") for item in link.all()] == ([source] if source and source[:5] == "https" else [])
+    windows.opened[0][0].close()
+
+
 def test_a_narrow_list_can_be_used(window: Windows) -> None:
     page = window(NARROW).open()
     assert not page.locator('input[value="ros1-bookworm"]').is_visible(), "filters are folded"

@@ -73,6 +73,9 @@
   document.getElementById("where").textContent = catalogue.registry;
   document.getElementById("written").textContent =
     `Written ${catalogue.created.slice(0, 16).replace("T", " ")} UTC. ${r.count(built, "image")} of ${catalogue.images.length} published, as ${r.count(catalogue.sharing.images, "manifest")}: ${r.size(catalogue.sharing.stored)} in the registry, ${r.size(catalogue.sharing.apart)} without sharing.`;
+  const source = document.getElementById("source");
+  source.hidden = !(catalogue.source || "").startsWith("https://");
+  if (!source.hidden) source.firstElementChild.href = catalogue.source;
   // The night writes this page anew. Where it does not run, images get no updates, and the page would not say so.
   const days = (Date.now() - Date.parse(catalogue.created)) / 86_400_000;
   const old = document.getElementById("old");

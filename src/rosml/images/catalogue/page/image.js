@@ -210,7 +210,7 @@
 
   /** Builds, newest first by date: a tag that was moved back points at an older one. */
   function byDate(image) {
-    return [...image.builds].sort((a, b) => (a.created < b.created ? 1 : -1));
+    return [...image.builds].sort((a, b) => b.created.localeCompare(a.created));
   }
 
   /** What is new in the present build; nothing where it is the first one. */
@@ -219,11 +219,12 @@
     const now = r.present(image);
     const before = builds[builds.indexOf(now) + 1];
     if (!before) return null;
+    const [date, earlier] = r.days(now.created, before.created);
     return el(
       "section",
       { "aria-labelledby": "news" },
       el("h2", { id: "news" }, "What changed"),
-      el("p", null, "The build of ", r.day(now.created), " compared with that of ", r.day(before.created), ":"),
+      el("p", null, "The build of ", date, " compared with that of ", earlier, ":"),
       el("ul", null, r.changes(before, now).map(describe)),
       r.changedPackages(before, now),
     );

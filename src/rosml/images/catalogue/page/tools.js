@@ -55,6 +55,14 @@ window.rosml = {};
     return date ? el("time", { datetime: date, title: date }, date.slice(0, 10)) : "unknown";
   }
 
+  /** The dates of two builds, with their times if they are of one day. */
+  function days(date, other) {
+    const end = date.slice(0, 10) === other.slice(0, 10) ? 16 : 10;
+    return [date, other].map((text) =>
+      text ? el("time", { datetime: text, title: text }, text.slice(0, end).replace("T", " ")) : "unknown",
+    );
+  }
+
   /** The beginning of a digest; all of it is its title. */
   function digest(text) {
     return el("code", { class: "digest", title: text }, text.slice(0, 19));
@@ -209,6 +217,7 @@ window.rosml = {};
     change,
     count,
     day,
+    days,
     digest,
     copy,
     copyButton,
