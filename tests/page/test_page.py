@@ -29,8 +29,12 @@ from tests.page.conftest import MIDDLE, NARROW, NOW, REGISTRY, WIDE, Window, Win
 
 LOG = logging.getLogger("page")
 TORCH = "ros1-bookworm-base-torch-cu128"
+ANY = "#/?status=any"
+"""The list with images that are not published."""
+
 ROUTES = {
     "list": "#/",
+    "any": ANY,
     "none": "#/?q=nothing-has-this-name",
     "image": f"#/image/{TORCH}",
     "absent": "#/image/jazzy-base-torch-cu128",
@@ -61,10 +65,6 @@ def clipboard(page: Any) -> str:
 
 
 # ---- Find ------------------------------------------------------------------------------------------------------------
-
-
-ANY = "#/?status=any"
-"""The list with images that are not published."""
 
 
 def test_published_images_are_shown_alone_and_all_are_one_step_away(window: Windows, published: Published) -> None:
@@ -127,6 +127,7 @@ FILTERS: dict[str, tuple[dict[str, str], Callable[[Image], bool]]] = {
     "stack": ({"stack": "cu130"}, lambda i: i.stack == "cu130"),
     "architecture": ({"architecture": "arm64"}, lambda i: "linux/arm64" in i.platforms),
     "support": ({"support": "end of life"}, lambda i: i.distribution in ("noetic", "foxy", "iron")),
+    "changed": ({"changed": "last"}, lambda i: bool(i.builds) and i.builds[0].created[:10] == "2026-11-22"),
     "status": ({"status": "not built"}, lambda i: i.status == "not built"),
     "two groups": (
         {"distribution": "ros1-trixie", "framework": "torch"},
@@ -782,6 +783,8 @@ def test_accessible(route: str, scheme: str, window: Windows) -> None:
     axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="uv run --group page pytest tests/page")
     page = window(scheme=scheme).open(ROUTES[route])
     page.evaluate("[...document.querySelectorAll('details')].slice(0, 4).forEach((item) => { item.open = true; })")
+    for tab in page.get_by_role("tab").all()[2:3]:
+        tab.click()
     rules = {"runOnly": ["color-contrast"]} if scheme == "dark" else {}
     found = axe.Axe().run(page, options={"preload": False, **rules}).response
     assert [(item["id"], item["nodes"][0]["html"][:200]) for item in found["violations"]] == []

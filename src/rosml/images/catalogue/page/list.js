@@ -5,6 +5,16 @@
   const r = window.rosml;
   const { el } = r;
 
+  /** The day of the newest build: what the last run changed. */
+  const newest = r.catalogue.images
+    .map((image) => (r.present(image) ? r.present(image).created : ""))
+    .reduce((last, date) => (date > last ? date : last), "")
+    .slice(0, 10);
+
+  function isNews(image) {
+    return Boolean(newest && r.present(image) && r.present(image).created.startsWith(newest));
+  }
+
   /** What one can filter by: the values of an image under each name. */
   const GROUPS = {
     distribution: { title: "Distribution", of: (image) => [image.distribution] },
@@ -18,6 +28,11 @@
         r.endOfLife(image).over ? "end of life" : "maintained",
         ...(r.catalogue.distributions[image.distribution].lts ? ["LTS"] : []),
       ],
+    },
+    changed: {
+      title: "Changed",
+      of: (image) => (isNews(image) ? ["last"] : []),
+      name: () => `in the last run, ${newest}`,
     },
     status: { title: "Status", of: (image) => [image.status], name: (value) => r.STATUS[value] },
   };
@@ -287,6 +302,7 @@
   function filters(ui) {
     const groups = Object.entries(GROUPS).map(([name, group]) => {
       const values = [...new Set(rows.flatMap((row) => row.values[name]))];
+      if (!values.length) return null;
       if (name === "status") values.sort((a, b) => ORDER.indexOf(a) - ORDER.indexOf(b));
       return el(
         "fieldset",
