@@ -207,3 +207,19 @@ def test_ci(services: Services, published: Publish, tmp_path: Path, monkeypatch:
         reach = ("--network", "host", "--allow", "network.host", "--secret", "id=git,env=GIT")
         check = f"test -e install/driver && ! grep -rsq {password} /docker-ros /root /etc /tmp /run"
         example(services, "ci", image, tmp_path, check, options=reach)
+
+
+@pytest.mark.full(proof="desktop")
+def test_rviz(services: Services, published: Publish, tmp_path: Path) -> None:
+    """On a virtual display, which the image does not have; `rosml run` hands in a real one (test_windows.py)."""
+    screen = "apt-get update && apt-get install --yes --no-install-recommends xvfb x11-utils"
+    image = base(services, published("ros1-bookworm-desktop").reference, "rviz", screen)
+    lines = [
+        "export DISPLAY=:9 LIBGL_ALWAYS_SOFTWARE=1 QT_X11_NO_MITSHM=1; Xvfb :9 -screen 0 1024x768x24 -nolisten tcp &",
+        f"/tini -s -- /entrypoint.sh {command('rviz')} >/said 2>&1 &",
+        "for try in {1..600}; do if xwininfo -root -tree | grep -q 'scene.rviz.* - RViz'; then break; fi; sleep 0.1; done;",
+        "timeout 20 /entrypoint.sh rostopic echo -n 1 /ball/header; cat /said; xwininfo -root -tree >/windows;",
+        "kill $(jobs -p); wait; grep 'scene.rviz.* - RViz' /windows",
+    ]
+    said = example(services, "rviz", image, tmp_path, f"bash -c {shlex.quote(' '.join(lines))}")
+    assert re.search(r'frame_id: "?map', said)

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import re
+import shutil
+import socket
 from pathlib import Path
 
 import pytest
 from conftest import ROOT
+from desks import OURS, Desk
 
 from tests.pages import pages
 
@@ -44,3 +47,20 @@ def test_every_page_installs_dependencies_by_the_line_that_is_built() -> None:
     ]
     assert len(found) >= 4
     assert [line for line in found if not INSTALL.startswith(line)] == []
+
+
+def test_rosml_run_shows_the_windows_of_the_example(tmp_path: Path) -> None:
+    """In its folder and with no further word: the image and the network of its file, and this machine's display."""
+    desk = Desk(tmp_path)
+    desk.engine(images={"scene": OURS})
+    desk.trust(scene=True)
+    shutil.copy(ROOT / "examples/rviz/.rosml.toml", desk.folder)
+    place = desk.root / "tmp/.X11-unix"
+    place.mkdir(parents=True)
+    with socket.socket(socket.AF_UNIX) as display:
+        display.bind(str(place / "X1"))
+        display.listen()
+        words = desk.call("--dry-run", DISPLAY=":1").stdout.split()
+    shown = re.findall(r"^docker run (.*)$", (ROOT / "docs/examples/rviz.md").read_text(), re.MULTILINE)[0].split()
+    assert words[-5:] == ["--network", "host", "--ipc", "host", "scene"] == shown[-5:]
+    assert {word for word in shown if word != "…"} <= {*words}, "the page shows what is printed"
