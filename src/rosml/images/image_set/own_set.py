@@ -261,7 +261,7 @@ def _readme(found: Chosen, upstream: Upstream) -> str:
         else "Call the last command every night, by cron or CI.\n"
     )
     updated = (
-        f"Take a newer commit of rosml in `{WORKFLOW}`; Renovate and Dependabot do so for you."
+        f"Take a newer commit of rosml in `{WORKFLOW}`; Renovate and Dependabot propose those of releases."
         if upstream.on_github
         else f"Take a newer commit of rosml in `{COMMAND}`."
     )
