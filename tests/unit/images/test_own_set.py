@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import subprocess
+import xml.etree.ElementTree
 from datetime import date
 from pathlib import Path
 
@@ -11,6 +12,7 @@ from conftest import ROOT
 
 from rosml.base.problems import InputError
 from rosml.images.builds import disk
+from rosml.images.catalogue import layers_picture
 from rosml.images.image_set import load, own_set
 from rosml.images.image_set.model import ImageSet
 from rosml.images.image_set.own_set import Upstream
@@ -153,6 +155,19 @@ def test_a_registry_keeps_layers_once(real: ImageSet) -> None:
     assert disk.registry_mb(real, [torch], ["amd64"]) == base.disk.compressed + part["common"] + part["torch"]
     both = disk.registry_mb(real, [base, torch, ml], ["amd64", "arm64"])
     assert both == 2 * (base.disk.compressed + sum(part.values()))
+
+
+def test_the_picture_says_what_each_image_adds(real: ImageSet) -> None:
+    images = layers_picture.shown(real)
+    assert [image.target for image in images] == [
+        "jazzy-base-torch-cu130",
+        "jazzy-base",
+        "jazzy-desktop-full-torch-cu130",
+        "kilted-base-torch-cu130",
+    ]
+    added = layers_picture.new_mb(real, images)
+    assert added[1] == 0 and sum(added) == disk.registry_mb(real, images, ["amd64"])
+    xml.etree.ElementTree.fromstring(layers_picture.render(real))
 
 
 # ---- The files to begin with -----------------------------------------------------------------------------------------

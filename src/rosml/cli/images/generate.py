@@ -62,7 +62,7 @@ def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
     if output:
         return {output: bake_files[bake_file.NAME]}
     from rosml.containerize import ci_files, page
-    from rosml.images.catalogue import tags_page
+    from rosml.images.catalogue import layers_picture, tags_page
     from rosml.images.catalogue.model import Published
     from rosml.images.matrix import schema
 
@@ -71,6 +71,7 @@ def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
         ROOT / "matrix.schema.json": schema.render(),
         ROOT / "catalogue.schema.json": schema.render(Published, "src/rosml/images/catalogue/model.py", read=True),
         ROOT / "docs/tags.md": tags_page.render(files.text(ROOT / "docs/tags.md"), image_set),
+        ROOT / "docs/images/layers.svg": layers_picture.render(image_set),
         **{ROOT / path: page.render(path, files.text(ROOT / path)) for path in page.PAGES},
         **{ROOT / path: ci_files.render(path, files.text(ROOT / path)) for path in ci_files.FILES},
     }

@@ -74,6 +74,20 @@ def _ros_mb(image_set: ImageSet, image: Image, done: Set[str]) -> int:
     return own + (0 if image.parent in done else base.unpacked + 2 * base.compressed)
 
 
+def layers(image_set: ImageSet, image: Image) -> dict[str, int]:
+    """What an image is made of, from the bottom up: the system, ROS images and parts, each with its compressed megabytes alone."""
+    ros: list[tuple[str, int]] = []
+    below: Image | None = _ros(image_set, image)
+    while below:
+        lower = image_set.by_target.get(below.parent)
+        base = lower.disk if lower else rules.system_size(image_set.matrix, below.component)
+        ros.append((below.target, below.disk.compressed - base.compressed))
+        if not lower:
+            ros.append((below.parent, base.compressed))
+        below = lower
+    return dict(reversed(ros)) | {name: image_set.part_by_name[name].disk.compressed for name in image.parts}
+
+
 def registry_mb(image_set: ImageSet, images: Iterable[Image], architectures: Iterable[str]) -> int:
     """Megabytes that images take in a registry together: it keeps layers once, however many images have them.
 
@@ -82,21 +96,14 @@ def registry_mb(image_set: ImageSet, images: Iterable[Image], architectures: Ite
         images: the images; ROS images below them count too.
         architectures: architectures to count.
     """
-    layers: dict[tuple[str, str], int] = {}
     wanted = set(architectures)
-    for image in images:
-        for architecture in wanted.intersection(image.architectures):
-            below: Image | None = _ros(image_set, image)
-            while below:
-                lower = image_set.by_target.get(below.parent)
-                base = lower.disk if lower else rules.system_size(image_set.matrix, below.component)
-                layers[below.target, architecture] = below.disk.compressed - base.compressed
-                if not lower:
-                    layers[below.parent, architecture] = base.compressed
-                below = lower
-            for name in image.parts:
-                layers[name, architecture] = image_set.part_by_name[name].disk.compressed
-    return sum(layers.values())
+    kept = {
+        (name, architecture): size
+        for image in images
+        for architecture in wanted.intersection(image.architectures)
+        for name, size in layers(image_set, image).items()
+    }
+    return sum(kept.values())
 
 
 def make_room(services: Services, needed: int, say: Callable[[str], None]) -> bool:
