@@ -198,10 +198,12 @@ def test_no_file_is_written_behind_a_link_out_of_the_folder(tmp_path: Path) -> N
     folder = write(tmp_path / "robot", {"package.xml": manifest()})
     (tmp_path / "outside").mkdir()
     (folder / ".github").symlink_to(tmp_path / "outside")
+    before = (tmp_path / "outside").stat().st_mtime_ns
     done = called(folder, "--yes", "--ci", "github", *REGISTRY, code=1)
     assert "a link leads out of" in str(done.exception)
     assert [path.name for path in folder.iterdir() if path.name != ".github"] == ["package.xml"]
     assert list((tmp_path / "outside").iterdir()) == []
+    assert (tmp_path / "outside").stat().st_mtime_ns == before, "no folder was made there either"
 
 
 def test_a_folder_that_cannot_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -248,6 +250,10 @@ TORCH = "import torch\n"
         (
             {"package.xml": manifest(depends="tf tf2_ros torch_msgs"), "m/package.xml": manifest("x")},
             ("jazzy", "base", "torch"),
+        ),
+        (
+            {"a/package.xml": manifest(depends="torch_msgs"), "b/package.xml": manifest("torch_msgs")},
+            ("jazzy", "base", "none"),
         ),
         ({"package.xml": manifest(), "CMakeLists.txt": "find_package(Torch REQUIRED)\n"}, ("jazzy", "base", "torch")),
         ({"package.xml": manifest(), "a.cpp": "#include <torch/script.h>\n"}, ("jazzy", "base", "torch")),

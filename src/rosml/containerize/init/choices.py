@@ -237,7 +237,7 @@ class _Decision:
         for words, told in self._here.hints:
             for name in alive:
                 facts = self._matrix.distributions[name]
-                if words.intersection((name, facts.ros_distro)) and not facts.experimental:
+                if words.intersection((name, facts.ros_distro)):
                     return Choice(name, f"{told}; {self._supported(name)}")
         framework = self._given.framework or self._wanted().value
         best = next((name for name in alive if self._carries(name, framework)), alive[0])
