@@ -182,10 +182,16 @@ class App:
         self._names = Names(values, folder.name, services)
         if "run" in self._names.targets and not values.command:
             raise RosmlError(
-                "there is no command for the run image", "add --command 'ros2 launch …', or --target dev", exit_code=2
+                "there is no command for the run image",
+                "add --command 'ros2 launch …', or --target dev; rosml init proposes one",
+                exit_code=2,
             )
         if not values.base_image:
-            raise RosmlError("there is no base image", "add --base-image, such as ros:jazzy-base", exit_code=2)
+            raise RosmlError(
+                "there is no base image",
+                "add --base-image, such as ros:jazzy-base; rosml init proposes one",
+                exit_code=2,
+            )
         # Two calls may work side by side, unless they make the same image: then they take turns.
         name = f"{self._names.app}@{values.image_tag}".replace("/", "+").replace(":", "=")
         self._state = services.state / "containerize" / name

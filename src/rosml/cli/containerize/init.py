@@ -53,7 +53,7 @@ Calls = list[tuple[str, str]]
 @click.option("--framework", default="", metavar="NAME", help="what it has for machine learning; none for nothing")
 @click.option("--gpu/--cpu", default=None, help="compute on NVIDIA GPUs, or on the CPU")
 @click.option("--accelerator", default="", metavar="NAME", help="its stack, such as cpu; rosml list names all")
-@click.option("--command", default=None, metavar="TEXT", help="what the run image starts, as a shell reads it")
+@click.option("--command", default="", metavar="TEXT", help="what the run image starts, as a shell reads it")
 @click.option("--ci", default="", metavar="FORGE", help="write a CI file for github or gitlab, or for none")
 @options.registry("where base images are; with --images, where yours go")
 @click.option("--images", is_flag=True, help="write the files of a set of your own images, which extends rosml's")

@@ -9,7 +9,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from rosml.base.errors import RosmlError
-from rosml.base.problems import listed, unknown
+from rosml.base.problems import counted, listed, unknown
 from rosml.containerize import app_inputs
 from rosml.containerize.init.packages import Found, Package
 from rosml.images.image_set import explain, missing
@@ -21,6 +21,8 @@ from rosml.run.gpu import numbers
 
 DEBIAN = "noetic"
 """The distribution whose name conditions in package.xml compare with if ROS 1 is Debian's own (docs/containerize.md, rosdep)."""
+
+SHELL = "bash"
 
 ONNX, CUPY, CUDA, OPENCV = "ONNX Runtime", "CuPy", "CUDA", "OpenCV"
 
@@ -59,14 +61,14 @@ class Choice:
 
 @dataclass(frozen=True)
 class Given:
-    """What the user says; empty or None if nothing."""
+    """What the user says; empty if nothing, and None for `gpu`."""
 
     distribution: str = ""
     component: str = ""
     framework: str = ""
     stack: str = ""
     gpu: bool | None = None
-    command: str | None = None
+    command: str = ""
 
 
 @dataclass(frozen=True)
@@ -101,7 +103,7 @@ class Decided:
     Attributes:
         choices: what was chosen, by the name of the question, with the reason.
         image: the base image.
-        command: what the run image starts; empty if nothing.
+        command: what the run image starts.
         ended: the end of life of the distribution has passed.
         notes: sentences for the user, each with a remedy.
     """
@@ -449,34 +451,33 @@ class _Decision:
     # ---- Command -----------------------------------------------------------------------------------------------------
 
     def _command(self, ros: int) -> Choice:
-        """A launch file, or the only program of Python."""
-        if self._given.command is not None:
+        """A launch file, or the only program of Python; a shell if neither is likely, as an image to run must start something."""
+        if self._given.command:
             _require_words(self._given.command)
             return Choice(self._given.command, "you ask for it")
         if said := self._here.env.get("COMMAND"):
             _require_words(said)
             return Choice(said, _BEFORE)
-        launch, run = ("roslaunch", "rosrun") if ros == 1 else ("ros2 launch", "ros2 run")
-        launches = [(package, file) for package in self._found.packages for file in package.launches]
-        scripts = [
-            f"{run} {shlex.join((package.name, name))}" for package in self._found.packages for name in package.scripts
-        ]
-        likely = list(_likely(launches))
-        for found in (launches, likely):
-            if len(found) == 1:
-                package, file = found[0]
-                which = "the only" if found is launches else "the likeliest"
-                proposal = Choice(f"{launch} {shlex.join((package.name, file))}", f"{which} launch file")
-                break
-        else:
-            if not launches and len(scripts) == 1:
-                proposal = Choice(scripts[0], "the only program")
-            else:
-                count = f"{len(launches)} launch files" if launches else f"{len(scripts)} programs of Python"
-                proposal = Choice("", f"{count}; --command names one" if launches or scripts else "--command names one")
+        proposal = self._started(ros)
         text = self._ask("Command", proposal, ())
         _require_words(text)
         return proposal if text == proposal.value else Choice(text, "you ask for it")
+
+    def _started(self, ros: int) -> Choice:
+        launch, run = ("roslaunch", "rosrun") if ros == 1 else ("ros2 launch", "ros2 run")
+        launches = [(package, file) for package in self._found.packages for file in package.launches]
+        scripts = [(package, name) for package in self._found.packages for name in package.scripts]
+        for found, verb, why in (
+            (launches, launch, "the only launch file"),
+            (list(_likely(launches)), launch, "the likeliest launch file"),
+            ([] if launches else scripts, run, "the only program"),
+        ):
+            if len(found) == 1:
+                package, name = found[0]
+                return Choice(f"{verb} {shlex.join((package.name, name))}", why)
+        count = counted(*((len(launches), "launch file") if launches else (len(scripts), "program")))
+        why = f"a shell, as there are {count}" if launches or scripts else "a shell"
+        return Choice(SHELL, f"{why}; --command names another")
 
 
 def _require_words(command: str) -> None:

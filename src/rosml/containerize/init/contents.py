@@ -34,7 +34,7 @@ class Project:
         place: the registry and the path before it, such as `ghcr.io/me/rosml`; empty if only this machine has the base image.
         ros: 1 or 2.
         gpu: the base image has CUDA.
-        command: what the run image starts; empty if nothing.
+        command: what the run image starts.
         ended: the distribution is past its end of life.
         pip: files of requirements, relative to the folder.
         repos: the list of upstream repositories for the distribution; empty if there is none.
@@ -120,10 +120,7 @@ def _lines(lines: Iterator[str]) -> str:
 
 def variables(project: Project) -> dict[str, str]:
     """The inputs of `rosml containerize` that `.env` has."""
-    found = {"BASE_IMAGE": project.base_image}
-    if project.command:
-        found["COMMAND"] = project.command
-    found["IMAGE_NAME"] = project.name
+    found = {"BASE_IMAGE": project.base_image, "COMMAND": project.command, "IMAGE_NAME": project.name}
     if project.pip and app_inputs.default("additional-pip-file") not in project.pip:
         found["ADDITIONAL_PIP_FILE"] = project.pip[0]
         if len(project.pip) > 1:
@@ -137,9 +134,6 @@ def _env(project: Project) -> Iterator[str]:
     yield f"# Inputs of rosml containerize ({PAGE}). Each can be an option instead: --base-image."
     for name, value in variables(project).items():
         yield assigned(name, value)
-    if not project.command:
-        yield "# What the run image starts:"
-        yield "# COMMAND='ros2 launch PACKAGE FILE'"
 
 
 def assigned(name: str, value: str) -> str:
@@ -195,18 +189,14 @@ def _dockerfile(project: Project) -> str:
     if project.ros == 1:  # catkin builds them by a target of their own
         tests = f"colcon build --cmake-target tests --cmake-target-skip-unavailable && /entrypoint.sh {tests}"
     stages.append(["# docker build --target test .", "FROM build AS test", f"RUN /entrypoint.sh {tests}"])
+    words = shlex.split(project.command) if _is_plain(project.command) else ["bash", "-c", project.command]
     stages.append(
         [
             "# The image to run: without what only the build needs.",
             "FROM ${BASE_IMAGE} AS run",
             *_install(project, " --dependency-types exec"),
             "COPY --from=build /docker-ros/ws/install /docker-ros/ws/install",
-            *([f"CMD {json.dumps(shlex.split(project.command))}"] if _is_plain(project.command) else []),
-            *(
-                [f"CMD {json.dumps(['bash', '-c', project.command])}"]
-                if project.command and not _is_plain(project.command)
-                else []
-            ),
+            f"CMD {json.dumps(words)}",
         ]
     )
     return "\n\n".join("\n".join(stage) for stage in stages) + "\n"
@@ -252,7 +242,7 @@ def _install(project: Project, options: str) -> Iterator[str]:
 
 def _is_plain(command: str) -> bool:
     """Whether a command needs no shell."""
-    return bool(command) and re.search(r"[;&|<>$`(){}*?#~\n\\]", command) is None
+    return re.search(r"[;&|<>$`(){}*?#~\n\\]", command) is None
 
 
 # ---- CI --------------------------------------------------------------------------------------------------------------
