@@ -37,6 +37,8 @@ from rosml.containerize import (
     tree,
     workspace,
 )
+from rosml.containerize.init import packages
+from rosml.containerize.init.conditions import holds
 from rosml.images.builds import apt_sources, package_state, structure_tests, sync
 from rosml.images.catalogue import read
 from rosml.images.image_set import labels, load
@@ -568,6 +570,12 @@ PLAN = {
 }
 
 
+def sources_of(document: bytes, folder: Path) -> object:
+    for name in ("package.xml", "a.py", "a.cpp", "setup.py", "CMakeLists.txt", "requirements.txt"):
+        (folder / name).write_bytes(MANIFEST if name == "package.xml" else document)
+    return packages.find(folder, {"x": ("torch",)})
+
+
 PARSERS: dict[str, Parser] = {
     ".env": Parser("text", [ENV], written(".env", app_inputs.read_env)),
     ".repos": Parser(
@@ -592,6 +600,13 @@ PARSERS: dict[str, Parser] = {
     ),
     "dpkg's status": Parser("text", [STATUS], dpkg_of),
     "package.xml": Parser("xml", [MANIFEST], written("a/package.xml", lambda file: [*workspace.names(file.parent)])),
+    "package.xml for init": Parser(
+        "xml", [MANIFEST], written("a/package.xml", lambda file: packages.find(file.parent, {"x": ("torch",)}))
+    ),
+    "sources for init": Parser("text", [b"import a, torch\nfrom b import c\n"], sources_of),
+    "condition in a manifest": Parser(
+        "text", [b"($ROS_VERSION == 1 or $ROS_DISTRO > 'foxy') and a != b"], text(lambda found: holds(found, {}))
+    ),
     "JUnit file": Parser("xml", [SUITE.encode()], written("results/a/b.xml", lambda file: junit.read(file.parents[1]))),
     "CTest's file": Parser(
         "xml", [CTEST.encode()], written("results/a/b.xml", lambda file: junit.read(file.parents[1]))

@@ -134,10 +134,12 @@ def find(folder: Path, libraries: Libraries) -> Found:
     read = [_manifest(path, folder) for path in manifests]
     own = {package.name for package, _ in read}
     named = dict[str, Named]()
-    for package, keys in read:
-        for key, line in keys:
-            if key not in own:
-                _note(named, libraries, key, f"{package.manifest}:{line}", manifest=True)
+    for package, text in read:
+        for key in sorted(package.needs - own):
+            for library in _meant(libraries, key):
+                if library not in named:
+                    line = text.count("\n", 0, max(text.find(f">{key}<"), 0)) + 1
+                    named[library] = Named(f"{package.manifest}:{line}", key, manifest=True)
     rest = iter(range(MOST_FILES))
     packages = tuple(_with_files(package, folder, left, named, libraries, rest) for package, _ in read)
     pip = [str(path) for path in dict.fromkeys([Path(PIP), *(package.folder / PIP for package in packages)])]
@@ -182,20 +184,18 @@ def _sources(file: Path, shown: str, named: dict[str, Named], libraries: Librari
     text = ""
     with contextlib.suppress(OSError):
         text = files.limited(file, LARGEST).decode("utf-8", "replace")
-    for pattern in _patterns(file):
-        for match in pattern.finditer(text):
-            for word in match[1].split(","):
-                _note(
-                    named,
-                    libraries,
-                    word.strip().partition(" ")[0],
-                    f"{shown}:{text.count(chr(10), 0, match.start(1)) + 1}",
-                )
+    for match in (match for pattern in _patterns(file) for match in pattern.finditer(text)):
+        for word in match[1].split(","):
+            name = word.strip().partition(" ")[0]
+            for library in _meant(libraries, name):
+                if library not in named:
+                    line = text.count("\n", 0, match.start(1)) + 1
+                    named[library] = Named(f"{shown}:{line}", name, manifest=False)
     return text
 
 
-def _manifest(path: Path, folder: Path) -> tuple[Package, list[tuple[str, int]]]:
-    """A package by its manifest, and its keys with their lines.
+def _manifest(path: Path, folder: Path) -> tuple[Package, str]:
+    """A package by its manifest, and the manifest's text.
 
     Raises:
         RosmlError: it cannot be read, is no XML, or has no name (exit code 2).
@@ -220,18 +220,17 @@ def _manifest(path: Path, folder: Path) -> tuple[Package, list[tuple[str, int]]]
     if root.tag != "package" or not name:
         what = "no <name>" if root.tag == "package" else f"its first element is <{root.tag}>, not <package>"
         raise RosmlError(f"{path}: no manifest of a ROS package: {what}", "correct it", exit_code=2)
-    lines = content.decode("utf-8", "replace").split("\n")
-    kinds, tools, keys = list[tuple[str, str]](), list[tuple[str, str]](), list[tuple[str, int]]()
+    kinds, tools, needs = list[tuple[str, str]](), list[tuple[str, str]](), set[str]()
     for element in root:
         text, condition = (element.text or "").strip(), element.get("condition", "")
         if element.tag == "buildtool_depend":
             tools.append((text, condition))
         elif element.tag.endswith("depend") and text:
-            keys.append((text, next((number for number, line in enumerate(lines, 1) if f">{text}<" in line), 1)))
+            needs.add(text)
     for element in root.iterfind("export/build_type"):
         kinds.append(((element.text or "").strip(), element.get("condition", "")))
-    needs = frozenset(key for key, _ in keys)
-    return Package(name, shown.parent, tuple(kinds), tuple(tools), needs), keys
+    package = Package(name, shown.parent, tuple(kinds), tuple(tools), frozenset(needs))
+    return package, content.decode("utf-8", "replace")
 
 
 def _files(place: Path, root: Path, left: LeftOut) -> Iterator[Path]:
@@ -272,9 +271,7 @@ def _patterns(file: Path) -> tuple[re.Pattern[str], ...]:
     return _INCLUDES if file.suffix in LANGUAGES["C++"] else ()
 
 
-def _note(named: dict[str, Named], libraries: Libraries, word: str, place: str, manifest: bool = False) -> None:
-    """Keeps where a library is named first; a manifest counts before sources."""
+def _meant(libraries: Libraries, word: str) -> Iterator[str]:
+    """The libraries that a word names, as a whole or by a piece of it: `python3-pytorch-pip`."""
     pieces = {word.lower(), *re.split(r"[^a-z0-9]+", word.lower())}
-    for library, words in libraries.items():
-        if pieces.intersection(words) and library not in named:
-            named[library] = Named(place, word, manifest)
+    return (library for library, words in libraries.items() if pieces.intersection(words))
