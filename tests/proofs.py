@@ -40,7 +40,7 @@ PROOFS = {
     "everyday": Proof(20),
     # A fork made from the documentation, step by step, passes its own unit tests.
     "fork": Proof(8),
-    # C++ headers of PyTorch and TensorFlow compile, alone and together.
+    # C++ headers of PyTorch and TensorFlow compile, alone and together; so does a kernel with NVIDIA's compiler.
     "includes": Proof(45),
     # What people install is as new as the packages allow that keep their version in an image.
     "installs": Proof(30),

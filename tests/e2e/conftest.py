@@ -61,6 +61,7 @@ FIRST = (
     "workflows",
     "contract",
     "containerize",
+    "examples",
     "ros",
     "documentation",
     "join",

@@ -223,3 +223,10 @@ def test_rviz(services: Services, published: Publish, tmp_path: Path) -> None:
     ]
     said = example(services, "rviz", image, tmp_path, f"bash -c {shlex.quote(' '.join(lines))}")
     assert re.search(r'frame_id: "?map', said)
+
+
+@pytest.mark.full(proof="includes")
+def test_cuda(services: Services, published: Publish, tmp_path: Path) -> None:
+    """A kernel is compiled beside the image's own CUDA, and the operator works; no GPU is there in a build."""
+    image = base(services, published("ros1-bookworm-core-torch-cu130").reference, "cuda")
+    example(services, "cuda", image, tmp_path, says("gray on cpu: right", command("cuda")))
