@@ -8,6 +8,7 @@ import socket
 from pathlib import Path
 
 import pytest
+import yaml
 from conftest import ROOT
 from desks import OURS, Desk
 
@@ -64,3 +65,11 @@ def test_rosml_run_shows_the_windows_of_the_example(tmp_path: Path) -> None:
     shown = re.findall(r"^docker run (.*)$", (ROOT / "docs/examples/rviz.md").read_text(), re.MULTILINE)[0].split()
     assert words[-5:] == ["--network", "host", "--ipc", "host", "scene"] == shown[-5:]
     assert {word for word in shown if word != "…"} <= {*words}, "the page shows what is printed"
+
+
+def test_a_job_of_gitlab_has_a_name_of_its_own() -> None:
+    """Not one that GitLab's syntax has for something else: https://docs.gitlab.com/ci/jobs/#job-name-limitations."""
+    theirs = {"image", "services", "stages", "before_script", "after_script", "variables", "cache", "include", "pages"}
+    theirs |= {"default", "workflow", "true", "false", "nil", "pages:deploy"}
+    jobs = yaml.safe_load((ROOT / "examples/ci/.gitlab-ci.yml").read_text())
+    assert jobs and not theirs & {*jobs}
