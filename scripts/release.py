@@ -15,6 +15,13 @@ import shutil
 import subprocess
 import sys
 from datetime import UTC, datetime
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "src"))
+
+import rosml.base.environment  # noqa: F401 (first: says what to do if the others are missing)
+
+# isort: split
 
 from rosml import ROOT
 from rosml.base.errors import RosmlError

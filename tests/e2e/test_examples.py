@@ -118,6 +118,7 @@ def test_torch_nodelet(services: Services, published: Publish, tmp_path: Path) -
     example(services, "torch-nodelet", image, tmp_path, says("PyTorch .* on cpu", command("torch-nodelet")))
 
 
+@pytest.mark.full(proof="wheels")
 def test_vscode(services: Services, ros2: str, tmp_path: Path) -> None:
     """The dev container's image, and what the editor does in it: it mounts the folder, builds, and runs its tasks."""
     folder = EXAMPLES / "vscode"
@@ -135,6 +136,7 @@ def test_vscode(services: Services, ros2: str, tmp_path: Path) -> None:
     assert "Summary: 1 test, 0 errors, 0 failures" in said
 
 
+@pytest.mark.full(proof="wheels")
 def test_jupyter(services: Services, ros2_tensorflow: str, tmp_path: Path) -> None:
     """A kernel of the image runs the notebook in the build; the server starts."""
     shutil.copytree(EXAMPLES / "jupyter", tmp_path, dirs_exist_ok=True)

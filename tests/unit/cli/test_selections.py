@@ -211,6 +211,7 @@ VALUES: Mapping[str, st.SearchStrategy[str]] = {
     "framework": st.sampled_from([*REAL.matrix.frameworks, "PyTorch", "tf", "trch", ""]),
     "accelerator": st.sampled_from([*REAL.matrix.stacks, "gpu", ""]),
     "command": st.sampled_from(["ros2 launch a b.launch.py", "x 'y", "a; b", ""]),
+    "rosml": st.sampled_from(["https://github.com/me/rosml", "/no/such/folder", "git@github.com:me/rosml", ""]),
     "ci": st.sampled_from(["github", "gitlab", "none", "jenkins", ""]),
     "report": st.just("{root}/report.md"),
     "reports": st.just("{root}/reports"),
