@@ -1,14 +1,21 @@
-"""A fork made as the documentation says, from an empty folder: all of its unit tests pass, and no step deletes a test or
-edits a workflow."""
+"""An own set made as the documentation says, from an empty folder. Without a fork, it is listed, planned and published. In a fork,
+all unit tests pass, and no step deletes a test or edits a workflow."""
 
 from __future__ import annotations
 
+import json
 import re
+import sys
 from pathlib import Path
 
 import pytest
 
+from rosml import ROOT
+from rosml.machine.services import Services
+from rosml.registry.place import Place
 from tests import walk
+from tests.e2e.conftest import NAMESPACE, run
+from tests.e2e.images import NATIVE
 
 
 def raise_an_action(fork: Path) -> None:
@@ -36,3 +43,27 @@ def test_a_fork_by_the_documentation_passes_its_own_tests(tmp_path: Path) -> Non
     assert done.returncode == 0, done.stdout
     found = re.search(r"(\d+) passed", done.stdout)
     assert found and int(found[1]) > 1000, done.stdout
+
+
+@pytest.mark.full(proof="fork")
+@pytest.mark.timeout(1800)
+def test_a_set_without_a_fork(services: Services, tmp_path: Path) -> None:
+    """From rosml init --images to tags in a registry, by the set's own command and a rosml that it fetches."""
+    rosml, own = tmp_path / "rosml", tmp_path / "own"
+    rosml.mkdir()
+    walk.clone(rosml)
+    place = f"{services.registry}/{NAMESPACE}/own-set"
+    chosen = ("--distribution", "ros1-bookworm", "--registry", place, "--rosml", str(rosml))
+    assert run(sys.executable, "src", "init", "--images", str(own), *chosen, cwd=rosml).code == 0
+    command = str(own / "rosml")
+    listed = run(command, "list", "--json")
+    assert listed.code == 0, listed.err
+    assert {image["distribution"] for image in json.loads(listed.out)} == {"ros1-bookworm"}
+    for name in ("services.json", "bin"):  # what `rosml setup` would make
+        (own / ".rosml/.state" / name).symlink_to(ROOT / ".state" / name)
+    asked = ("--registry", place, "--only", "ros1-bookworm-core", "--serve", NATIVE)
+    planned = run(command, "plan", "--everywhere", *asked)
+    assert planned.code == 0 and " GB in the registry" in planned.out, planned.err
+    published = run(command, "publish", "all", *asked)
+    assert published.code == 0, published.out + published.err
+    assert Place.at(place).client.head(Place.at(place).path("ros"), "ros1-bookworm-core")
