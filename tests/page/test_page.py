@@ -799,6 +799,14 @@ def test_narrow_screens_scroll_in_one_direction(route: str, window: Windows) -> 
     assert page.locator("h1").is_visible()
 
 
+def test_a_narrow_comparison_cuts_nothing_off(window: Windows) -> None:
+    page = window(NARROW).open(ROUTES["compared"])
+    for name in ("Facts", "Versions"):
+        frame = page.get_by_role("region", name=name, exact=True)
+        assert frame.evaluate("(frame) => frame.scrollWidth <= frame.clientWidth"), name
+    assert ("cell", "differs") in tree(page), "which only the colour shows to others"
+
+
 def test_long_words_fit_a_narrow_screen(browser: Any, published: Published, tmp_path: Path) -> None:
     long = "a" * 90
     item = image(published, TORCH)
