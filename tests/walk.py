@@ -61,7 +61,9 @@ def insert(project: Path, block: Block) -> None:
 def run(project: Path, command: str) -> str:
     """Runs a command of the page as a shell reads it, with this Python and nothing set up; gives what it printed."""
     command = re.sub(r"^\./rosml ", f"{sys.executable} src ", command)
-    done = subprocess.run(["bash", "-c", command], cwd=project, capture_output=True, text=True, check=False)
+    environment = {name: value for name, value in os.environ.items() if name != "ROSML_MATRIX"}
+    argv = ["bash", "-c", command]
+    done = subprocess.run(argv, cwd=project, env=environment, capture_output=True, text=True, check=False)
     assert done.returncode == 0, f"{command}: {done.stdout}{done.stderr}"
     return f"$ {command}\n{done.stdout}{done.stderr}"
 

@@ -39,12 +39,16 @@ ROOT = root_of(_PACKAGE)
 
 
 def matrix_of(root: Path) -> Path:
-    """The file that says which images exist: `set.yaml` for a set of somebody's own, which extends `matrix.yaml`; or that one."""
+    """The file that says which images exist: `set.yaml` for a set of somebody's own, which extends `matrix.yaml`; or that one.
+
+    A set's own command has a link to its `set.yaml` in its rosml, so that messages name the file that people edit.
+    """
     own = root / "set.yaml"
-    return own if own.is_file() else root / "matrix.yaml"
+    return own.resolve() if own.is_file() else root / "matrix.yaml"
 
 
-MATRIX = matrix_of(ROOT)
+MATRIX = ROOT / os.environ["ROSML_MATRIX"] if os.environ.get("ROSML_MATRIX") else matrix_of(ROOT)
+"""What commands read if no option names another one. The variable ROSML_MATRIX names one for all of them, from the root on."""
 
 IN_CHECKOUT = ROOT != _PACKAGE / "data"
 """Whether that is a checkout, in which images can be built."""

@@ -30,7 +30,10 @@ def shellcheck() -> str:
 def check(program: str, *arguments: str | Path) -> None:
     """Runs a linter in the checkout; fails with all that it says."""
     argv = [str(PROGRAMS / program), *map(str, arguments)]
-    done = subprocess.run(argv, cwd=ROOT, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+    environment = {name: value for name, value in os.environ.items() if name != "ROSML_MATRIX"}
+    done = subprocess.run(
+        argv, cwd=ROOT, env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
+    )
     if done.returncode != 0:
         pytest.fail(f"{program}:\n{done.stdout}{done.stderr}", pytrace=False)
 
@@ -41,7 +44,7 @@ def shell_scripts() -> list[Path]:
         [
             *(
                 path
-                for name in ("components", "containerize", "tests", "scripts", "tools")
+                for name in (".github", "components", "containerize", "tests", "scripts", "tools")
                 for path in (ROOT / name).rglob("*.*sh")
             ),
             ROOT / ".ci/run",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -45,8 +45,17 @@ def registry(where: str) -> Callable[[Function], Function]:
     Args:
         where: its meaning, such as `where images go`.
     """
-    text = f"{where}, such as ghcr.io/me/rosml; the local registry's rosml if left out"
+    text = f"{where}, such as ghcr.io/me/rosml; a set's own, or the local registry's rosml, if left out"
     return click.option("--registry", default="", metavar="PREFIX", callback=_lower, help=text)
+
+
+def registry_of_set(matrix: Path) -> str:
+    """Where a set's images go; empty if the matrix is no set, or the set says nothing."""
+    from rosml.images.matrix import extends, source
+
+    data = source.read(matrix).data
+    named = data.get("registry") if isinstance(data, Mapping) and extends.KEY in data else ""
+    return named.lower() if isinstance(named, str) else ""
 
 
 def unnamed(error: RosmlError) -> RosmlError:
@@ -59,7 +68,7 @@ def unnamed(error: RosmlError) -> RosmlError:
 
 
 def place_of(named: str, root: Path) -> Place:
-    """The place that is named, for commands that build nothing. If none is named, it is the local one of the checkout.
+    """The place that is named, for commands that build nothing. If none is named, it is that of a set, or the local one.
 
     Raises:
         RosmlError: no registry is named, and there is no local one.
@@ -67,6 +76,7 @@ def place_of(named: str, root: Path) -> Place:
     from rosml.machine.services import Services
     from rosml.registry.place import Place
 
+    named = named or registry_of_set(MATRIX_FILE)
     ca_bundle = os.environ.get("SSL_CERT_FILE", "")
     if not named:
         try:

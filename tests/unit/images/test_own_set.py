@@ -11,6 +11,7 @@ import pytest
 from conftest import ROOT
 
 from rosml.base.problems import InputError
+from rosml.cli import options
 from rosml.images.builds import disk
 from rosml.images.catalogue import layers_picture
 from rosml.images.image_set import load, own_set
@@ -91,9 +92,39 @@ disk: {parts: {cu130: {einops: {unpacked: 1, compressed: 1}}}}
     ]
 
 
+def test_one_architecture_and_one_accelerator(tmp_path: Path, real: ImageSet) -> None:
+    text = SET.replace("cu130:", "cpu:").replace("-torch-cu130", "-torch-cpu") + "architectures:\n  amd64:\n"
+    made = loaded(tmp_path, text)
+    assert {image.architectures for image in made.images} == {("amd64",)}
+    assert made.matrix.distributions["jazzy"].default_stacks == ("cpu",), "those of rosml are gone"
+    assert "ros-torch:jazzy" in made.image("jazzy-base-torch-cpu").tags
+    text = "extends: rosml\narchitectures:\n  arm64:\ndefault: {targets: [jazzy-core], group: [jazzy-core]}\n"
+    assert {image.target for image in loaded(tmp_path, text).images} == {
+        image.target for image in real.images if "arm64" in image.architectures
+    }
+
+
+def test_where_a_sets_images_go(tmp_path: Path) -> None:
+    file = tmp_path / "set.yaml"
+    for text, place in (
+        (SET, "registry.example.com/robots"),
+        ("extends: rosml\n", ""),
+        ("extends: rosml\nregistry: 1\n", ""),
+    ):
+        file.write_text(text)
+        assert options.registry_of_set(file) == place
+    assert options.registry_of_set(ROOT / "matrix.yaml") == "", "the bake file's, and not where people publish"
+
+
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
+        ("  none:\n", "", "7: frameworks: add 'none:', since images with a framework stand on those without one"),
+        (
+            "stacks:",
+            "architectures:\n  x86_64:\nstacks:",
+            "11: architectures.x86_64: no architecture in rosml named 'x86_64'",
+        ),
         (
             "extends: rosml",
             "extends: ours",
@@ -114,7 +145,7 @@ disk: {parts: {cu130: {einops: {unpacked: 1, compressed: 1}}}}
             "6: distributions.humble.ros: the key 'ros' is there twice, first on line 6; keep one",
         ),
         ("[jazzy-core]", "[jazy-core]", "3: default.group[0]: no image named 'jazy-core'; did you mean 'jazzy-core'"),
-        ("stacks:\n  cu130:\n", "stacks: [cu130]\n", "10: stacks: expected keys and values, found a list"),
+        ("stacks:\n  cu130:\n", "stacks: [cu130]\n", "10: stacks: it is a list; write each name on its own line"),
         (
             "frameworks:\n  none:\n  torch:\n",
             "frameworks: 1\n",
@@ -227,9 +258,50 @@ def test_the_sets_command_is_rosml_at_its_commit_with_the_sets_files(
 def test_a_call_leaves_files_that_another_one_reads(tmp_path: Path, real: ImageSet, upstream: Upstream) -> None:
     folder = written(tmp_path / "own", real, upstream)
     call(folder)
-    before = (folder / ".rosml/set.yaml").stat()
+    (folder / "components").mkdir()
+    (folder / "components/key").write_text("ours\n")
     call(folder)
-    assert (folder / ".rosml/set.yaml").stat() == before
+    before = (folder / ".rosml/components/key").stat()
+    (folder / "set.yaml").write_text("another\n")
+    assert call(folder)[0] == "another"
+    assert (folder / ".rosml/components/key").stat() == before
+
+
+@pytest.mark.parametrize(
+    ("broken", "said"),
+    [
+        ("no set", "error: there is no set.yaml in "),
+        ("a branch", "error: the line commit= in rosml names no commit of rosml\nremedy: write all 40 digits"),
+        ("another commit", "error: git cannot fetch commit 1111"),
+    ],
+)
+def test_the_sets_command_says_what_it_lacks(
+    broken: str, said: str, tmp_path: Path, real: ImageSet, upstream: Upstream
+) -> None:
+    folder = written(tmp_path / "own", real, upstream)
+    command = folder / own_set.COMMAND
+    if broken == "no set":
+        (folder / "set.yaml").rename(folder / "set.yml")
+    wanted = {"a branch": "main", "another commit": "1" * 40}.get(broken, upstream.commit)
+    command.write_text(command.read_text().replace(upstream.commit, wanted))
+    done = subprocess.run([command, "list"], capture_output=True, text=True, check=False)
+    assert done.returncode == 1 and said in done.stderr and "\nremedy: " in done.stderr
+
+
+def test_on_github_the_workflow_names_the_commit(tmp_path: Path, real: ImageSet, upstream: Upstream) -> None:
+    found = own_set.chosen(real, [], [], "ghcr.io/me/images", "")
+    address = "https://github.com/rosml/rosml"
+    files = own_set.files(real, found, Upstream(address, upstream.commit))
+    assert f"nightly.yml@{upstream.commit}\n" in files[own_set.WORKFLOW]
+    assert upstream.commit not in files[own_set.COMMAND]
+    for name, text in files.items():
+        (tmp_path / "own" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "own" / name).write_text(text.replace(f"repository={address}", f"repository={upstream.repository}"))
+    (tmp_path / "own/rosml").chmod(0o755)
+    assert call(tmp_path / "own", "list")[-2:] == ["one", "list"]
+    (tmp_path / "own" / own_set.WORKFLOW).unlink()
+    done = subprocess.run([tmp_path / "own/rosml"], capture_output=True, text=True, check=False)
+    assert done.returncode == 1 and "images.yml names no commit of rosml" in done.stderr
 
 
 def test_a_new_set_is_what_it_says(tmp_path: Path, real: ImageSet, upstream: Upstream) -> None:
@@ -246,10 +318,8 @@ def test_a_new_set_is_what_it_says(tmp_path: Path, real: ImageSet, upstream: Ups
 
 def test_every_distribution_and_framework_can_begin_a_set(tmp_path: Path, real: ImageSet) -> None:
     for distribution in real.matrix.distributions:
-        for framework, facts in real.matrix.frameworks.items():
-            if not facts.parts or not [
-                it for it in real.images if (it.distribution, it.framework) == (distribution, framework)
-            ]:
+        for framework in real.matrix.frameworks:
+            if not [it for it in real.images if (it.distribution, it.framework) == (distribution, framework)]:
                 continue
             found = own_set.chosen(real, [distribution], [framework], "ghcr.io/robots/images", "")
             text = own_set.files(real, found, Upstream("https://github.com/rosml/rosml", "0" * 40))["set.yaml"]

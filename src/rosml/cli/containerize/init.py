@@ -178,7 +178,7 @@ def _set_of_images(folder: Path, registry: str, rosml: str, dry_run: bool, as_js
     from rosml.cli.images import own_set
 
     context = click.get_current_context()
-    taken = ("folder", "registry", "images", "rosml", "dry_run", "as_json", "yes", "distribution", "framework")
+    taken = ("folder", "registry", "images", "rosml", "dry_run", "as_json", "yes", "distribution", "framework", "gpu")
     for parameter in context.command.params:
         if (
             parameter.name not in taken
@@ -186,7 +186,8 @@ def _set_of_images(folder: Path, registry: str, rosml: str, dry_run: bool, as_js
         ):
             raise click.UsageError(f"{parameter.opts[0]} has no meaning with --images: {own_set.EDIT}.")
     names = {name: tuple(re.findall(r"[^,\s]+", context.params[name])) for name in ("distribution", "framework")}
-    own_set.begin(folder, names["distribution"], names["framework"], registry, rosml, dry_run, as_json)
+    accelerator = {None: "", True: "cuda", False: "cpu"}[context.params["gpu"]]
+    own_set.begin(folder, names["distribution"], names["framework"], registry, rosml, accelerator, dry_run, as_json)
 
 
 # ---- Questions -------------------------------------------------------------------------------------------------------

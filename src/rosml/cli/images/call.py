@@ -195,6 +195,7 @@ class Call:
             package_state = plan.package_state
         elif self.shard:
             raise click.UsageError("--shard needs a plan: add --plan FILE")
+        self.registry = self.registry or options.registry_of_set(self.matrix)
         selection.require_architectures(image_set, self.serve)  # a typo ends the command before anything is asked
         if self.since:
             if self.only:

@@ -15,6 +15,7 @@ from rosml.base.errors import RosmlError
 from rosml.images.image_set import load, own_set
 from rosml.images.image_set.own_set import Upstream
 from rosml.machine import git
+from rosml.registry.place import Place
 
 EDIT = f"edit {own_set.SET} afterwards"
 
@@ -25,6 +26,7 @@ def begin(
     frameworks: Sequence[str],
     registry: str,
     rosml: str,
+    accelerator: str,
     dry_run: bool,
     as_json: bool,
 ) -> None:
@@ -35,6 +37,7 @@ def begin(
         distributions, frameworks: names in the matrix; the usual ones if empty.
         registry: where images go.
         rosml: the address of rosml's repository; empty if it is the one that this rosml is from.
+        accelerator: `cuda` or `cpu`; both if empty.
         dry_run: write nothing.
         as_json: print an object.
 
@@ -46,10 +49,11 @@ def begin(
     if not registry:
         remedy = "name it with --registry, such as ghcr.io/me/robot-images"
         raise RosmlError("a set needs a registry for its images", remedy, exit_code=2)
+    registry = str(Place.at(registry))
     folder = folder.resolve()
     upstream = _upstream(rosml)
     image_set = load.load(MATRIX, ROOT)
-    found = own_set.chosen(image_set, distributions, frameworks, registry, _address(folder))
+    found = own_set.chosen(image_set, distributions, frameworks, registry, _address(folder), accelerator)
     wanted = folders.compared(folder, own_set.files(image_set, found, upstream))
     if not dry_run:
         folder.mkdir(parents=True, exist_ok=True)
@@ -61,7 +65,7 @@ def begin(
         f"{where}./rosml list": "all images of the set; the first call fetches rosml",
         "./rosml plan --everywhere": "what is to be built, how long it takes, and how large the registry gets",
         f"./rosml image {found.image.target}": "builds and tests an image on this machine",
-        "git push": "the workflow publishes the set every night"
+        "git init && git add --all && git commit -m 'Our images' && git push": "the workflow publishes the set every night"
         if upstream.on_github
         else "rosml is not on GitHub: call ./rosml publish all --registry by cron or CI",
     }
@@ -72,6 +76,8 @@ def begin(
     for file in wanted:
         state = "same" if file.same else "kept" if file.there else "new" if dry_run else "written"
         terminal.echo(f"{state:<7}  {file.path}")
+        if dry_run and not file.same:
+            terminal.echo("".join(f"    {line}\n" for line in file.text.splitlines()))
     terminal.echo("\nnext:")
     for line, what in calls.items():
         terminal.echo(f"  {line}\n      {what}")
@@ -83,7 +89,10 @@ def _upstream(named: str) -> Upstream:
     if IN_CHECKOUT:
         found = git.commit(ROOT)
         address, commit = _address(ROOT), found.hash if found else ""
-    address = named or address
+    if named and not re.match(r"(https?|ssh|git|file)://|git@", named) and not Path(named).exists():
+        remedy = "write it as git takes it, such as https://github.com/me/rosml"
+        raise RosmlError(f"{named} is no address of a repository, and no folder", remedy, exit_code=2)
+    address = _public(named) or (str(Path(named).resolve()) if Path(named).exists() else named) if named else address
     if not address or not commit:
         what = "the address of rosml's repository" if commit else "the commit of this rosml"
         remedy = (

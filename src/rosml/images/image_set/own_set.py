@@ -49,7 +49,12 @@ class Chosen:
 
 
 def chosen(
-    image_set: ImageSet, distributions: Sequence[str], frameworks: Sequence[str], registry: str, source: str
+    image_set: ImageSet,
+    distributions: Sequence[str],
+    frameworks: Sequence[str],
+    registry: str,
+    source: str,
+    accelerator: str = "",
 ) -> Chosen:
     """A small set: the components up to that of rosml's default image, for its stack and for the CPU.
 
@@ -59,6 +64,7 @@ def chosen(
         frameworks: those to keep beside images without one; that of rosml's default image if none is named.
         registry: where images go.
         source: the address of the set's repository; may be empty.
+        accelerator: `cuda` or `cpu`: only stacks with it; both if empty.
 
     Raises:
         RosmlError: rosml does not have them (exit code 2).
@@ -75,18 +81,23 @@ def chosen(
             if name not in known:
                 raise RosmlError(unknown(kind, name, known), f"there are {listed(list(known))}", exit_code=2)
     plain = tuple(name for name, facts in matrix.frameworks.items() if not facts.parts)
-    stacks = _stacks(matrix, distributions, frameworks)
+    frameworks = tuple(name for name in frameworks if name not in plain)
+    stacks = tuple(
+        name
+        for name in _stacks(matrix, distributions, frameworks)
+        if accelerator in ("", matrix.stacks[name].accelerator)
+    )
     components = _components(matrix, default.component)
     wanted = [
         item
         for item in image_set.images
         if item.distribution == distributions[0]
-        and item.framework in frameworks
+        and item.framework in (frameworks or plain)
         and item.component in components
         and item.stack in (None, *stacks)
     ]
     if not wanted:
-        text = f"{distributions[0]} has no images with {listed(frameworks, 'or')}"
+        text = f"{distributions[0]} has no images with {listed(frameworks, 'or') or 'these'}{f' for {accelerator}' * bool(accelerator)}"
         raise RosmlError(text, f"see why: rosml list {distributions[0]}", exit_code=2)
     image = next((item for item in wanted if item.component == default.component), wanted[0])
     return Chosen(distributions, components, (*plain, *frameworks), stacks, image, registry, source)
@@ -125,7 +136,7 @@ def files(image_set: ImageSet, found: Chosen, upstream: Upstream) -> dict[str, s
     texts = {
         SET: _set(image_set, found),
         COMMAND: _command(upstream),
-        "README.md": _readme(found, upstream),
+        "README.md": _readme(found, upstream, next(iter(image_set.matrix.architectures))),
         ".gitignore": "/.rosml/\n",
     }
     return {**texts, WORKFLOW: _workflow(found, upstream)} if upstream.on_github else texts
@@ -141,20 +152,20 @@ def _set(image_set: ImageSet, found: Chosen) -> str:
     for name in found.distributions:
         facts = matrix.distributions[name]
         kept = [item for item in facts.components if item in found.components] or facts.components[:1]
-        usual = "" if set(found.stacks).intersection(facts.default_stacks) else f", default_stack: {found.stacks[0]}"
-        rows += f"  {name}: {{components: [{', '.join(kept)}]{usual}}}\n"
+        rows += f"  {name}: {{components: [{', '.join(kept)}]}}\n"
     plain = next(
         item
         for item in image_set.images
         if (item.distribution, item.component, item.stack) == (found.image.distribution, found.image.component, None)
     )
+    stacks = f"\nstacks:\n{entries(found.stacks)}" if found.stacks else ""
     source = f"source: {found.source}" if found.source else "# source: https://github.com/me/images"
     return f"""\
 # The images of this set: what differs from rosml's matrix.yaml. What this file does not name is as in rosml.
 # distributions, frameworks and stacks choose: only those that are named here exist, and nothing after a colon means "as in rosml".
 # ./rosml list shows all images of it, ./rosml explain NAME says why there is one, or none.
 extends: rosml
-registry: {found.registry} # unless --registry says otherwise
+registry: {found.registry} # where rosml plan, publish and status look, unless --registry says otherwise
 {source} # the address of this repository, a label of the images
 default:
   targets: [{found.image.target}] # ./rosml image builds it
@@ -163,9 +174,7 @@ default:
 distributions:
 {rows}
 frameworks:
-{entries(found.frameworks)}
-stacks:
-{entries(found.stacks)}"""
+{entries(found.frameworks)}{stacks}"""
 
 
 _COMMAND = """\
@@ -174,19 +183,22 @@ _COMMAND = """\
 # The first call fetches rosml into .rosml and installs what it needs there.
 set -eu
 here=$(dirname "$(readlink -f "$0")")
+fail() { printf 'error: %s\nremedy: %s\n' "$1" "$2" >&2; exit 1; }
+[ -f "$here/set.yaml" ] || fail "there is no set.yaml in $here" 'write it again: rosml init --images'
+command -v git >/dev/null || fail 'git is not there' 'install it'
 repository=@repository@
 commit=@commit@
+case $commit in *[!0-9a-f]*) commit= ;; esac
+[ "${#commit}" = 40 ] || fail '@where@ names no commit of rosml' 'write all 40 digits of one'
 rosml=$here/.rosml
-own="set.yaml scan.yaml components locks tests/structure" # of this folder, if it has them
+own="scan.yaml components locks tests/structure" # of this folder, if it has them
 # shellcheck disable=SC2086 # several names
 now="$commit $(cd "$here" && find $own -type f -exec cksum {} + 2>/dev/null | cksum)"
 if [ "$now" != "$(cat "$rosml/.state/set" 2>/dev/null)" ]; then
   [ -d "$rosml/.git" ] || git init --quiet "$rosml"
   if [ "$(git -C "$rosml" rev-parse --verify --quiet HEAD)" != "$commit" ]; then
-    git -C "$rosml" fetch --quiet --depth 1 "$repository" "$commit" || {
-      printf 'error: git cannot fetch commit %s of %s\nremedy: check the network; or name a commit that is there\n' "$commit" "$repository" >&2
-      exit 1
-    }
+    git -C "$rosml" fetch --quiet --depth 1 "$repository" "$commit" ||
+      fail "git cannot fetch commit $commit of $repository" 'check the network; or name a commit that is there'
   fi
   git -C "$rosml" checkout --quiet --force --detach "$commit"
   git -C "$rosml" clean --quiet --force -d
@@ -195,6 +207,7 @@ if [ "$now" != "$(cat "$rosml/.state/set" 2>/dev/null)" ]; then
     mkdir -p "$(dirname "$rosml/$name")"
     cp -R "$here/$name" "$(dirname "$rosml/$name")/"
   done
+  ln -sfn ../set.yaml "$rosml/set.yaml"
   mkdir -p "$rosml/.state"
   printf '%s\n' "$now" >"$rosml/.state/set"
 fi
@@ -204,16 +217,23 @@ exec "$rosml/rosml" "$@"
 
 def _command(upstream: Upstream) -> str:
     """The set's own `rosml`. On GitHub, the workflow alone names the commit, so that programs that update actions update it."""
-    read = r"""$(sed -n 's|.*/nightly\.yml@\([0-9a-f]\{40\}\).*|\1|p' "$here/.github/workflows/images.yml")"""
-    return _COMMAND.replace("@repository@", upstream.repository).replace(
-        "@commit@", read if upstream.on_github else upstream.commit
-    )
+    read = r"""$(sed -n 's|^ *uses: .*/nightly\.yml@\([0-9a-f]*\).*|\1|p' "$here/.github/workflows/images.yml" 2>/dev/null || :)"""
+    values = {
+        "@repository@": upstream.repository,
+        "@commit@": read if upstream.on_github else upstream.commit,
+        "@where@": f"the line uses: in {WORKFLOW}" if upstream.on_github else f"the line commit= in {COMMAND}",
+    }
+    text = _COMMAND
+    for name, value in values.items():
+        text = text.replace(name, value)
+    return text
 
 
 def _workflow(found: Chosen, upstream: Upstream) -> str:
     host, _, namespace = found.registry.partition("/")
     ours = host == "ghcr.io"
-    place = "" if ours else f"      registry: {host}\n      namespace: {namespace}\n"
+    place = f"      namespace: {namespace}\n"
+    place = place if ours else f"      registry: {host}\n{place}"
     told = "" if ours else " # ROSML_USER and ROSML_PASSWORD: who publishes there"
     secrets = "".join(f"      {name}: ${{{{ secrets.{name} }}}}\n" for name in ("ROSML_USER", "ROSML_PASSWORD"))
     return f"""\
@@ -253,7 +273,7 @@ jobs:
 {secrets}"""
 
 
-def _readme(found: Chosen, upstream: Upstream) -> str:
+def _readme(found: Chosen, upstream: Upstream, native: str) -> str:
     nightly = (
         f"Every night, `{WORKFLOW}` builds, tests and publishes what is missing or outdated. Start it by hand at first, with one image:"
         f' Actions, `images`, "Run workflow", with `only` = `{found.image.target}`.\n'
@@ -274,7 +294,7 @@ A set of images in `{found.registry}`, which extends [rosml]({upstream.repositor
 ./rosml list                                # all images of the set
 ./rosml plan --everywhere --shards 4        # what is to be built, how long it takes, how large the registry gets
 ./rosml image {found.image.target}
-./rosml publish all --registry {found.registry}
+./rosml publish all --serve {native}        # builds, tests and publishes what is missing, for this architecture alone
 ```
 
 {nightly}

@@ -3,7 +3,7 @@
 A file whose `extends:` is `rosml` has the keys of a matrix, each of them optional. What it does not name is as in the matrix of
 the rosml that reads it, so a newer rosml brings newer releases, digests and locks.
 
-- `distributions`, `frameworks` and `stacks` choose: if the file has such a section, only the entries in it exist. An entry
+- `distributions`, `frameworks`, `stacks` and `architectures` choose: if the file has such a section, only the entries in it exist. An entry
   without anything after its colon is as in rosml; the keys of an entry replace those in rosml.
 - Everything else adds and replaces, key by key; `parts` by their names. A key without a value is left out.
 - What only belongs to stacks and frameworks that were not chosen (wheels, forecasts, budgets) goes with them.
@@ -27,7 +27,12 @@ KEY = "extends"
 BASE = "rosml"
 """Its only value."""
 
-CHOSEN = {"distributions": "distribution", "frameworks": "framework", "stacks": "stack"}
+CHOSEN = {
+    "distributions": "distribution",
+    "frameworks": "framework",
+    "stacks": "stack",
+    "architectures": "architecture",
+}
 """Sections in which a set names all that it wants, and what one entry is called."""
 
 
@@ -68,6 +73,17 @@ def extended(own: Document, base: Document) -> Document:
         if not entry and name not in base.data[section]
     ]:
         raise InputError(own.name, [*own.problems, *missing])
+    if lists := [
+        own.problem((section,), "it is a list; write each name on its own line with a colon after it")
+        for section in CHOSEN
+        if isinstance(wanted.get(section), tuple)
+    ]:
+        raise InputError(own.name, [*own.problems, *lists])
+    plain = {name for name, facts in base.data["frameworks"].items() if not _names(facts)}
+    chosen = _mapping(wanted.get("frameworks"))
+    if chosen and not plain & chosen.keys():
+        text = f"add '{min(plain)}:', since images with a framework stand on those without one"
+        raise InputError(own.name, [*own.problems, own.problem(("frameworks",), text)])
     _forget(data, base.data, wanted)
     if torn := [
         own.problem(("frameworks", name), f"none of the stacks of this set has its part {part}; add one that has it")
@@ -126,6 +142,8 @@ def _forget(data: dict[str, Any], base: Mapping[str, Any], wanted: Mapping[str, 
     """Leaves out what only belongs to stacks and frameworks of the base that the set did not choose."""
     stacks = set(base["stacks"]) - set(data["stacks"]) if isinstance(data["stacks"], Mapping) else set[str]()
     data["releases"] = _releases(data["releases"], stacks)
+    if isinstance(wanted.get("architectures"), Mapping):
+        _forget_architectures(data, set(base["architectures"]) - set(data["architectures"]))
     if lost := set(_lost(data, base)):
         if "frameworks" not in wanted:
             data["frameworks"] = {
@@ -142,7 +160,9 @@ def _forget(data: dict[str, Any], base: Mapping[str, Any], wanted: Mapping[str, 
     if isinstance(data["distributions"], Mapping):
         own = _mapping(wanted.get("distributions"))
         data["distributions"] = {
-            name: facts if "default_stack" in _mapping(own.get(name)) else _with_stacks(facts, stacks)
+            name: facts
+            if "default_stack" in _mapping(own.get(name))
+            else _with_stacks(facts, stacks, tuple(_mapping(data["stacks"])))
             for name, facts in data["distributions"].items()
         }
 
@@ -189,9 +209,41 @@ def _has_wheels(facts: Any) -> bool:
     return not isinstance(facts, Mapping) or bool(facts.get("wheels") or facts.get("elsewhere"))
 
 
-def _with_stacks(facts: Any, gone: set[str]) -> Any:
-    """A distribution whose default stacks are those that are left; as it was if none is."""
+def _with_stacks(facts: Any, gone: set[str], chosen: tuple[str, ...]) -> Any:
+    """A distribution whose default stacks are those of rosml that are left, or else all that the set chose."""
     stacks = _mapping(facts).get("default_stack")
-    if isinstance(stacks, tuple) and (left := tuple(stack for stack in stacks if stack not in gone)):
-        return {**facts, "default_stack": left}
-    return facts
+    stacks = (stacks,) if isinstance(stacks, str) else stacks
+    if not isinstance(stacks, tuple) or not gone.intersection(stack for stack in stacks if isinstance(stack, str)):
+        return facts
+    return {**facts, "default_stack": tuple(stack for stack in stacks if stack not in gone) or chosen or stacks}
+
+
+def _forget_architectures(data: dict[str, Any], gone: set[str]) -> None:
+    """Leaves out architectures wherever the base names them."""
+
+    def left(value: Any) -> Any:
+        if isinstance(value, tuple):
+            return tuple(item for item in value if item not in gone)
+        return (
+            {key: left(item) for key, item in value.items() if key not in gone} if isinstance(value, Mapping) else value
+        )
+
+    for section in ("operating_systems", "distributions", "stacks", "releases"):
+        data[section] = left(data[section])
+    data["releases"] = _releases(
+        {
+            family: {
+                version: {
+                    key: {stack: names for stack, names in it.items() if names}
+                    if key in ("wheels", "elsewhere")
+                    else it
+                    for key, it in facts.items()
+                }
+                if isinstance(facts, Mapping)
+                else facts
+                for version, facts in _mapping(versions).items()
+            }
+            for family, versions in _mapping(data["releases"]).items()
+        },
+        (),
+    )
