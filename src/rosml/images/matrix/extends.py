@@ -143,7 +143,15 @@ def _forget(data: dict[str, Any], base: Mapping[str, Any], wanted: Mapping[str, 
     stacks = set(base["stacks"]) - set(data["stacks"]) if isinstance(data["stacks"], Mapping) else set[str]()
     data["releases"] = _releases(data["releases"], stacks)
     if isinstance(wanted.get("architectures"), Mapping):
-        _forget_architectures(data, set(base["architectures"]) - set(data["architectures"]))
+        gone = set(base["architectures"]) - set(data["architectures"])
+        data["distributions"] = {
+            name: facts
+            for name, facts in _mapping(data["distributions"]).items()
+            if name in _mapping(wanted.get("distributions"))
+            or not gone.issuperset(_mapping(facts).get("architectures") or data["architectures"])
+        }
+        _forget_architectures(data, gone)
+        _forget_releases(data, base)
     if lost := set(_lost(data, base)):
         if "frameworks" not in wanted:
             data["frameworks"] = {
@@ -162,7 +170,9 @@ def _forget(data: dict[str, Any], base: Mapping[str, Any], wanted: Mapping[str, 
         data["distributions"] = {
             name: facts
             if "default_stack" in _mapping(own.get(name))
-            else _with_stacks(facts, stacks, tuple(_mapping(data["stacks"])))
+            else _with_stacks(
+                facts, tuple(stack for stack in _mapping(data["stacks"]) if _fits(data, _mapping(facts), stack))
+            )
             for name, facts in data["distributions"].items()
         }
 
@@ -187,7 +197,7 @@ def _release(facts: Any, stacks: Collection[str]) -> Any:
     if not isinstance(facts, Mapping):
         return facts
     left = {key: _without(it, stacks) if key in ("wheels", "elsewhere") else it for key, it in facts.items()}
-    return _without(left, ("elsewhere", "requires")) if facts.get("elsewhere") and not left["elsewhere"] else left
+    return left if left.get("elsewhere") else _without(left, ("elsewhere", "requires"))
 
 
 def _lost(data: Mapping[str, Any], base: Mapping[str, Any]) -> Iterator[str]:
@@ -209,13 +219,13 @@ def _has_wheels(facts: Any) -> bool:
     return not isinstance(facts, Mapping) or bool(facts.get("wheels") or facts.get("elsewhere"))
 
 
-def _with_stacks(facts: Any, gone: set[str], chosen: tuple[str, ...]) -> Any:
-    """A distribution whose default stacks are those of rosml that are left, or else all that the set chose."""
+def _with_stacks(facts: Any, chosen: tuple[str, ...]) -> Any:
+    """A distribution whose default stacks are those of rosml that are left, or else all of the set that fit it."""
     stacks = _mapping(facts).get("default_stack")
     stacks = (stacks,) if isinstance(stacks, str) else stacks
-    if not isinstance(stacks, tuple) or not gone.intersection(stack for stack in stacks if isinstance(stack, str)):
+    if not isinstance(stacks, tuple) or all(stack in chosen for stack in stacks):
         return facts
-    return {**facts, "default_stack": tuple(stack for stack in stacks if stack not in gone) or chosen or stacks}
+    return {**facts, "default_stack": tuple(stack for stack in stacks if stack in chosen) or chosen or stacks}
 
 
 def _forget_architectures(data: dict[str, Any], gone: set[str]) -> None:
@@ -224,26 +234,58 @@ def _forget_architectures(data: dict[str, Any], gone: set[str]) -> None:
     def left(value: Any) -> Any:
         if isinstance(value, tuple):
             return tuple(item for item in value if item not in gone)
-        return (
-            {key: left(item) for key, item in value.items() if key not in gone} if isinstance(value, Mapping) else value
-        )
+        if not isinstance(value, Mapping):
+            return value
+        kept = {key: left(item) for key, item in value.items() if key not in gone}
+        return {key: item for key, item in kept.items() if item or not value[key] or key in ("wheels", "elsewhere")}
 
     for section in ("operating_systems", "distributions", "stacks", "releases"):
         data[section] = left(data[section])
-    data["releases"] = _releases(
-        {
-            family: {
-                version: {
-                    key: {stack: names for stack, names in it.items() if names}
-                    if key in ("wheels", "elsewhere")
-                    else it
-                    for key, it in facts.items()
-                }
-                if isinstance(facts, Mapping)
-                else facts
-                for version, facts in _mapping(versions).items()
+    data["releases"] = _releases(data["releases"], ())
+
+
+def _forget_releases(data: dict[str, Any], base: Mapping[str, Any]) -> None:
+    """Leaves out of stacks the releases that no chosen architecture has wheels of."""
+    kept = _mapping(data["releases"])
+
+    def gone(family: str, version: Any) -> bool:
+        known = isinstance(version, str) and version in base["releases"].get(family, ())
+        return known and version not in _mapping(kept.get(family))
+
+    for name, facts in _mapping(data["stacks"]).items():
+        releases = _mapping(_mapping(facts).get("releases"))
+        lost = {family for family, version in releases.items() if gone(family, version)}
+        if lost:
+            left = {
+                **facts,
+                "releases": _without(releases, lost),
+                "packages": _without(facts.get("packages", {}), lost),
             }
-            for family, versions in _mapping(data["releases"]).items()
-        },
-        (),
-    )
+            data["stacks"] = {**data["stacks"], name: _without(left, ("apart",))}
+
+
+def _fits(data: Mapping[str, Any], facts: Mapping[str, Any], stack: str) -> bool:
+    """Whether a framework of the set exists for a distribution on a stack: one of its releases has wheels for that Python."""
+    named = data["parts"] if isinstance(data["parts"], tuple) else ()
+    parts = {part.get("name"): part for part in named if isinstance(part, Mapping)}
+    python = _mapping(_mapping(data["operating_systems"]).get(str(facts.get("os")))).get("python")
+    of_stack = _mapping(_mapping(data["stacks"]).get(stack))
+    releases = _mapping(of_stack.get("releases"))
+    for framework in map(_mapping, _mapping(data["frameworks"]).values()):
+        carried = [parts[name] for name in _names(framework) if name in parts]
+        known = [
+            _mapping(_mapping(_mapping(data["releases"]).get(family)).get(str(releases.get(family))))
+            for family in {str(part["release"]) for part in carried if part.get("release")} or releases
+        ]
+        if (
+            carried
+            and known
+            and of_stack.get("accelerator") in (framework.get("accelerators") or [of_stack.get("accelerator")])
+            and all(
+                python in (release.get("python") or ())
+                and any(_mapping(release.get(key)).get(stack) for key in ("wheels", "elsewhere"))
+                for release in known
+            )
+        ):
+            return True
+    return False
