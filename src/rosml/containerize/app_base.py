@@ -101,11 +101,13 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
             if manifest is not None:
                 return _read(registry, place, manifest, platforms)
             if place.host == services.registry and not digest:  # others may have thousands of tags
-                near = unknown("tag", place.reference, registry.tags(place.repository)).partition("; ")[2]
+                tags = [tag for tag in registry.tags(place.repository) if not tag.startswith("sha256-")]
+                near = unknown("tag", place.reference, tags).partition("; ")[2]
     if services.builder_kind != "buildkitd" and (found := _in_docker(text, digest)):
         return found
     if refused and services.bases and (found := _made_here(names[-1], services, platforms, digest)):
         return found
+    near = _ours(text) or near
     if refused:
         if len(names) == 1:
             raise refused
@@ -119,6 +121,16 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
         f"{near} 'rosml list' has all names; 'rosml image TARGET' builds one; 'docker login' for a private one".strip(),
         exit_code=2,
     )
+
+
+def _ours(text: str) -> str:
+    """What to do about the name of one of our images that nobody has built, or of its target; empty for others."""
+    images = load(MATRIX)
+    if image := images.by_tag(text):
+        return f"build it first: rosml image {image.target}"
+    if image := images.by_target.get(text):
+        return f"name the image by its tag: {image.tags[0]}"
+    return ""
 
 
 def _made_here(name: str, services: Services, platforms: tuple[str, ...], digest: str) -> Base | None:

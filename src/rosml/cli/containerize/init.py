@@ -57,7 +57,7 @@ Calls = list[tuple[str, str]]
 @click.option("--ci", default="", metavar="FORGE", help="write a CI file for github or gitlab, or for none")
 @options.registry("where base images are; with --images, where yours go")
 @click.option("--images", is_flag=True, help="write the files of a set of your own images, which extends rosml's")
-@click.option("--rosml", default="", metavar="ADDRESS", help="with --images: rosml's repository, if it is not known")
+@click.option("--rosml", default="", metavar="ADDRESS", help="the address of rosml's repository, if it is not known")
 @options.MATRIX
 @click.option("-y", "--yes", is_flag=True, help="take what is proposed, and ask nothing")
 @click.option("--dry-run", is_flag=True, help="print the files, and write nothing")
@@ -97,10 +97,9 @@ def main(
     if images:
         _set_of_images(folder, registry, rosml, dry_run, as_json)
         return
-    if rosml:
-        raise click.UsageError("--rosml belongs to --images.")
     if not folder.is_dir():
         raise click.BadParameter(f"Directory '{folder}' does not exist.", param_hint="'[FOLDER]'")
+    from rosml.cli.images import own_set
     from rosml.containerize.init import choices, contents, forge, packages
     from rosml.containerize.init import folder as folders
     from rosml.images.image_set import load
@@ -132,8 +131,9 @@ def main(
             proposal = choices.Choice("", "base images are in a registry, such as ghcr.io/me/rosml")
             named = ask("Registry and path", proposal, ())
             place = str(Place.at(named)) if named else ""
+    address = own_set.address_of_rosml(rosml)
     decided = choices.decide(image_set, found, choices.Given(stack=accelerator, **given), here, ask)
-    ci_file = forge.chosen(folder, ci, place, image_set.matrix, ask)
+    ci_file = forge.chosen(folder, ci, place, address, image_set.matrix, ask)
     project = contents.Project(
         name=contents.image_name(env.get("IMAGE_NAME") or folder.name),
         tag=decided.image.tags[0],
@@ -147,13 +147,17 @@ def main(
         one_of_several=len(found.repos) > 1,
         packages=tuple(str(package.folder) for package in found.packages),
         forge=ci_file.value,
-        source=forge.source(ci_file.value, place, image_set.matrix),
+        source=forge.source(ci_file.value, place, address, image_set.matrix),
         revision=forge.revision(ci_file.value),
     )
     wanted = folders.compared(folder, contents.contents(project))
     if not dry_run:
         folders.write(folder, wanted)
-    notes = [*decided.notes, *([broken] if broken else _lacking(env, wanted, project))]
+    notes = [
+        *_guessed(project, address, wanted),
+        *decided.notes,
+        *([broken] if broken else _lacking(env, wanted, project)),
+    ]
     if folders.ignores_env(folder):
         notes.append((".gitignore leaves out .env: who clones the repository has none", "git add --force .env"))
     for message, remedy in [*notes, *([] if IN_CHECKOUT or place else [UNNAMED])]:
@@ -207,6 +211,15 @@ def _ask(question: str, proposal: Choice, answers: Sequence[str]) -> str:
 
 def _take(question: str, proposal: Choice, answers: Sequence[str]) -> str:
     return proposal.value
+
+
+def _guessed(project: Project, address: str, wanted: Sequence[File]) -> Iterator[tuple[str, str]]:
+    """A CI file takes rosml from a repository that only the registry's path suggests."""
+    from rosml.containerize.init import contents
+
+    if not address and any(file.path == contents.FORGES.get(project.forge) and not file.there for file in wanted):
+        text = f"that rosml is at {project.source} on {project.forge} is a guess from the registry's path"
+        yield text, "name its address with --rosml, such as https://github.com/me/rosml"
 
 
 # ---- What comes next -------------------------------------------------------------------------------------------------

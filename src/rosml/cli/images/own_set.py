@@ -104,6 +104,11 @@ def _upstream(named: str) -> Upstream:
     return Upstream(address, commit)
 
 
+def address_of_rosml(named: str) -> str:
+    """The public address of rosml: the one that the user names, or that of this checkout or installation; empty if unknown."""
+    return _public(named) or (_address(ROOT) if IN_CHECKOUT else _installed_from()[0])
+
+
 def _installed_from() -> tuple[str, str]:
     """The address and the commit that pip or uv installed rosml from; empty if that was no repository."""
     try:

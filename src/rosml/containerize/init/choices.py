@@ -436,12 +436,18 @@ class _Decision:
             why = "this machine has no NVIDIA GPU" if not self._here.nvidia else "this machine's driver runs no other"
             why = "you ask for the CPU" if self._given.gpu is False else f"{why}; --gpu for one that has"
             return Choice(others[0], why)
-        return Choice((gpus or list(there))[0], self._computes((gpus or list(there))[0]))
+        first, *rest = gpus or list(there)
+        older = next((name for name in rest if numbers(self._driver(name)) < numbers(self._driver(first))), "")
+        hint = f"; for driver {self._driver(older)}: --accelerator {older}" if older else ""
+        return Choice(first, self._computes(first) + hint)
 
     def _runs(self, stack: str) -> bool:
         """Whether the driver of this machine runs a stack; also if the driver is unknown."""
-        oldest = self._matrix.drivers.get((self._matrix.stacks[stack].cuda or "").partition(".")[0], "0")
-        return not numbers(self._here.driver) or numbers(self._here.driver) >= numbers(oldest)
+        return not numbers(self._here.driver) or numbers(self._here.driver) >= numbers(self._driver(stack))
+
+    def _driver(self, stack: str) -> str:
+        """The oldest driver that runs a stack; 0 if any does."""
+        return self._matrix.drivers.get((self._matrix.stacks[stack].cuda or "").partition(".")[0], "0")
 
     def _computes(self, stack: str) -> str:
         cuda = self._matrix.stacks[stack].cuda or ""

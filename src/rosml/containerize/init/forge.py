@@ -24,12 +24,13 @@ BRANCH = "main"
 GITHUB_ADDRESS = "https://github.com/"
 
 
-def chosen(folder: Path, asked: str, place: str, matrix: Matrix, ask: Ask) -> Choice:
+def chosen(folder: Path, asked: str, place: str, rosml: str, matrix: Matrix, ask: Ask) -> Choice:
     """The forge for which a CI file is written: the one that the user names, or that of the repository.
 
     Args:
         asked: the user's answer; empty if they gave none.
         place: the registry and path of the base images; empty if they are on this machine alone.
+        rosml: the public address of rosml; empty if it is not known.
 
     Raises:
         RosmlError: there is no such forge, or the user asks for a file that could not work (exit code 2).
@@ -40,7 +41,7 @@ def chosen(folder: Path, asked: str, place: str, matrix: Matrix, ask: Ask) -> Ch
     proposed, told = (asked, "you ask for it") if asked else _of(folder)
     if proposed in ("", NONE):
         return Choice(NONE, told)
-    if why := _hinders(folder, proposed, place, matrix):
+    if why := _hinders(folder, proposed, place, rosml, matrix):
         if asked:
             raise RosmlError(*why, exit_code=2)
         return Choice(NONE, f"{why[0]}; {why[1]}")
@@ -60,22 +61,24 @@ def _of(folder: Path) -> tuple[str, str]:
     return "", "no forge is known; --ci names one"
 
 
-def _hinders(folder: Path, forge: str, place: str, matrix: Matrix) -> tuple[str, str] | None:
+def _hinders(folder: Path, forge: str, place: str, rosml: str, matrix: Matrix) -> tuple[str, str] | None:
     """Why there can be no CI file, and the remedy; None if there can."""
     if not place or place.partition("/")[0].partition(":")[0] in ("localhost", "127.0.0.1"):
         return "jobs do not reach this machine's images", "--registry ghcr.io/me/rosml names a registry that they reach"
     if (top := git.top(folder) or folder) != folder:
         return f"CI files belong into {top}", "call rosml init there"
-    if not source(forge, place, matrix):
-        remedy = f"write its address into matrix.yaml, such as source: {GITHUB_ADDRESS}me/rosml"
+    if not source(forge, place, rosml, matrix):
+        remedy = f"name its address with --rosml, such as {GITHUB_ADDRESS}me/rosml"
         return f"nobody knows where on {forge} the repository of rosml is", remedy
     return None
 
 
-def source(forge: str, place: str, matrix: Matrix) -> str:
-    """The repository of rosml on a forge, such as `me/rosml`: the one to which the registry's path belongs, or the one that
-    matrix.yaml names. Empty if neither is on that forge."""
+def source(forge: str, place: str, rosml: str, matrix: Matrix) -> str:
+    """The repository of rosml on a forge, such as `me/rosml`: by its address; or else the one to which the registry's path belongs,
+    or the one that matrix.yaml names, which may be a set's. Empty if none is on that forge."""
     host, _, path = place.partition("/")
+    if found := re.fullmatch(rf"https://{forge}\.com/([\w.-]+(?:/[\w.-]+)+?)(?:\.git)?", rosml):
+        return found[1]
     if forge == "github":
         if host == "ghcr.io" and "/" in path:
             return "/".join(path.split("/")[:2])
