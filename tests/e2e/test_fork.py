@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 import sys
 from pathlib import Path
 
@@ -59,8 +60,10 @@ def test_a_set_without_a_fork(services: Services, tmp_path: Path) -> None:
     listed = run(command, "list", "--json")
     assert listed.code == 0, listed.err
     assert {image["distribution"] for image in json.loads(listed.out)} == {"ros1-bookworm"}
-    for name in ("services.json", "bin"):  # what `rosml setup` would make
+    shutil.rmtree(own / ".rosml/.state/bin")
+    for name in ("bin", "buildx", "regctl"):  # what `rosml setup` would make
         (own / ".rosml/.state" / name).symlink_to(ROOT / ".state" / name)
+    shutil.copy(ROOT / ".state/services.json", own / ".rosml/.state")
     asked = ("--registry", place, "--only", "ros1-bookworm-core", "--serve", NATIVE)
     planned = run(command, "plan", "--everywhere", *asked)
     assert planned.code == 0 and " GB in the registry" in planned.out, planned.err
