@@ -81,6 +81,7 @@ def test_the_page_is_followed_to_an_image(
         "matrix.schema.json",
         "catalogue.schema.json",
         "docs/tags.md",
+        "docs/images/layers.svg",
         *page.PAGES,
         *ci_files.FILES,
     ):

@@ -17,9 +17,10 @@ from click.core import ParameterSource
 from rosml import IN_CHECKOUT, ROOT
 from rosml.base import terminal
 from rosml.base.errors import RosmlError
-from rosml.cli import options
+from rosml.cli import first_files, options
 from rosml.cli.checkout import Command
 from rosml.cli.command import warn
+from rosml.cli.first_files import Calls
 
 if TYPE_CHECKING:
     from rosml.containerize.init.choices import Choice, Decided
@@ -35,9 +36,6 @@ UNNAMED = (
     "name a registry with --registry; or write it before the name in .env, such as ghcr.io/me/rosml/",
 )
 """What to say where rosml is installed, and nobody said where base images are."""
-
-Calls = list[tuple[str, str]]
-"""Lines to call next, and what each does."""
 
 
 @click.command(
@@ -304,14 +302,7 @@ def _print(found: Found, chosen: Mapping[str, Choice], wanted: Sequence[File], c
     for name, choice in chosen.items():
         terminal.echo(f"{name:<{wide}}  {choice.value or '-':<{width}}  {choice.reason}")
     terminal.echo()
-    for file in wanted:
-        state = "same" if file.same else "kept" if file.there else "new" if dry_run else "written"
-        terminal.echo(f"{state:<7}  {file.path}")
-        if dry_run and not file.same:
-            terminal.echo("".join(f"    {line}\n" for line in file.text.splitlines()))
-    terminal.echo("\nnext:")
-    for line, what in calls:
-        terminal.echo(f"  {line}\n      {what}")
+    first_files.show(wanted, calls, dry_run)
 
 
 def _as_json(
@@ -330,6 +321,5 @@ def _as_json(
         ],
         "choices": {name: {"value": choice.value, "reason": choice.reason} for name, choice in chosen.items()},
         "base_image": project.base_image,
-        "files": [{"path": file.path, "there": file.there, "same": file.same, "text": file.text} for file in wanted],
-        "next": [line for line, _ in calls],
+        **first_files.as_json(wanted, calls),
     }

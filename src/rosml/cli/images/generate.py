@@ -85,8 +85,6 @@ def write(wanted: dict[Path, str], lost: RosmlError | None = None, within: Path 
         lost: a warning about missing locks; images without locks are in no group.
         within: the folder that links may not lead out of; None for a file that the user named.
     """
-    if within:
-        (within / "docs/images").mkdir(parents=True, exist_ok=True)  # a project may have no other picture
     changed = files.write_all(wanted, within)
     for file in wanted:
         terminal.echo(f"{files.shown(file)}: {'written' if file in changed else 'is up to date'}", err=True)

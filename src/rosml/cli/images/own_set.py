@@ -12,6 +12,7 @@ from pathlib import Path
 from rosml import IN_CHECKOUT, MATRIX, ROOT
 from rosml.base import terminal, untrusted
 from rosml.base.errors import RosmlError
+from rosml.cli import first_files
 from rosml.images.image_set import load, own_set
 from rosml.images.image_set.own_set import Upstream
 from rosml.machine import git
@@ -61,26 +62,18 @@ def begin(
         if any(file.path == own_set.COMMAND and not file.there for file in wanted):
             (folder / own_set.COMMAND).chmod(0o755)
     where = f"cd {shlex.quote(str(folder))} && " if folder != Path.cwd() else ""
-    calls = {
-        f"{where}./rosml list": "all images of the set; the first call fetches rosml",
-        "./rosml plan --everywhere": "what is to be built, how long it takes, and how large the registry gets",
-        f"./rosml image {found.image.target}": "builds and tests an image on this machine",
-        "git init && git add --all && git commit -m 'Our images' && git push": "the workflow publishes the set every night"
-        if upstream.on_github
-        else "rosml is not on GitHub: call ./rosml publish all --registry by cron or CI",
-    }
+    nightly = "rosml is not on GitHub: call ./rosml publish all --registry by cron or CI"
+    nightly = "the workflow publishes the set every night" if upstream.on_github else nightly
+    calls = [
+        (f"{where}./rosml list", "all images of the set; the first call fetches rosml"),
+        ("./rosml plan --everywhere", "what is to be built, how long it takes, and how large the registry gets"),
+        (f"./rosml image {found.image.target}", "builds and tests an image on this machine"),
+        ("git init && git add --all && git commit -m 'Our images' && git push", nightly),
+    ]
     if as_json:
-        files = [{"path": file.path, "there": file.there, "same": file.same, "text": file.text} for file in wanted]
-        terminal.echo(json.dumps({"folder": str(folder), "files": files, "next": list(calls)}, indent=2))
-        return
-    for file in wanted:
-        state = "same" if file.same else "kept" if file.there else "new" if dry_run else "written"
-        terminal.echo(f"{state:<7}  {file.path}")
-        if dry_run and not file.same:
-            terminal.echo("".join(f"    {line}\n" for line in file.text.splitlines()))
-    terminal.echo("\nnext:")
-    for line, what in calls.items():
-        terminal.echo(f"  {line}\n      {what}")
+        terminal.echo(json.dumps({"folder": str(folder), **first_files.as_json(wanted, calls)}, indent=2))
+    else:
+        first_files.show(wanted, calls, dry_run)
 
 
 def _upstream(named: str) -> Upstream:

@@ -1,0 +1,34 @@
+"""What `rosml init` says of the files that it wrote, and of what to call next."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from rosml.base import terminal
+
+if TYPE_CHECKING:
+    from rosml.containerize.init.folder import File
+
+Calls = list[tuple[str, str]]
+"""Lines to call next, and what each does."""
+
+
+def show(wanted: Sequence[File], calls: Calls, dry_run: bool) -> None:
+    """Prints a line for each file, with its text if nothing was written, and the lines to call next."""
+    for file in wanted:
+        state = "same" if file.same else "kept" if file.there else "new" if dry_run else "written"
+        terminal.echo(f"{state:<7}  {file.path}")
+        if dry_run and not file.same:
+            terminal.echo("".join(f"    {line}\n" for line in file.text.splitlines()))
+    terminal.echo("\nnext:")
+    for line, what in calls:
+        terminal.echo(f"  {line}\n      {what}")
+
+
+def as_json(wanted: Sequence[File], calls: Calls) -> dict[str, Any]:
+    """The same for programs."""
+    return {
+        "files": [{"path": file.path, "there": file.there, "same": file.same, "text": file.text} for file in wanted],
+        "next": [line for line, _ in calls],
+    }
