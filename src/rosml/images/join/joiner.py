@@ -6,53 +6,35 @@ finds by digest what was pushed, and costs next to nothing.
 
 from __future__ import annotations
 
-import threading
 import time
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass, field
 from itertools import combinations
 from typing import Any
 
 from rosml.base.errors import RosmlError
-from rosml.base.problems import listed, unknown
+from rosml.base.problems import listed
 from rosml.images.join.file_lists import Files, Lists
-from rosml.images.join.layers import Joined, Source, join, platform
+from rosml.images.join.layers import Joined, Source, join
+from rosml.images.join.transfer import Transfer, Transferred
 from rosml.registry import oci, references
 from rosml.registry.client import Registry
 from rosml.registry.references import Reference
 
-THREADS = 8
-"""How many requests are sent at a time: a distant registry takes a tenth of a second for each."""
-
 
 @dataclass
-class JoinReport:
+class JoinReport(Transferred):
     """The result of a join.
 
     Attributes:
         reference: what to put after FROM; with the tag, if one was moved.
         digest: of the index, or of the manifest if there is no index.
-        manifests: digest of the image manifest for each platform.
-        layers: how many layers there are, on all platforms.
-        mounted: how many layers the registry mounted from another repository.
-        present: how many layers the repository had already.
-        copied: how many layers were copied from another registry.
         unlisted: images without a list of files, which may carry the same file as another image.
-        uploaded: bytes sent to the registry.
-        seconds: wall time.
     """
 
     reference: str = ""
     digest: str = ""
-    manifests: dict[str, str] = field(default_factory=dict)
-    layers: int = 0
-    mounted: int = 0
-    present: int = 0
-    copied: int = 0
     unlisted: list[str] = field(default_factory=list)
-    uploaded: int = 0
-    seconds: float = 0.0
 
     def to_json(self) -> dict[str, Any]:
         """For `--json`."""
@@ -80,18 +62,15 @@ class Joiner:
             say: prints a line for people.
         """
         self.allow_unlisted = allow_unlisted
-        self._registries = registries
+        self._transfer = Transfer(registries)
         self._lists = Lists()
         self._say = say
-        self._pool = ThreadPoolExecutor(THREADS)
-        self._sources: dict[tuple[str, str, str], Source] = {}
-        self._lock = threading.Lock()
 
     def __enter__(self) -> Joiner:
         return self
 
     def __exit__(self, failed: object, *_: object) -> None:
-        self._pool.shutdown(wait=not failed, cancel_futures=True)  # after Ctrl-C, do not wait for a registry
+        self._transfer.close(failed)
 
     def join(self, ros: str, parts: Sequence[str], target: str, platforms: Sequence[str] = ()) -> JoinReport:
         """Joins an image for every platform that a ROS image and parts have in common, and tags it.
@@ -113,15 +92,19 @@ class Joiner:
         if str(where) in {str(references.parse(source)) for source in (ros, *parts)}:
             text = f"{target} is one of the images to join, and would be overwritten"
             raise RosmlError(text, "choose another tag", exit_code=2)
-        found = list(self._pool.map(self._platforms, [ros, *parts]))
+        named = [ros, *parts]
+        read = self._transfer.pool.map(self._transfer.platforms, named)
+        found = list(zip(named, read, strict=True))
         wanted = _common(found, platforms)
         self._say_what_is_left_out(found, wanted, platforms)
         result = JoinReport()
         images = [self._joined([item[name] for _, item in found], result) for name in wanted]
         for image in images:
-            result.manifests[image.platform] = self._push(image, where.host, where.repository, result)
+            result.manifests[image.platform] = self._transfer.push(image, where.host, where.repository, result)
         index = oci.encoded(_index(images))
-        result.digest = self._registries(where.host).put_manifest(where.repository, where.reference, index, oci.INDEX)
+        result.digest = self._transfer.registries(where.host).put_manifest(
+            where.repository, where.reference, index, oci.INDEX
+        )
         result.uploaded += len(index)
         result.reference = str(where)
         result.seconds = time.monotonic() - started
@@ -140,48 +123,14 @@ class Joiner:
             RosmlError: as in `join`.
         """
         started = time.monotonic()
-        sources = list(self._pool.map(lambda item: self._source(str(item), item), (ros, *parts)))
+        sources = list(self._transfer.pool.map(lambda item: self._transfer.source(str(item), item), (ros, *parts)))
         result = JoinReport()
         image = self._joined(sources, result)
-        digest = self._push(image, host, repository, result)
+        digest = self._transfer.push(image, host, repository, result)
         result.manifests[image.platform] = result.digest = digest
         result.reference = str(Reference(host, repository, digest))
         result.seconds = time.monotonic() - started
         return result
-
-    # ---- Reading -----------------------------------------------------------------------------------------------------
-
-    def _platforms(self, name: str) -> tuple[str, Mapping[str, Source]]:
-        """An image's manifests by platform."""
-        where = references.parse(name)
-        manifest = self._registries(where.host).manifest(where.repository, where.reference)
-        if manifest is None:
-            known = self._registries(where.host).tags(where.repository)
-            near = unknown("tag", where.reference, known).partition("; ")[2] or "its repository has no tags"
-            raise RosmlError(f"{name} is not there", f"check its name: {near}", exit_code=2)
-        if not manifest.is_index:
-            source = self._source(name, where._replace(reference=manifest.digest), manifest)
-            return name, {source.platform: source}
-        entries = {platform(entry.platform): entry.digest for entry in manifest.members}
-        sources = {
-            key: self._source(name, where._replace(reference=digest))
-            for key, digest in entries.items()
-            if "unknown" not in key  # attestations of buildx
-        }
-        return name, sources
-
-    def _source(self, name: str, where: Reference, manifest: oci.Manifest | None = None) -> Source:
-        """An image for one platform, by its digest."""
-        if where not in self._sources:
-            registry = self._registries(where.host)
-            manifest = manifest or registry.manifest(where.repository, where.reference)
-            if manifest is None:
-                raise RosmlError(f"{where} is not there any more", "check its name", exit_code=2)
-            config = registry.config(where.repository, manifest, str(where))
-            source = Source(name, where.host, where.repository, manifest.digest, manifest, config)
-            with self._lock:
-                self._sources.setdefault(where, source)
-        return self._sources[where]
 
     def _say_what_is_left_out(
         self, found: Sequence[tuple[str, Mapping[str, Source]]], wanted: Sequence[str], asked: Sequence[str]
@@ -204,8 +153,9 @@ class Joiner:
         Raises:
             RosmlError: two carry the same file (exit code 2); or an image has no list, unless `allow_unlisted` is set.
         """
+        registries = self._transfer.registries
         lists = list(
-            self._pool.map(lambda s: self._lists.of(self._registries(s.host), s.repository, s.digest), sources)
+            self._transfer.pool.map(lambda s: self._lists.of(registries(s.host), s.repository, s.digest), sources)
         )
         if unlisted := [source.name for source, files in zip(sources, lists, strict=True) if files is None]:
             text = f"{listed(unlisted)} has no list of its files, so it may carry the same file as another image"
@@ -225,39 +175,6 @@ class Joiner:
                     "remove the file, or the package that has it, from one of them, and publish that image again",
                     exit_code=2,
                 )
-
-    def _push(self, image: Joined, host: str, repository: str, result: JoinReport) -> str:
-        """Pushes an image by digest, without a tag: layers, then config, then manifest. Gives the digest."""
-        registry = self._registries(host)
-        result.layers += len(image.layers)
-        if registry.head(repository, image.digest):  # then all its layers are there, too
-            result.present += len(image.layers)
-            return image.digest
-        unique = {layer["digest"]: (layer, source) for layer, source in image.layers}
-        ways = self._pool.map(lambda item: self._bring(registry, repository, *item), unique.values())
-        by_digest = dict(zip(unique, ways, strict=True))
-        for layer, _ in image.layers:
-            way = by_digest[layer["digest"]]
-            setattr(result, way, getattr(result, way) + 1)
-        copied = sum(layer["size"] for layer, _ in unique.values() if by_digest[layer["digest"]] == "copied")
-        registry.put_blob(repository, image.config)
-        registry.put_manifest(repository, "", image.manifest, oci.IMAGE)
-        result.uploaded += copied + len(image.config) + len(image.manifest)
-        return image.digest
-
-    def _bring(self, registry: Registry, repository: str, layer: Mapping[str, Any], source: Source) -> str:
-        """Adds a layer to the repository. Gives the way in which it got there, as the name of a counter in
-        `JoinReport`."""
-        digest = layer["digest"]
-        if source.host == registry.host:
-            if source.repository == repository:
-                return "present"
-            if registry.mount(repository, digest, source.repository):
-                return "mounted"
-        if registry.has_blob(repository, digest):
-            return "present"
-        registry.copy_blob(repository, digest, layer["size"], self._registries(source.host), source.repository)
-        return "copied"
 
 
 def _common(found: Sequence[tuple[str, Mapping[str, Source]]], asked: Sequence[str]) -> list[str]:
