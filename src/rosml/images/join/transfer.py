@@ -1,0 +1,161 @@
+"""Images in registries: reads their manifests and configs, and pushes new ones for existing layers. No layer is pulled, unless
+it must be copied from one registry to another."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from typing import Any
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import unknown
+from rosml.images.join.layers import Joined, Source, platform
+from rosml.registry import oci, references
+from rosml.registry.client import Registry
+from rosml.registry.references import Reference
+
+THREADS = 8
+"""How many requests are sent at a time: a distant registry takes a tenth of a second for each."""
+
+
+@dataclass
+class Transferred:
+    """What came of a push.
+
+    Attributes:
+        manifests: digest of the image manifest for each platform.
+        layers: how many layers there are, on all platforms.
+        mounted: how many layers the registry mounted from another repository.
+        present: how many layers the repository had already.
+        copied: how many layers were copied from another registry.
+        uploaded: bytes sent to the registry.
+        seconds: wall time.
+    """
+
+    manifests: dict[str, str] = field(default_factory=dict)
+    layers: int = 0
+    mounted: int = 0
+    present: int = 0
+    copied: int = 0
+    uploaded: int = 0
+    seconds: float = 0.0
+
+
+class Transfer:
+    """Reads and pushes images. It reads each manifest and config once. Safe to share among threads.
+
+    Attributes:
+        pool: threads for requests.
+        registries: gives the client of a host.
+    """
+
+    def __init__(self, registries: Callable[[str], Registry]) -> None:
+        self.registries = registries
+        self.pool = ThreadPoolExecutor(THREADS)
+        self._sources: dict[Reference, Source] = {}
+        self._lock = threading.Lock()
+
+    def __enter__(self) -> Transfer:
+        return self
+
+    def __exit__(self, failed: object, *_: object) -> None:
+        self.close(failed)
+
+    def close(self, failed: object = None) -> None:
+        """Waits for requests that are under way, unless something failed: after Ctrl-C, nobody waits for a registry."""
+        self.pool.shutdown(wait=not failed, cancel_futures=True)
+
+    def platforms(self, name: str) -> Mapping[str, Source]:
+        """The image of a complete reference, by platform.
+
+        Raises:
+            RosmlError: there is no such image (exit code 2); the registry does not answer or refuses.
+        """
+        where = references.parse(name)
+        registry = self.registries(where.host)
+        manifest = registry.manifest(where.repository, where.reference)
+        if manifest is None:
+            near = unknown("tag", where.reference, registry.tags(where.repository)).partition("; ")[2]
+            raise RosmlError(f"{name} is not there", f"check its name: {near or 'its repository has no tags'}", 2)
+        return self.members(name, where, manifest)
+
+    def members(self, name: str, where: Reference, manifest: oci.Manifest) -> Mapping[str, Source]:
+        """The same for a manifest that was read already.
+
+        Args:
+            name: the user's name of the image, for messages.
+            where: its place.
+            manifest: its manifest or index.
+        """
+        if not manifest.is_index:
+            source = self.source(name, where._replace(reference=manifest.digest), manifest)
+            return {source.platform: source}
+        entries = {platform(entry.platform): entry.digest for entry in manifest.members}
+        return {
+            key: self.source(name, where._replace(reference=digest))
+            for key, digest in entries.items()
+            if "unknown" not in key  # attestations of buildx
+        }
+
+    def source(self, name: str, where: Reference, manifest: oci.Manifest | None = None) -> Source:
+        """An image for one platform, by its digest.
+
+        Args:
+            name: the user's name of the image, for messages.
+            where: its place, with its digest.
+            manifest: its manifest, if it was read already.
+
+        Raises:
+            RosmlError: there is no such image (exit code 2); the registry does not answer or refuses.
+        """
+        if where not in self._sources:
+            registry = self.registries(where.host)
+            manifest = manifest or registry.manifest(where.repository, where.reference)
+            if manifest is None:
+                raise RosmlError(f"{where} is not there any more", "check its name", exit_code=2)
+            config = registry.config(where.repository, manifest, str(where))
+            source = Source(name, where.host, where.repository, manifest.digest, manifest, config)
+            with self._lock:
+                self._sources.setdefault(where, source)
+        return self._sources[where]
+
+    def push(self, image: Joined, host: str, repository: str, result: Transferred) -> str:
+        """Pushes an image by digest, without a tag: layers, then config, then manifest. Gives the digest.
+
+        Args:
+            result: its counters grow.
+
+        Raises:
+            RosmlError: a registry does not answer or refuses.
+        """
+        registry = self.registries(host)
+        result.layers += len(image.layers)
+        if registry.head(repository, image.digest):  # then all its layers are there, too
+            result.present += len(image.layers)
+            return image.digest
+        unique = {layer["digest"]: (layer, source) for layer, source in image.layers}
+        ways = self.pool.map(lambda item: self._bring(registry, repository, *item), unique.values())
+        by_digest = dict(zip(unique, ways, strict=True))
+        for layer, _ in image.layers:
+            way = by_digest[layer["digest"]]
+            setattr(result, way, getattr(result, way) + 1)
+        copied = sum(layer["size"] for layer, _ in unique.values() if by_digest[layer["digest"]] == "copied")
+        registry.put_blob(repository, image.config)
+        registry.put_manifest(repository, "", image.manifest, oci.IMAGE)
+        result.uploaded += copied + len(image.config) + len(image.manifest)
+        return image.digest
+
+    def _bring(self, registry: Registry, repository: str, layer: Mapping[str, Any], source: Source) -> str:
+        """Adds a layer to the repository. Gives the way in which it got there, as the name of a counter."""
+        digest = layer["digest"]
+        if source.host == registry.host:
+            if source.repository == repository:
+                return "present"
+            if registry.mount(repository, digest, source.repository):
+                return "mounted"
+        if registry.has_blob(repository, digest):
+            return "present"
+        registry.copy_blob(repository, digest, layer["size"], self.registries(source.host), source.repository)
+        return "copied"
