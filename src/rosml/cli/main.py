@@ -56,6 +56,7 @@ SECTIONS = {
     "Build images of your own packages": {
         "init": "containerize.init",
         "containerize": "containerize.containerize",
+        "rebase": "containerize.rebase",
         "ci": "containerize.ci",
     },
     "Find and build base images": {

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Container, Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -32,6 +32,12 @@ BASE_DIGEST = "org.opencontainers.image.base.digest"
 
 LOCK = f"{PREFIX}lock"
 """The label with an image's inputs, as in the lock file."""
+
+REPLACED = f"{PREFIX}replaced"
+"""The label of an app whose packages replace something of its base image: what, as far as `NAMED` names go. Such an app is on no other
+base image without a build."""
+
+NAMED = 10
 
 REPORT, RESULTS, ASKED = "report", "results", "identified"
 """The targets that leave an archive: the reports of rosml's own steps, the test reports, and the packages for each key of rosdep, in
@@ -93,7 +99,7 @@ def render(
     left: Mapping[str, Path],
     known: Mapping[str, str],
     kept: Mapping[str, str],
-    unlinked: Container[str] = (),
+    replaced: Mapping[str, Sequence[str]] | None = None,
     lock: str = "",
 ) -> str:
     """The bake file.
@@ -103,10 +109,11 @@ def render(
         left: the archives of the targets `REPORT`, `RESULTS` and `ASKED`.
         known: references of stages that a registry has.
         kept: references to which other stages go.
-        unlinked: images that do not link the app onto their base image: they start from the stage with the app's packages.
+        replaced: of images that do not link the app onto their base image, the packages and files of it that the app replaces. They
+            start from the stage with the app's packages.
         lock: the inputs of the images, for a label.
     """
-    values = inputs.values
+    values, replaced = inputs.values, replaced or {}
     steps = _steps(services, environment, names.platforms)
     if values.parallel_jobs:  # as a secret: the result does not depend on it, so steps need not run again
         steps["secret"].append("type=env,id=parallel-jobs,env=PARALLEL_JOBS")
@@ -156,11 +163,11 @@ def render(
     for target in names.targets:
         targets[target] = {
             "context": str(inputs.empty),
-            "dockerfile-inline": _dockerfile(target, inputs, target not in unlinked),
+            "dockerfile-inline": _dockerfile(target, inputs, target not in replaced),
             "platforms": list(names.platforms),
             "contexts": base | {name: stages.get(name, f"target:{name}") for name in inputs.stages},
             "args": {"SOURCE_DATE_EPOCH": str(inputs.time), **_variables(target, inputs)},
-            "labels": {**_labels(inputs, names.app, target), LOCK: lock},
+            "labels": {**_labels(inputs, names.app, target, replaced.get(target, ())), LOCK: lock},
             "tags": names.tags(target),
             "output": [names.loading if names.loads else f"type=image,push=true,{COMPRESSION}"],
         }
@@ -248,7 +255,7 @@ def _dockerfile(target: str, inputs: Inputs, linked: bool) -> str:
     return "\n".join([*lines, f"CMD {json.dumps(command)}", ""])
 
 
-def _labels(inputs: Inputs, name: str, target: str) -> dict[str, str]:
+def _labels(inputs: Inputs, name: str, target: str, replaced: Sequence[str]) -> dict[str, str]:
     base = inputs.slim if target == SLIM and inputs.slim else inputs.base
     return {
         TITLE: name if target == "run" else f"{name} ({target})",
@@ -256,4 +263,5 @@ def _labels(inputs: Inputs, name: str, target: str) -> dict[str, str]:
         BASE_DIGEST: base.digest,
         REVISION: inputs.commit,
         APP: target,
+        **({REPLACED: " ".join(replaced[:NAMED])} if replaced else {}),
     }

@@ -289,16 +289,11 @@ class App:
             if cache:
                 cache.keep(keys, built.outcome, built.tests, said.details())
         self._require_started(built)
-        unlinked = [
-            target
-            for target, replaced in (("run", built.outcome.replaced), (SLIM, built.outcome.slim_replaced))
-            if replaced
-        ]
         made = self._locked(inputs, built)
         if locked and not locked.lacks(self._names.platforms):
             made = locked  # it may have more: of another platform, or of a slim image
         built.lock = made
-        files.write(file, app_bake_file.render(*arguments, unlinked=unlinked, lock=made.line()))
+        files.write(file, app_bake_file.render(*arguments, replaced=built.outcome.replacing, lock=made.line()))
         for target in self._names.targets:
             call = buildx.Bake(target, f"containerize-{self._state.name}-{target}", file)
             _progress, metadata = buildx.run(self._services, call)

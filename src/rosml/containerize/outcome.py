@@ -5,6 +5,7 @@ from __future__ import annotations
 from pydantic import BaseModel, ConfigDict
 
 from rosml.containerize import lock
+from rosml.containerize.names import SLIM
 from rosml.containerize.report import Answer
 
 
@@ -39,3 +40,9 @@ class Outcome(BaseModel):
     absent: list[str] = []
     forgotten: dict[str, str] = {}
     added: lock.Packages = lock.Packages()
+
+    @property
+    def replacing(self) -> dict[str, list[str]]:
+        """The images that do not link the app onto their base image, with what it replaces there."""
+        found = {"run": self.replaced, SLIM: self.slim_replaced}
+        return {target: names for target, names in found.items() if names}

@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""Whether an app finds all that its programs, libraries and modules of Python need in an image.
+
+    link.py OUT
+
+OUT gets a line for each thing that it does not find, in JSON: the linker's words about a file of the install space, or Python's about
+an entry point. Nothing of the app is started but the dynamic linker, and what its modules do when they are imported. Each has
+`SECONDS`.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Iterator
+
+INSTALL = Path("/docker-ros/ws/install")
+SECONDS = 60
+
+LACKS = re.compile(r"undefined symbol: .*|.*=> not found|.*version `[^']*' not found.*|symbol lookup error: .*")
+"""Lines of ldd about what is missing."""
+
+ADDRESS = re.compile(r"\s*\(0x[0-9a-f]+\)|\t")
+LINE = 500
+
+
+def files() -> Iterator[Path]:
+    """Programs and libraries of the install space."""
+    for above, _, names in os.walk(INSTALL):
+        for name in sorted(names):
+            path = Path(above, name)
+            if path.is_file() and not path.is_symlink():
+                with open(path, "rb") as file:
+                    if file.read(4) == b"\x7fELF":
+                        yield path
+
+
+def modules() -> Iterator[str]:
+    """Modules of Python that entry points of the install space name."""
+    found = set()
+    for path in INSTALL.rglob("entry_points.txt"):
+        for line in path.read_text("utf-8", "replace").split("\n"):
+            target = line.partition("=")[2].partition("[")[0].strip()
+            module = target.partition(":")[0].strip()
+            if re.fullmatch(r"\w+(\.\w+)*", module):
+                found.add(module)
+    yield from sorted(found)
+
+
+def called(command: list[str]) -> tuple[int, str]:
+    """The exit code and the last output of a program."""
+    try:
+        done = subprocess.run(
+            command,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            timeout=SECONDS,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        return 124, f"nothing for {SECONDS} s"
+    return done.returncode, done.stdout.decode("utf-8", "replace")
+
+
+def linked(path: Path) -> list[str]:
+    """What the linker does not find for a file."""
+    said = called(["ldd", "-r", str(path)])[1]
+    name = str(path.relative_to(INSTALL))
+    lines = (ADDRESS.sub("", line).strip() for line in said.split("\n"))
+    return [f"{name}: {line[:LINE]}" for line in lines if LACKS.search(line)]
+
+
+def imported(module: str) -> list[str]:
+    """What Python says if a module cannot be imported."""
+    code, said = called([sys.executable, "-c", f"import {module}"])
+    lines = [line for line in said.split("\n") if line.strip()]
+    return [f"import {module}: {lines[-1].strip()[:LINE] if lines else f'exit code {code}'}"] if code else []
+
+
+def main(out: str) -> None:
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        found = [line for lines in pool.map(linked, files()) for line in lines]
+        found += [line for lines in pool.map(imported, modules()) for line in lines]
+    text = "".join(json.dumps(line, ensure_ascii=True) + "\n" for line in sorted({*found}))
+    Path(out).write_text(text, encoding="ascii")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])

@@ -1,0 +1,169 @@
+"""Computes the image of an app on another base image, without a network.
+
+An app is one layer on its base image, with variables, a command and labels of its own. All else is the base image's. BuildKit joins them
+in the same way, so the result has the digest that a build of the app on that base image would have.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from pydantic import ValidationError
+
+from rosml.base import untrusted
+from rosml.base.errors import RosmlError
+from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME, LOCK, REPLACED
+from rosml.containerize.lock import Lock
+from rosml.images.image_set.labels import APP, REVISION, TITLE
+from rosml.images.join.layers import Joined, Source
+from rosml.registry import oci
+
+OWN = (TITLE, BASE_NAME, BASE_DIGEST, REVISION, APP, LOCK)
+"""The labels of an app. Its other labels are those of its base image."""
+
+AGAIN = "build it again with rosml containerize, on the new base image"
+"""The remedy for an image that cannot be put on another base image."""
+
+_SETTINGS = (
+    *("User", "ExposedPorts", "Env", "Entrypoint", "Cmd", "Volumes", "WorkingDir", "Labels", "StopSignal"),
+    *("ArgsEscaped", "Healthcheck", "Shell"),
+)
+"""The settings of a config in BuildKit's order: those of OCI, then those of Docker. See `ImageConfig` in
+github.com/opencontainers/image-spec and `DockerOCIImageConfigExt` in github.com/moby/docker-image-spec."""
+
+_HISTORY = ("created", "created_by", "author", "comment", "empty_layer")
+"""The fields of an entry of the history, in the same order."""
+
+_VARIABLE = re.compile(r"ENV ([A-Za-z_][A-Za-z0-9_]*)=")
+
+
+def moved(app: Source, base: Source, labels: Mapping[str, str]) -> Joined:
+    """An app on another base image, both for one platform.
+
+    Args:
+        labels: the app's labels about its new base image.
+
+    Raises:
+        RosmlError: it is no app, or it cannot be put on another base image (exit code 2).
+    """
+    own = _own_history(app)
+    config = _config(app, base, own, {**{name: app.labels[name] for name in OWN if name in app.labels}, **labels})
+    text = as_buildkit(config)
+    manifest = {
+        "schemaVersion": 2,
+        "mediaType": oci.IMAGE,
+        "config": oci.descriptor(oci.CONFIG, text),
+        "layers": [*base.layers, app.layers[-1]],
+    }
+    layers = (*((layer, base) for layer in base.layers), (app.layers[-1], app))
+    return Joined(app.platform, text, as_buildkit(manifest, indent=2), config["config"]["Labels"], layers)
+
+
+def index(app: Mapping[str, Any], members: Mapping[str, Joined]) -> bytes:
+    """The index of an app on another base image.
+
+    Args:
+        app: its present index.
+        members: the new image for each entry, by the digest of the present one.
+    """
+    entries = []
+    for entry in app["manifests"]:
+        if image := members.get(entry["digest"]):
+            entries.append({**oci.descriptor(oci.IMAGE, image.manifest), "platform": entry["platform"]})
+    return as_buildkit({"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries}, indent=2)
+
+
+def as_buildkit(content: Mapping[str, Any], indent: int | None = None) -> bytes:
+    """JSON as Go writes it: the keys have their order, and some characters are escaped."""
+    separators = (",", ":") if indent is None else (",", ": ")
+    text = json.dumps(content, ensure_ascii=False, separators=separators, indent=indent)
+    for character in "<>&\u2028\u2029":
+        text = text.replace(character, f"\\u{ord(character):04x}")
+    return text.encode()
+
+
+def with_digests(label: str, base: str, digest: str, other: str = "") -> str:
+    """The label with the lock of an app, with other base images.
+
+    Args:
+        label: its text.
+        base: the name of the new base image, as the user wrote it.
+        digest: its digest.
+        other: the digest of the base image of the slim image; empty if it stays.
+
+    Raises:
+        ValueError: it is no lock.
+    """
+    try:
+        known = Lock.model_validate(untrusted.json_value(label.encode()))
+    except ValidationError:
+        raise ValueError("it is no lock") from None
+    slim = known.slim_base_image
+    if slim and other:
+        slim = slim.model_copy(update={"digest": other})
+    named = known.base_image.model_copy(update={"name": base, "digest": digest})
+    return known.model_copy(update={"base_image": named, "slim_base_image": slim}).line()
+
+
+def _own_history(app: Source) -> list[dict[str, Any]]:
+    """The entries of an app's own layer and of its settings.
+
+    Raises:
+        RosmlError: the image is no app with one layer of its own (exit code 2).
+    """
+    target = app.labels.get(APP)
+    if not target:
+        text = f"{app.name} is no app that rosml containerize built: it has no label {APP}"
+        raise RosmlError(text, "name an app's run or slim image", exit_code=2)
+    if target == "dev":
+        text = f"{app.name} is an image to work on, with compilers of its base image"
+        raise RosmlError(text, "name the app's run image; build the other one again", exit_code=2)
+    if replaced := app.labels.get(REPLACED):
+        text = f"{app.name} replaces what its base image has: {replaced[:200]}"
+        raise RosmlError(text, AGAIN, exit_code=2)
+    entries: list[dict[str, Any]] = app.config.content.get("history") or []
+    first = max((number for number, entry in enumerate(entries) if not entry.get("empty_layer")), default=-1)
+    own = entries[first:] if first >= 0 else []
+    if own and own[0].get("comment") == "joined in the registry":
+        text = f"{app.name} is an app with parts that rosml join added"
+        raise RosmlError(text, "name the app without them, and as its base an image that has them", exit_code=2)
+    said = sum(not entry.get("empty_layer") for entry in entries)
+    if not own or len(app.layers) < 2 or not len(app.layers) == len(app.diff_ids) == said:
+        raise RosmlError(f"{app.name}: its config does not say what its layers are", AGAIN, exit_code=2)
+    if not str(own[0].get("created_by", "")).startswith("COPY / / "):
+        text = f"{app.name}: its last layer is not the app, but {str(own[0].get('created_by', ''))[:60]!r}"
+        raise RosmlError(text, "name the image that rosml containerize built; a build on top of it must run again", 2)
+    return own
+
+
+def _config(app: Source, base: Source, own: Iterable[Mapping[str, Any]], labels: Mapping[str, str]) -> dict[str, Any]:
+    known, settings = base.config.content, base.config.content.get("config") or {}
+    mine = app.config.content.get("config") or {}
+    if settings.get("OnBuild"):
+        raise RosmlError(f"{base.name} has ONBUILD instructions, which only a build carries out", AGAIN, exit_code=2)
+    new = {**settings, "Env": _environment(app, base, own), "Labels": dict(sorted({**base.labels, **labels}.items()))}
+    new |= {name: mine[name] for name in ("Cmd", "ArgsEscaped") if name in mine}
+    facts = app.config.content
+    content = {name: known[name] for name in ("author",) if known.get(name)}
+    content |= {name: facts[name] for name in ("architecture", "os", "variant", "created") if facts.get(name)}
+    content["config"] = _ordered(new, _SETTINGS)
+    content["history"] = [_ordered(entry, _HISTORY) for entry in (*(known.get("history") or ()), *own)]
+    content["rootfs"] = {"type": "layers", "diff_ids": [*base.diff_ids, app.diff_ids[-1]]}
+    return dict(sorted(content.items()))
+
+
+def _environment(app: Source, base: Source, own: Iterable[Mapping[str, Any]]) -> list[str]:
+    """The base image's variables with the app's: those that its history names."""
+    found = dict.fromkeys(match[1] for entry in own if (match := _VARIABLE.match(str(entry.get("created_by", "")))))
+    values = {name: value for name, _, value in (entry.partition("=") for entry in app.config.environment)}
+    merged = {name: value for name, _, value in (entry.partition("=") for entry in base.config.environment)}
+    merged |= {name: values[name] for name in found if name in values}
+    return [f"{name}={value}" for name, value in merged.items()]
+
+
+def _ordered(found: Mapping[str, Any], names: Iterable[str]) -> dict[str, Any]:
+    """The known fields, in their order, without empty ones."""
+    return {name: found[name] for name in names if found.get(name) not in (None, "", [], {}, False)}

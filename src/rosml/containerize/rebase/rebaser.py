@@ -1,0 +1,281 @@
+"""Puts apps on other base images in a registry: pushes new manifests and configs for layers that are there, and pulls no layer.
+
+The tag moves last. If a call is interrupted, the old tag stands, and the next call finds by digest what was pushed.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed
+from rosml.containerize import app_base
+from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME, LOCK
+from rosml.containerize.app_base import Base
+from rosml.containerize.names import SLIM
+from rosml.containerize.rebase import checks, image
+from rosml.images.image_set.labels import APP, PREFIX
+from rosml.images.join.layers import Joined, Source
+from rosml.images.join.transfer import Transfer, Transferred
+from rosml.images.matrix.names import DATED
+from rosml.machine.services import Services
+from rosml.registry import oci, references
+from rosml.registry.client import Registries, Registry
+from rosml.registry.references import Reference
+
+
+@dataclass
+class Rebased(Transferred):
+    """An app on another base image.
+
+    Attributes:
+        app: the app's complete reference, as it was named.
+        reference: the tag that points at the new image.
+        digest: of the new image or index.
+        before: the digest of the app's image until now.
+        base: the new base image, with its registry and tag.
+        base_digest: its digest.
+        old_base: the base image until now, as the app names it.
+        old_base_digest: its digest.
+        moved: whether the tag points elsewhere than before.
+    """
+
+    app: str = ""
+    reference: str = ""
+    digest: str = ""
+    before: str = ""
+    base: str = ""
+    base_digest: str = ""
+    old_base: str = ""
+    old_base_digest: str = ""
+    moved: bool = False
+
+    def to_json(self) -> dict[str, Any]:
+        """For `--json`."""
+        return asdict(self)
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A new image of an app that is in no registry yet.
+
+    Attributes:
+        app: the place of the app, by the digest that was read.
+        named: the app's complete reference, as it was named.
+        target: the tag to move.
+        there: the digest of that tag when this was planned; empty if there was none.
+        base: the new base image.
+        images: the new image for each platform.
+        old: the app's image for each platform.
+        document: the manifest or the index to which the tag will point.
+        is_index: whether it is an index.
+    """
+
+    app: Reference
+    named: str
+    target: Reference
+    there: str
+    base: Base
+    images: Mapping[str, Joined]
+    old: Mapping[str, Source]
+    document: bytes
+    is_index: bool
+
+    @property
+    def digest(self) -> str:
+        """The digest of the new image."""
+        return oci.digest_of(self.document)
+
+
+@dataclass
+class Rebaser:
+    """Puts apps on other base images. It reads each base image once. Safe to share among threads; use it in a `with`.
+
+    Attributes:
+        services: name the local registry, for names without a registry.
+        registries: gives the client of a host.
+        say: prints a line for people.
+    """
+
+    services: Services
+    registries: Registries
+    say: Callable[[str], None] = lambda _: None
+    _bases: dict[tuple[str, tuple[str, ...]], Base] = field(default_factory=dict)
+    _digests: dict[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self._transfer = Transfer(self.registries)
+
+    def __enter__(self) -> Rebaser:
+        return self
+
+    def __exit__(self, failed: object, *_: object) -> None:
+        self._transfer.close(failed)
+
+    def plan(self, app: str, base: str, tag: str = "", platforms: Sequence[str] = ()) -> Plan:
+        """Computes the new image, and checks what speaks against it. It changes nothing.
+
+        Args:
+            app: the app, by any name that `rosml run` takes.
+            base: the new base image, by any name that `rosml containerize` takes.
+            tag: the complete reference of the tag to move; empty for the app's own.
+            platforms: only these; all of the app's if empty.
+
+        Raises:
+            RosmlError: the app cannot be put on this base image (exit code 2), or a registry does not answer or refuses.
+        """
+        where, manifest = self._find(app)
+        known = self._transfer.members(str(where), where, manifest)
+        old = _chosen(known, platforms, str(where))
+        target = references.parse(tag) if tag else where
+        if references.is_digest(target.reference):
+            what = "names the app by its digest" if not tag else "is a digest"
+            raise RosmlError(f"{tag or app} {what}, and a tag has to move", "name one: --tag REGISTRY/NAME:TAG", 2)
+        there = manifest.digest if target == where else self.registries(target.host).head(*target[1:])
+        _require_one_base(old, str(where))
+        found = self._base(base, tuple(old), next(iter(old.values())).labels)
+        place = references.parse(f"{found.repository}@{found.digest}")
+        new = self._transfer.platforms(str(place))
+        images = {}
+        for name, source in old.items():
+            onto = new[name]
+            checks.require_fit(source, onto)
+            images[name] = image.moved(source, onto, self._labels(source, found, base))
+        if manifest.is_index:
+            by_digest = {source.digest: images[name] for name, source in old.items()}
+            document = image.index(manifest.content, by_digest)
+        else:
+            document = next(iter(images.values())).manifest
+        by_its_digest = where._replace(reference=manifest.digest)
+        return Plan(by_its_digest, str(where), target, there, found, images, old, document, manifest.is_index)
+
+    def carry_out(self, plan: Plan) -> Rebased:
+        """Pushes the new image, and moves the tag to it.
+
+        Raises:
+            RosmlError: the tag has moved since the plan; a registry does not answer or refuses. No tag was moved.
+        """
+        started = time.monotonic()
+        first = next(iter(plan.old.values()))
+        found = Rebased(
+            app=plan.named,
+            reference=str(plan.target),
+            digest=plan.digest,
+            before=plan.app.reference,
+            base=plan.base.name,
+            base_digest=plan.base.digest,
+            old_base=first.labels.get(BASE_NAME, ""),
+            old_base_digest=first.labels.get(BASE_DIGEST, ""),
+        )
+        registry = self.registries(plan.target.host)
+        for name, joined in plan.images.items():
+            found.manifests[name] = self._transfer.push(joined, *plan.target[:2], found)
+        if plan.there != plan.digest:
+            self._move(registry, plan, found)
+        found.seconds = time.monotonic() - started
+        return found
+
+    def _move(self, registry: Registry, plan: Plan, found: Rebased) -> None:
+        """Moves the tag, if it is still where it was. Registries cannot compare and write at once: in between is one request."""
+        now = registry.head(*plan.target[1:])
+        if now == plan.digest:
+            return
+        if now != plan.there:
+            text = f"{plan.target} has moved since it was read, and stays: from {plan.there or 'nothing'} to {now or 'nothing'}"
+            raise RosmlError(text, "somebody else moved it; if your app has to go there as well, run it again")
+        kind = oci.INDEX if plan.is_index else oci.IMAGE
+        registry.put_manifest(*plan.target[1:], plan.document, kind)
+        found.uploaded += len(plan.document)
+        found.moved = True
+
+    # ---- Reading -----------------------------------------------------------------------------------------------------
+
+    def _find(self, text: str) -> tuple[Reference, oci.Manifest]:
+        """An app's place and manifest.
+
+        Raises:
+            RosmlError: there is no such image (exit code 2), or no registry answers.
+        """
+        short = self.services.registry and not references.has_registry(text)
+        names = (*([f"{self.services.registry}/{text}"] if short else []), references.complete(text))
+        refused: RosmlError | None = None
+        for name in names:
+            where = references.parse(name)
+            try:
+                manifest = self.registries(where.host).manifest(where.repository, where.reference)
+            except RosmlError as error:
+                refused = error
+                continue
+            if manifest:
+                return where, manifest
+        if refused and len(names) == 1:
+            raise refused
+        text = f"there is no app {text} in a registry (looked for {', '.join(names)})"
+        remedy = (
+            refused.remedy if refused else "name it with its registry; an app in your Docker has to be pushed first"
+        )
+        raise RosmlError(text, remedy, exit_code=2)
+
+    def _base(self, text: str, platforms: tuple[str, ...], app: Mapping[str, str]) -> Base:
+        """The new base image; for a slim app, the image without compilers that belongs to it."""
+        slim = app.get(APP) == SLIM
+        key = text, (*platforms, *([SLIM] if slim else []))
+        if key not in self._bases:
+            found = app_base.find(text, self.services, platforms)
+            if slim and (name := app_base.runtime(found)):
+                self.say(f"{text} has compilers: the slim image goes onto {name}")
+                found = app_base.find(name, self.services, platforms)
+            if found.local:
+                raise RosmlError(f"{text} is in your Docker, and in no registry", "push it, and name it there", 2)
+            self._bases[key] = found
+        return self._bases[key]
+
+    def _labels(self, app: Source, base: Base, text: str) -> dict[str, str]:
+        """The labels of an app about its new base image, as a build on it would write them."""
+        found = {BASE_NAME: base.name, BASE_DIGEST: base.digest}
+        if app.labels.get(APP) == SLIM or LOCK not in app.labels:
+            return found
+        other = ""
+        if '"slim_base_image"' in app.labels[LOCK] and (name := app_base.runtime(base)):
+            other = self._digest(name)
+        try:
+            return found | {LOCK: image.with_digests(app.labels[LOCK], text, base.digest, other)}
+        except ValueError:
+            raise RosmlError(f"{app.name}: its label {LOCK} is damaged", image.AGAIN, exit_code=2) from None
+
+    def _digest(self, name: str) -> str:
+        if name not in self._digests:
+            where = references.parse(name)
+            self._digests[name] = self.registries(where.host).head(where.repository, where.reference)
+        return self._digests[name]
+
+
+def _chosen(known: Mapping[str, Source], platforms: Sequence[str], name: str) -> dict[str, Source]:
+    """An app's images for the wanted platforms.
+
+    Raises:
+        RosmlError: it is not for one of them (exit code 2).
+    """
+    if missing := [item for item in platforms if item not in known]:
+        text = f"{name} is for {listed(sorted(known)) or 'no platform'}, not for {listed(missing)}"
+        raise RosmlError(text, "name a platform that it has", exit_code=2)
+    if not known:
+        raise RosmlError(f"{name} is for no platform", "check its name", exit_code=2)
+    return {item: known[item] for item in (platforms or known)}
+
+
+def _require_one_base(old: Mapping[str, Source], name: str) -> None:
+    """Checks that all platforms of an app are on the same image, of any day.
+
+    Raises:
+        RosmlError: they are not (exit code 2).
+    """
+    named = {key: DATED.sub("", source.labels.get(BASE_NAME, "")) for key, source in old.items()}
+    stacks = {key: source.labels.get(f"{PREFIX}stack", "") for key, source in old.items()}
+    if len({*named.values()}) > 1 or len({*stacks.values()}) > 1:
+        where = listed([f"{key} on {base or 'an unknown one'}" for key, base in named.items()])
+        text = f"{name}: its platforms are on different images: {where}"
+        raise RosmlError(text, "name one platform with --platform, and a tag for it with --tag", exit_code=2)

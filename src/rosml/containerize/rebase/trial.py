@@ -1,0 +1,135 @@
+"""Tries an app on its new base image in the builder, before its tag moves there."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from rosml.base import files, untrusted
+from rosml.base.errors import RosmlError
+from rosml.base.problems import SHOWN
+from rosml.containerize.app_bake_file import SCRIPTS
+from rosml.containerize.rebase.image import AGAIN
+from rosml.machine import buildx, exported
+from rosml.machine.services import Services
+
+LINES = 10_000
+"""Most lines about what an app does not find."""
+
+SECONDS = 300
+"""How long the user's command may take."""
+
+_LINK = """FROM {0} AS {0}-linked
+USER root
+RUN --network=none --mount=type=bind,from=scripts,source=containerize/link.py,target=/run/link.py \\
+    mkdir /rosml-linked && /entrypoint.sh python3 /run/link.py /rosml-linked/{0}
+"""
+_RUN = """FROM app
+ARG TRIAL
+RUN timeout --kill-after=10 {0} /entrypoint.sh bash -c "$TRIAL"
+"""
+
+
+@dataclass(frozen=True)
+class Pair:
+    """An app for one platform, on its new and on its old base image, each by digest."""
+
+    new: str
+    old: str
+
+
+class Trial:
+    """Steps in a builder.
+
+    Args:
+        services: the builder, which reaches the registry of the images.
+        name: the app, for names of files.
+    """
+
+    def __init__(self, services: Services, name: str) -> None:
+        self._services = services
+        self._state = services.state / "rebase" / name.replace("/", "+").replace(":", "=").replace("@", "+")
+        self._state.mkdir(parents=True, exist_ok=True)
+
+    def link(self, images: Mapping[str, Pair]) -> None:
+        """Checks by the dynamic linker and by Python that an app finds on the new base image what it found on the old one.
+
+        Args:
+            images: by platform.
+
+        Raises:
+            RosmlError: it lacks something (exit code 2), or the step failed.
+        """
+        for platform, pair in images.items():
+            archive = self._state / "linked.tar"
+            archive.unlink(missing_ok=True)
+            stages = [_LINK.format(name) for name in ("app", "before")]
+            copies = [f"COPY --from={name}-linked /rosml-linked/{name} /" for name in ("app", "before")]
+            target = {
+                "dockerfile-inline": "\n".join([*stages, "FROM scratch", *copies, ""]),
+                "contexts": {"app": _image(pair.new), "before": _image(pair.old), "scripts": str(SCRIPTS)},
+                "output": [exported.output(archive)],
+            }
+            self._build("link", platform, target)
+            exported.unpack(archive, self._state / "linked")
+            now, before = (_lines(exported.read(self._state / "linked", name)) for name in ("app", "before"))
+            if lost := sorted(now - before):
+                more = [f"and {len(lost) - SHOWN} more"] if len(lost) > SHOWN else []
+                found = "".join(f"\n    {line}" for line in [*lost[:SHOWN], *more])
+                raise RosmlError(
+                    f"on its new base image the app does not find ({platform}):{found}", AGAIN, exit_code=2
+                )
+
+    def run(self, images: Mapping[str, Pair], command: str) -> None:
+        """Runs a command in the new image.
+
+        Args:
+            images: by platform.
+            command: for bash, as a command after `rosml run IMAGE`.
+
+        Raises:
+            RosmlError: it ended with another exit code than 0.
+        """
+        for platform, pair in images.items():
+            target = {
+                "dockerfile-inline": _RUN.format(SECONDS),
+                "contexts": {"app": _image(pair.new)},
+                "args": {"TRIAL": command.replace("${", "$${").replace("%{", "%%{")},
+                "output": ["type=cacheonly"],
+            }
+            self._build("run", platform, target)
+
+    def _build(self, name: str, platform: str, target: Mapping[str, Any]) -> None:
+        self._services.require_builder(platform)
+        (self._state / "empty").mkdir(exist_ok=True)
+        whole = {"context": str(self._state / "empty"), "platforms": [platform], **target}
+        file = Path(self._state / f"{name}.json")
+        files.write(file, json.dumps({"target": {name: whole}}, indent=2) + "\n")
+        call = buildx.Bake(name, f"rebase-{self._state.name}-{name}", file, foreign=("link.py", "$TRIAL"))
+        buildx.run(self._services, call)
+
+
+def _image(reference: str) -> str:
+    return f"docker-image://{reference}"
+
+
+def _lines(content: bytes) -> set[str]:
+    """The lines of components/containerize/link.py. Code of the app may have written others.
+
+    Raises:
+        RosmlError: it is something else.
+    """
+    found: set[str] = set()
+    for line in content.split(b"\n")[: LINES + 1]:
+        if line:
+            try:
+                text = untrusted.json_value(line)
+            except ValueError:
+                text = None
+            if not isinstance(text, str) or len(found) == LINES:
+                raise RosmlError("the step that links the app left something else than its lines", AGAIN)
+            found.add("".join(character if character.isprintable() else "?" for character in text))
+    return found
