@@ -129,7 +129,9 @@ FROM scratch AS described
 FROM assembler AS describe
 RUN --mount=type=bind,from=described,target=/described \
     --mount=type=bind,source=components/containerize/contents.py,target=/run/contents.py \
-    mkdir /out && python3 /run/contents.py /described /out
+    --mount=type=bind,source=components/containerize/elf.py,target=/run/elf.py \
+    --mount=type=bind,source=components/containerize/facts.py,target=/run/facts.py \
+    mkdir /out && python3 /run/contents.py /described /out && python3 /run/facts.py /described /out
 
 FROM scratch AS contents
 COPY --from=describe /out/ /

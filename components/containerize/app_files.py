@@ -7,7 +7,8 @@ BASE is the base image, RUNTIME the same with the packages that the app needs to
 BUILT the same after it: it holds the install space. OUT/root gets
 the files, OUT/app.json what is to be known of them. If the packages take away or replace what the base image has, OUT/root gets
 the install space alone: the run image then starts from RUNTIME. Times and owners do not depend on when and where it was built.
-LOCKED are folders whose packages beyond BASE belong into a lock file, with their versions.
+LOCKED are folders whose packages beyond BASE belong into a lock file, with their versions. OUT/packages.json and OUT/files.gz
+get the contents of the image, and OUT/facts.gz what decides whether the app can move to another base, if it can.
 
 The app has no copy of dpkg's database: it would be that of one base. Its packages are in `/var/lib/dpkg/status.d`, where
 scanners look for them.
@@ -25,11 +26,12 @@ import stat
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any, Iterable, Sequence
+from typing import Any, Sequence
 
 import contents
 import lacking
 from contents import STATUS, entries, status
+from facts import shown, write_app
 
 LEFT_OUT = re.compile(
     r"etc/ld\.so\.cache|etc/(passwd|group|shadow|gshadow|subuid|subgid)-|(etc|var/lib/dbus)/machine-id"
@@ -174,11 +176,6 @@ def packages(base: Path, runtime: Path, root: Path) -> dict[str, list[str]]:
     return facts
 
 
-def shown(paths: Iterable[str]) -> list[str]:
-    """Paths as JSON can have them: bytes that are not UTF-8 become escapes."""
-    return [path.encode("utf-8", "backslashreplace").decode() for path in paths]
-
-
 def built_packages(install: Path) -> list[str]:
     """The packages that colcon built into an install space, each in a folder of its own or all in one."""
     found = (path for below in ("", "*/") for path in install.glob(f"{below}share/colcon-core/packages/*"))
@@ -239,8 +236,11 @@ def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *
         for name in [*folders, *names, "."]:
             os.utime(os.path.join(above, name), (TIME, TIME), follow_symlinks=False)
     (out / "app.json").write_text(contents.as_json(facts, indent=2))
-    below = runtime if facts["replaced"] or facts["removed"] else base
+    linked = not (facts["replaced"] or facts["removed"])
+    below = base if linked else runtime
     contents.write(contents.files([below, root]), status(runtime).values(), contents.owned(runtime), out)
+    if linked:
+        write_app(root, runtime, out)
 
 
 if __name__ == "__main__":

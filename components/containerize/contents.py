@@ -86,7 +86,7 @@ def packages(known: dict[str, Path], entries: Iterable[str], others: Container[s
     known: its files. entries: of its packages, as dpkg has them. others: files of these packages.
     """
     python = [place for path, place in known.items() if PYTHON.fullmatch(path) and path not in others]
-    apt = [*entries, *(text for path, place in known.items() if APT.fullmatch(path) for text in _paragraphs(place))]
+    apt = [*entries, *(text for path, place in known.items() if APT.fullmatch(path) for text in paragraphs(place))]
     return {
         "system": _system(known),
         "apt": _sorted(map(_debian, apt)),
@@ -108,7 +108,8 @@ def as_json(facts: Any, indent: int) -> str:
     return json.dumps(json.loads(text.encode("utf-8", "replace")), indent=indent) + "\n"
 
 
-def _paragraphs(place: Path) -> list[str]:
+def paragraphs(place: Path) -> list[str]:
+    """The entries of a file in the form of dpkg's database; none if it is no file."""
     return place.read_text("utf-8", "replace").split("\n\n") if place.is_file() else []
 
 

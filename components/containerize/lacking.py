@@ -10,13 +10,13 @@ from __future__ import annotations
 import ast
 import os
 import re
-import stat
-import struct
 import sys
 import warnings
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
-from typing import Iterable, Iterator, NamedTuple
+from typing import Iterable, Iterator
+
+from elf import elf
 
 INSTALL = "docker-ros/ws/install"
 WORK = re.compile(r"docker-ros/ws/(src|build)/")
@@ -46,65 +46,8 @@ COMMANDS = ("bin", "sbin")
 POINTER = b"version https://git-lfs.github.com/spec/v1\n"
 """How a file begins that Git LFS has not fetched."""
 
-TABLE, LINE, SIZE = 1 << 20, 4096, 4 << 20
-"""Bytes of a dynamic section, of a name in it, and of a text that is read, at most."""
-
-
-class Elf(NamedTuple):
-    """What a program or a library says of itself: what it is for (class, byte order, machine), and the libraries that it names."""
-
-    machine: tuple[int, int, int]
-    needed: list[str]
-
-
-def elf(path: Path) -> Elf | None:
-    """A program or library; None for any other file, and for one that is damaged."""
-    try:
-        if not stat.S_ISREG(os.lstat(path).st_mode):
-            return None
-        with open(path, "rb") as file:
-            head = file.read(64)
-            if head[:4] != b"\x7fELF" or head[4] not in (1, 2) or head[5] not in (1, 2):
-                return None
-            wide, order = head[4] == 2, "<" if head[5] == 1 else ">"
-            kind, machine = struct.unpack_from(order + "HH", head, 16)
-            if kind not in (2, 3):  # an object file, or a core
-                return None
-            place = struct.unpack_from(order + ("Q" if wide else "I"), head, 32 if wide else 28)[0]
-            size, count = struct.unpack_from(order + "HH", head, 54 if wide else 42)
-
-            def at(offset: int, length: int) -> bytes:
-                file.seek(offset)
-                return file.read(length)
-
-            segments = []
-            for number in range(count):
-                entry = at(place + number * size, size)
-                if wide:
-                    segment, _, offset, address, _, length = struct.unpack_from(order + "IIQQQQ", entry)
-                else:
-                    segment, offset, address, _, length = struct.unpack_from(order + "IIIII", entry)
-                segments.append((segment, offset, address, length))
-            form = order + ("qQ" if wide else "iI")
-            found: dict[int, list[int]] = {}
-            for segment, offset, _, length in segments:
-                if segment == 2:  # PT_DYNAMIC
-                    table = at(offset, min(length, TABLE))
-                    for tag, value in struct.iter_unpack(
-                        form, table[: len(table) // struct.calcsize(form) * struct.calcsize(form)]
-                    ):
-                        found.setdefault(tag, []).append(value)
-            needed = []
-            for name in found.get(1, []):  # DT_NEEDED, in the table of DT_STRTAB
-                address = found[5][0] + name
-                for segment, offset, start, length in segments:
-                    if segment == 1 and start <= address < start + length:  # PT_LOAD
-                        text = at(offset + address - start, LINE).partition(b"\0")[0]
-                        needed.append(text.decode("utf-8", "backslashreplace"))
-                        break
-            return Elf((head[4], head[5], machine), needed)
-    except (OSError, struct.error, KeyError, IndexError, OverflowError, ValueError):
-        return None
+LINE, SIZE = 4096, 4 << 20
+"""The most bytes of a line and of a text that are read."""
 
 
 class Files:

@@ -73,7 +73,11 @@ def script_of_a_build(name: str) -> ModuleType:
     spec = importlib.util.spec_from_file_location(f"{file.stem}_of_a_build", file)
     assert spec and spec.loader
     module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
+    sys.path.insert(0, str(file.parent))  # where scripts find each other
+    try:
+        spec.loader.exec_module(module)
+    finally:
+        sys.path.remove(str(file.parent))
     return module
 
 

@@ -1,0 +1,207 @@
+#!/usr/bin/env python3
+"""Facts of an image that say whether an app can move to another base: packages with their relations, and symbols of libraries.
+
+    facts.py ROOT OUT
+
+ROOT is the root of a base image or a part. OUT/facts.gz gets its facts: the same for the same image, on any day.
+"""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import hashlib
+import json
+import os
+import re
+import sys
+from pathlib import Path
+from typing import Any, Iterable, Iterator, Sequence
+
+import contents
+from elf import Elf, Symbols, elf, symbols
+
+LIBRARY = re.compile(r"(.*/)?[^/]+\.so(\.[^/]+)?")
+"""Files that can be libraries, and links to them."""
+
+INTERPRETER = re.compile(r"(usr/(local/)?)?bin/python\d+\.\d+")
+"""Python itself exports what its extensions use, if it is built without a library."""
+
+EXTENSION = b"PyInit_"
+"""The beginning of the one symbol that an extension of Python has to export."""
+
+LINKS = 40
+"""The most links on the way to a file, as on Linux."""
+
+MERGED = re.compile(r"(bin|lib|lib32|lib64|libx32|sbin)/")
+"""Folders that are links to those in /usr. dpkg lists a file as its package has it, with or without /usr."""
+
+
+def packed(names: Iterable[bytes]) -> str:
+    """Symbols as text: four characters for each, in order, which stand for the first three bytes of its SHA-256."""
+    digests = {hashlib.sha256(name).digest()[:3] for name in names}
+    return base64.urlsafe_b64encode(b"".join(sorted(digests))).decode()
+
+
+def shown(paths: Iterable[str]) -> list[str]:
+    """Paths as JSON can have them: bytes that are not UTF-8 become escapes."""
+    return [path.encode("utf-8", "backslashreplace").decode() for path in paths]
+
+
+def package(text: str) -> dict[str, Any]:
+    """A package by its entry in dpkg's database; empty if it lacks its name, architecture or version."""
+    found = dict(re.findall(r"^([A-Z][A-Za-z-]*):[ \t]*(.*(?:\n[ \t].*)*)", text, re.MULTILINE))
+    fields = {name: " ".join(value.split()) for name, value in found.items()}
+    if not fields.keys() >= {"Package", "Architecture", "Version"}:
+        return {}
+
+    def joined(*names: str) -> str:
+        return ", ".join(fields[name] for name in names if fields.get(name))
+
+    return {
+        "name": fields["Package"],
+        "architecture": fields["Architecture"],
+        "version": fields["Version"],
+        "provides": joined("Provides"),
+        "depends": joined("Pre-Depends", "Depends"),
+        "conflicts": joined("Conflicts", "Breaks"),
+    }
+
+
+def write(out: Path, **facts: Sequence[Any]) -> None:
+    """Writes OUT/facts.gz."""
+    text = json.dumps(facts, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+    with open(out / "facts.gz", "wb") as raw, gzip.GzipFile("", "wb", 9, raw, 0) as file:
+        file.write(text.encode("utf-8", "replace"))
+
+
+def write_base(root: Path, out: Path) -> None:
+    """Writes the facts of a base image or a part: its packages, and the libraries that export something."""
+    known = contents.files([root])
+    links = _links(known)
+    libraries = []
+    for path, place in sorted(known.items()):
+        if LIBRARY.fullmatch(path) or INTERPRETER.fullmatch(path):
+            found = _read(place)
+            if found and _counts(*found):
+                libraries.append(_library(path, *found, links.get(path, ())))
+    entries = [*contents.status(root).values(), *_brought(known)]
+    write(out, packages=_sorted(map(package, entries)), libraries=libraries)
+
+
+def write_app(layer: Path, runtime: Path, out: Path) -> None:
+    """Writes the facts of an app: the packages in its layer with their files, its programs and libraries, and its other files.
+
+    Args:
+        layer: the root of the app's files.
+        runtime: the image without the app's ROS packages, with dpkg's lists of files.
+    """
+    known = contents.files([layer])
+    links = _links(known)
+    read = {path: found for path, found in ((path, _read(place)) for path, place in sorted(known.items())) if found}
+    exported = {(found.machine, name) for found, names in read.values() for name in names.exports}
+    libraries = []
+    for path, (found, names) in read.items():
+        uses = {name for name in names.uses if (found.machine, name) not in exported}
+        libraries.append({**_library(path, found, names, links.get(path, ())), "uses": sorted(_texts(uses))})
+    packages = _sorted(map(package, _brought(known)))
+    for item in packages:
+        item["files"] = sorted({*shown(_owned(item, known, runtime))})
+    others = {*shown(known)}.difference(*(item["files"] for item in packages))
+    write(out, packages=packages, libraries=libraries, files=sorted(others))
+
+
+def _read(place: Path) -> tuple[Elf, Symbols] | None:
+    """What a file says of itself, if it is a program or a library, and whole."""
+    found = elf(place)
+    names = symbols(place) if found else None
+    return (found, names) if found and names else None
+
+
+def _counts(found: Elf, names: Symbols) -> bool:
+    """Whether a library of a base can matter to others: an extension that only Python loads does not."""
+    if all(name.startswith(EXTENSION) for name in names.exports):
+        return not names.exports and found.soname != ""
+    return True
+
+
+def _library(path: str, found: Elf, names: Symbols, links: Iterable[str]) -> dict[str, Any]:
+    return {
+        "path": shown([path])[0],
+        "soname": found.soname,
+        "names": sorted(shown({*links} - {found.soname, os.path.basename(path)})),
+        "machine": found.machine,
+        "needed": found.needed,
+        "symbols": packed(names.exports),
+    }
+
+
+def _texts(names: Iterable[bytes]) -> Iterator[str]:
+    """Symbols in UTF-8; no compiler makes others."""
+    for name in names:
+        try:
+            yield name.decode()
+        except UnicodeDecodeError:
+            continue
+
+
+def _links(known: dict[str, Path]) -> dict[str, set[str]]:
+    """The names of links to each file that can be a library."""
+    targets = {path: os.readlink(place) for path, place in known.items() if os.path.islink(place)}
+    found: dict[str, set[str]] = {}
+    for path in targets:
+        if LIBRARY.fullmatch(path):
+            found.setdefault(_resolved(path, targets), set()).add(os.path.basename(path))
+    return found
+
+
+def _resolved(path: str, targets: dict[str, str]) -> str:
+    """The file that a path leads to in an image with these links; empty if it leads nowhere."""
+    left, here, links = path.split("/")[::-1], "", 0
+    while left:
+        part = left.pop()
+        if part == "..":
+            here = os.path.dirname(here)
+        elif part not in ("", "."):
+            there = os.path.join(here, part)
+            if there not in targets:
+                here = there
+                continue
+            links += 1
+            if links > LINKS:
+                return ""
+            here = "" if targets[there].startswith("/") else here
+            left += targets[there].split("/")[::-1]
+    return here
+
+
+def _brought(known: dict[str, Path]) -> Iterator[str]:
+    """What packages say of themselves that apps brought."""
+    for path, place in sorted(known.items()):
+        if contents.APT.fullmatch(path):
+            yield from contents.paragraphs(place)
+
+
+def _owned(item: dict[str, Any], known: dict[str, Path], runtime: Path) -> Iterator[str]:
+    """The files of an app's layer that a package owns, with what the layer says of the package."""
+    key = f"{item['name']}:{item['architecture']}"
+    if not contents.KEY.fullmatch(key):
+        return
+    told = f"var/lib/dpkg/status.d/{item['name']}"
+    if told in known:
+        yield told
+    for name in (item["name"], key):
+        file = runtime / f"var/lib/dpkg/info/{name}.list"
+        for line in os.fsdecode(file.read_bytes()).split("\n") if file.is_file() else []:
+            path = line[1:]
+            yield from {path, f"usr/{path}" if MERGED.match(path) else path} & known.keys()
+
+
+def _sorted(found: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Each package once: the last entry counts, as the upper layer's."""
+    by_name = {(item["name"], item["architecture"]): item for item in found if item}
+    return [by_name[name] for name in sorted(by_name)]
+
+
+if __name__ == "__main__":
+    write_base(*map(Path, sys.argv[1:]))
