@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from memory_registry import IMAGE, INDEX, LAYER, PREFIX, MemoryRegistry
 
 from rosml.images.image_set import model as sets
-from rosml.images.image_set.labels import of_part
+from rosml.images.image_set.labels import COVERED, of_part
 from rosml.images.image_set.model import ImageSet, Part, repository_of
 from rosml.images.matrix import names
 from rosml.images.records import tag_moves
@@ -98,7 +98,7 @@ class Shelf:
             of: list[Thing] = [thing]
         else:
             of = [self.image_set.by_target[thing.parent], *(self.image_set.part_by_name[name] for name in thing.parts)]
-        return {sbom.COVERED + item.target: self._sbom(item, architecture) for item in of}
+        return {COVERED + item.target: self._sbom(item, architecture) for item in of}
 
     def _sbom(self, thing: Thing, architecture: str) -> str:
         """Attaches the SBOM of a ROS image or part to it: repository and digest."""

@@ -354,7 +354,7 @@ class App:
                 )
 
     def _describe(self, built: Built, load: Callable[[str], bytes]) -> None:
-        """Attaches an SBOM and a list of files to the images to run. Some registries refuse that.
+        """Attaches an SBOM, a list of files and facts to the images to run. Some registries refuse that.
 
         Args:
             load: reads the contents of an image, by a name as in `report.Said.details`.
@@ -373,8 +373,10 @@ class App:
                 def said(platform: str, kind: str, target: str = image.target) -> bytes:
                     return load(f"{target}/{platform}/{kind}")
 
+                replaced = built.outcome.slim_replaced if image.target == SLIM else built.outcome.replaced
+                where = registries(place.host), place.repository, image.digest
                 try:
-                    contents.attach(registries(place.host), place.repository, image.digest, said, owners)
+                    contents.attach(*where, said, owners, linked=not replaced)
                 except RosmlError as error:
                     self._say(f"{image.reference} lacks its SBOM or its list of files: {error.message}")
                 else:

@@ -1,4 +1,4 @@
-"""Attaches the contents of an app's images to them in a registry: an SBOM, and the list of their files.
+"""Attaches the contents of an app's images to them in a registry: an SBOM, the list of their files, and facts.
 
 With an image's name, you can read its packages without pulling it, and `rosml join` can see whether a part has the same files.
 """
@@ -10,14 +10,13 @@ from typing import Any
 from urllib.parse import quote
 
 from rosml.containerize.sources import Repository
-from rosml.images.builds.contents import FILES, PACKAGES, manifests
-from rosml.images.join import file_lists
+from rosml.images.builds.contents import FACTS, FILES, LISTS, PACKAGES, manifests
 from rosml.images.join.layers import platform
 from rosml.images.scan import packages
 from rosml.images.scan.sbom import FORMAT, MEDIA_TYPE
 from rosml.registry.client import Registry
 
-KINDS = (PACKAGES, FILES)
+KINDS = (PACKAGES, FILES, FACTS)
 
 COMMIT = "io.rosml.commit"
 """The property of a ROS package with the commit of its repository."""
@@ -61,27 +60,32 @@ def attach(
     digest: str,
     load: Callable[[str, str], bytes],
     sources: Mapping[str, Repository],
+    linked: bool = True,
 ) -> None:
-    """Attaches an SBOM and a list of files to an image, for each of its platforms. Those that it has already stay.
+    """Attaches an SBOM, a list of files and facts to an image, for each of its platforms. Those that it has already stay.
 
     Args:
         digest: the digest of the image, or of an index.
-        load: reads the contents that a build reported: from a platform, and `PACKAGES` or `FILES`.
+        load: reads the contents that a build reported: from a platform, and a kind of `KINDS`.
         sources: as in `sbom`.
+        linked: the app is one layer on its base image. If not, there are no facts.
 
     Raises:
         RosmlError: the registry does not answer or refuses.
     """
     for manifest in manifests(registry, repository, digest):
-        has_files = bool(registry.referrers(repository, manifest.digest, file_lists.ARTIFACT))
+        missing = [
+            item
+            for item in LISTS
+            if (linked or item[0] != FACTS) and not registry.referrers(repository, manifest.digest, item[1])
+        ]
         has_sbom = _has_sbom(registry, repository, manifest.digest)
-        if has_files and has_sbom:
+        if has_sbom and not missing:
             continue
         name = platform(registry.config(repository, manifest).facts)
         subject = manifest.descriptor
-        if not has_files:
-            data = load(name, FILES)
-            registry.attach(repository, subject, file_lists.ARTIFACT, data, file_lists.MEDIA_TYPE)
+        for kind, artifact, media_type in missing:
+            registry.attach(repository, subject, artifact, load(name, kind), media_type)
         if not has_sbom:
             data = sbom(load(name, PACKAGES), f"{registry.host}/{repository}@{manifest.digest}", sources)
             registry.attach(repository, subject, MEDIA_TYPE, data, MEDIA_TYPE, FORMAT)

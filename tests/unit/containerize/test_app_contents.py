@@ -20,7 +20,7 @@ from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.containerize import contents, workspace
 from rosml.containerize.sources import Repository
-from rosml.images.join import file_lists
+from rosml.images.join import facts, file_lists
 from rosml.images.scan.sbom import MEDIA_TYPE, Sbom
 from rosml.registry import oci
 from rosml.registry.client import Registry
@@ -242,7 +242,8 @@ def test_a_damaged_list_of_packages(data: bytes) -> None:
         contents.sbom(data, "example.org/robot@x", {})
 
 
-DATA = dict(zip(contents.KINDS, (json.dumps(PACKAGES).encode(), gzip.compress(b"etc/motd\n")), strict=True))
+FACTS = gzip.compress(b'{"packages":[],"libraries":[],"files":["etc/motd"]}')
+DATA = dict(zip(contents.KINDS, (json.dumps(PACKAGES).encode(), gzip.compress(b"etc/motd\n"), FACTS), strict=True))
 
 
 def image(client: Registry, architecture: str) -> dict[str, Any]:
@@ -285,9 +286,19 @@ def test_what_is_attached(referrers: bool, stand_in: StandIn) -> None:
             assert f"arch={entry['platform']['architecture']}&" in sbom.content.decode()
             files = file_lists.Lists().of(client, ROBOT, entry["digest"])
             assert files and files.entries == {b"etc/motd".decode()}
+            known = facts.of(client, ROBOT, entry["digest"])
+            assert known and known.files == ["etc/motd"]
         stand_in.requests.clear()
         contents.attach(client, ROBOT, digest, load, {})
         assert not [line for line in stand_in.requests if line.split()[0] not in ("GET", "HEAD")]
+
+
+def test_an_app_that_is_no_layer_on_its_base_has_no_facts(stand_in: StandIn) -> None:
+    with Registry(stand_in.address) as client:
+        digest = image(client, "amd64")["digest"]
+        contents.attach(client, ROBOT, digest, lambda platform, kind: DATA[kind], {}, linked=False)
+        assert facts.of(client, ROBOT, digest) is None
+        assert file_lists.Lists().of(client, ROBOT, digest)
 
 
 def test_an_sbom_of_others_is_none_of_ours(stand_in: StandIn) -> None:

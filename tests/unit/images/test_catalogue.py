@@ -25,10 +25,10 @@ from rosml.images.catalogue.model import Image, Published, status
 from rosml.images.catalogue.model import Tests as Ran
 from rosml.images.catalogue.read import Gatherer
 from rosml.images.image_set import locked
+from rosml.images.image_set.labels import COVERED
 from rosml.images.image_set.model import ImageSet
 from rosml.images.matrix import schema
 from rosml.images.records import store, tag_moves
-from rosml.images.scan.sbom import COVERED
 from rosml.registry.place import Place
 
 NOW = "2026-11-22T06:00:00Z"

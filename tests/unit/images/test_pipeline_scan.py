@@ -15,6 +15,7 @@ from projects import BASE
 from scanning import World, advisory, rules
 from stubs import services
 
+from rosml.images.image_set.labels import COVERED
 from rosml.images.image_set.model import ImageSet, Part
 from rosml.images.publish import scan_results
 from rosml.images.publish.steps import STEPS
@@ -24,7 +25,7 @@ from rosml.images.scan import judge as judging
 from rosml.images.scan.judge import Outcome, summarise
 from rosml.images.scan.policy import Rules
 from rosml.images.scan.results import Results
-from rosml.images.scan.sbom import COVERED, FORMAT, MEDIA_TYPE
+from rosml.images.scan.sbom import FORMAT, MEDIA_TYPE
 from rosml.images.scan.trivy import ScannerFailed
 
 

@@ -1,4 +1,4 @@
-"""Attaches its list of files and its SBOM to a pushed image.
+"""Attaches its list of files, its SBOM and its facts to a pushed image.
 
 The builder that built the image makes both: it has the layers already, so that nobody pulls an image to see its
 content.
@@ -14,7 +14,7 @@ from rosml.base.errors import RosmlError
 from rosml.images.builds import base_images
 from rosml.images.builds.push import write_excerpt
 from rosml.images.image_set.model import ImageSet
-from rosml.images.join import file_lists
+from rosml.images.join import facts, file_lists
 from rosml.images.join.layers import platform
 from rosml.images.matrix import names
 from rosml.images.scan import packages, sbom
@@ -32,6 +32,12 @@ PACKAGES = "packages.json"
 FILES = "files.gz"
 """The list of files of an image."""
 
+FACTS = "facts.gz"
+"""The facts of an image or of an app, written by components/containerize/facts.py."""
+
+LISTS = ((FILES, file_lists.ARTIFACT, file_lists.MEDIA_TYPE), (FACTS, facts.ARTIFACT, facts.MEDIA_TYPE))
+"""What is attached as it was written, with the types of its artifact and its layer."""
+
 
 def attach(
     services: Services,
@@ -41,10 +47,10 @@ def attach(
     digest: str,
     say: Callable[[str], None],
 ) -> dict[str, str]:
-    """Attaches a list of files and an SBOM to a pushed image, for each of its platforms.
+    """Attaches a list of files, facts and an SBOM to a pushed image, for each of its platforms.
 
-    The builder mounts the image and runs nothing of it, so no emulation is needed. If a manifest has a list of files,
-    it keeps that list. The same packages give an SBOM with the same digest.
+    The builder mounts the image and runs nothing of it, so no emulation is needed. If a manifest has a list of files or
+    facts, it keeps them. The same packages give an SBOM with the same digest.
 
     Args:
         services: the builder.
@@ -64,10 +70,11 @@ def attach(
     for manifest in manifests(registry, repository, digest):
         place = f"{repository}@{manifest.digest}"
         say(f"list the packages and files of {place}")
-        said, files = _made(services, image_set, registry, repository, manifest)
-        if not registry.referrers(repository, manifest.digest, file_lists.ARTIFACT):
-            registry.attach(repository, manifest.descriptor, file_lists.ARTIFACT, files, file_lists.MEDIA_TYPE)
-        document = packages.cyclonedx(packages.read(said), f"{registry.host}/{place}")
+        said = _made(services, image_set, registry, repository, manifest)
+        for name, artifact, media_type in LISTS:
+            if not registry.referrers(repository, manifest.digest, artifact):
+                registry.attach(repository, manifest.descriptor, artifact, said[name], media_type)
+        document = packages.cyclonedx(packages.read(said[PACKAGES]), f"{registry.host}/{place}")
         kind = sbom.MEDIA_TYPE, document, sbom.MEDIA_TYPE, sbom.FORMAT
         found[manifest.digest] = registry.attach(repository, manifest.descriptor, *kind)
     return found
@@ -98,8 +105,8 @@ def _there(registry: Registry, repository: str, digest: str) -> Manifest:
 
 def _made(
     services: Services, image_set: ImageSet, registry: Registry, repository: str, manifest: Manifest
-) -> tuple[bytes, bytes]:
-    """The packages and the list of files of a manifest."""
+) -> dict[str, bytes]:
+    """The packages, the list of files and the facts of a manifest, by the name of their file."""
     config = registry.config(repository, manifest)
     os_name = image_set.matrix.default.assembler
     base = base_images.reference(services, image_set.matrix.operating_systems, os_name)
@@ -115,7 +122,7 @@ def _made(
         short = manifest.digest.partition(":")[2][:12]
         buildx.run(services, buildx.Bake(TARGET, f"{TARGET}-{short}", file, sets, variables))
         exported.unpack(Path(folder) / "left.tar", Path(folder) / "left", limits=exported.OURS)
-        said, data = (exported.read(Path(folder) / "left", name) for name in (PACKAGES, FILES))
-    if not file_lists.unpacked(data):
+        found = {name: exported.read(Path(folder) / "left", name) for name in (PACKAGES, FILES, FACTS)}
+    if not file_lists.unpacked(found[FILES]):
         raise RosmlError(f"the list of the files of {repository}@{manifest.digest} is empty", "run it again")
-    return said, data
+    return found

@@ -37,14 +37,13 @@ from rosml.images.catalogue.model import (
 )
 from rosml.images.catalogue.words import words
 from rosml.images.image_set import model as sets
-from rosml.images.image_set.labels import PREFIX
+from rosml.images.image_set.labels import COVERED, PREFIX
 from rosml.images.image_set.model import repository_of, tags_of
 from rosml.images.image_set.selection import select
 from rosml.images.matrix import rules
 from rosml.images.matrix.names import DATED
 from rosml.images.records import tag_moves
 from rosml.images.records.store import INDEX, Entry, Records, date_of
-from rosml.images.scan.sbom import COVERED
 from rosml.registry import documents
 from rosml.registry.place import Place
 

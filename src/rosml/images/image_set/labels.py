@@ -45,6 +45,10 @@ RELEASE = f"{PREFIX}release"
 """The label of a part with the name of its release."""
 
 
+COVERED = f"{PREFIX}sbom."
+"""The prefix of an image's annotations in its index that name the SBOMs of its ROS image and parts, by repository and digest."""
+
+
 def named(
     distribution: str, component: str, ros: str, framework: str, stack: str | None, brought: Sequence[Brought]
 ) -> dict[str, str]:

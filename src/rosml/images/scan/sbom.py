@@ -21,10 +21,6 @@ MEDIA_TYPE = "application/vnd.cyclonedx+json"
 FORMAT = {"io.rosml.sbom.format": "1"}
 """The annotation of our SBOMs. With another number all images get a new one, although their digests stay the same."""
 
-COVERED = "io.rosml.sbom."
-"""The beginning of an image's annotations in its index that name the SBOMs of its ROS image and parts, by repository and
-digest."""
-
 OF_A_SYSTEM = re.compile(r"pkg:(?:deb|rpm|apk)/([^/]+)/")
 """The package URL of an operating system's package. The group is the system."""
 

@@ -11,13 +11,12 @@ from functools import partial
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted
 from rosml.base.side_by_side import side_by_side
-from rosml.images.image_set.labels import OCI, REVISION, SOURCE, TITLE, title
+from rosml.images.image_set.labels import COVERED, OCI, REVISION, SOURCE, TITLE, title
 from rosml.images.image_set.model import Image, Part, repository_of
 from rosml.images.publish import provenance, same_content
 from rosml.images.publish.run import Outcome, Run, failure
 from rosml.images.publish.steps.sign import sign
 from rosml.images.records.store import DATE, INDEX, INPUTS, Entry
-from rosml.images.scan import sbom
 from rosml.registry import oci
 from rosml.registry.oci import Config, Manifest
 
@@ -138,7 +137,7 @@ def _covered(run: Run, entry: Entry) -> dict[str, dict[str, str]]:
     for target in item.needs if item.kind == "joined" else (item.target,):
         part = run.state.known.get((target, entry.architecture))
         if part and part.sbom and part.digest == entry.parts.get(target, entry.digest):
-            found[sbom.COVERED + target] = f"{part.repository}@{part.sbom}"
+            found[COVERED + target] = f"{part.repository}@{part.sbom}"
     return {"annotations": found} if found else {}
 
 

@@ -1,0 +1,216 @@
+"""Facts of images that say whether an app can move to another base: packages with their relations, and symbols of libraries.
+
+components/containerize/facts.py writes them: for ROS images and parts, and for the one layer of an app. They are attached to images
+in the registry, so nobody needs to pull an image to ask whether it has a symbol.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import re
+from collections.abc import Iterable, Mapping
+from typing import Annotated
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from rosml.base import archives, untrusted
+from rosml.base.errors import RosmlError
+from rosml.base.problems import first_of
+from rosml.images.image_set.labels import COVERED
+from rosml.registry.client import Registry
+
+ARTIFACT = "application/vnd.rosml.facts.v1"
+MEDIA_TYPE = "application/vnd.rosml.facts.v1+gzip"
+
+LARGEST, PACKED = 64 << 20, 32 << 20
+"""The most bytes of facts, unpacked and as they are stored."""
+
+ATTACHED = 4
+"""The most facts of one image. An image has facts from each publisher."""
+
+COMPONENTS = 32
+"""The most images that one is joined from."""
+
+_REMEDY = "attach them again: publish the image again"
+_SBOM = re.compile(r"([a-z0-9]+(?:[._/-]+[a-z0-9]+)*)@(sha256:[0-9a-f]{64})")
+
+Text = Annotated[str, Field(max_length=4096)]
+Relation = Annotated[str, Field(max_length=1 << 17)]
+Symbol = Annotated[str, Field(max_length=1 << 17)]
+Number = Annotated[int, Field(ge=0, lt=1 << 16)]
+
+
+class _Model(BaseModel):
+    model_config = ConfigDict(strict=True, frozen=True)
+
+
+class Package(_Model):
+    """A package of the operating system, with dpkg's own words.
+
+    Attributes:
+        provides: Provides.
+        depends: Pre-Depends and Depends.
+        conflicts: Conflicts and Breaks.
+        files: of an app's package, its files in the app's layer, without a slash at the beginning.
+    """
+
+    name: Text
+    architecture: Text
+    version: Text
+    provides: Relation = ""
+    depends: Relation = ""
+    conflicts: Relation = ""
+    files: list[Text] = []
+
+
+class Library(_Model):
+    """A library; of an app, also a program.
+
+    Attributes:
+        path: without a slash at the beginning.
+        soname: empty if it has none.
+        names: of links to it, if they are neither its own nor its soname.
+        machine: class, byte order and machine, as ELF has them.
+        needed: sonames of the libraries that it loads.
+        symbols: what it exports; ask `exports`.
+        uses: of an app, the symbols that no file of the app exports, as `name` or `name@VERSION`. Weak ones do not count.
+    """
+
+    path: Text
+    soname: Text
+    names: list[Text] = []
+    machine: list[Number] = Field(min_length=3, max_length=3)
+    needed: list[Text]
+    symbols: str = Field(pattern=r"^([A-Za-z0-9_-]{4})*$")
+    uses: list[Symbol] = []
+
+
+class Facts(_Model):
+    """The facts of an image.
+
+    Attributes:
+        packages: of a base image all packages; of an app those in its layer.
+        libraries: of a base image or a part, libraries that export something; of an app all programs and libraries in its layer.
+        files: of an app, the files in its layer that belong to none of its packages, without a slash at the beginning.
+    """
+
+    packages: list[Package]
+    libraries: list[Library]
+    files: list[Text] = []
+
+
+def parse(data: bytes) -> Facts:
+    """The facts in a compressed document.
+
+    Raises:
+        RosmlError: the document is damaged, or too large.
+    """
+    try:
+        return Facts.model_validate(untrusted.json_value(archives.gunzipped(data, LARGEST), LARGEST))
+    except ValidationError as error:
+        raise RosmlError(f"the facts of an image are damaged: {first_of(error)}", _REMEDY) from None
+    except ValueError as error:
+        raise RosmlError(f"the facts of an image are damaged: {error}", _REMEDY) from None
+
+
+def together(found: Iterable[Facts]) -> Facts:
+    """The facts of several images as one, such as of a ROS image and its parts. What is the same is there once."""
+    packages: dict[str, Package] = {}
+    libraries: dict[str, Library] = {}
+    files: dict[str, None] = {}
+    for facts in found:
+        packages |= {item.model_dump_json(): item for item in facts.packages}
+        libraries |= {item.model_dump_json(): item for item in facts.libraries}
+        files |= dict.fromkeys(facts.files)
+    return Facts.model_construct(packages=[*packages.values()], libraries=[*libraries.values()], files=[*files])
+
+
+# ---- Symbols ---------------------------------------------------------------------------------------------------------
+
+
+def exports(library: Library, symbol: str) -> bool:
+    """Whether a library exports a symbol: `name`, or `name@VERSION`. Of symbols that a library lacks, one in 17 million for each
+    symbol that it has counts as there."""
+    group = _group(symbol)
+    place = library.symbols.find(group)
+    while place % 4 and place > 0:  # between two others
+        place = library.symbols.find(group, place + 1)
+    return place >= 0
+
+
+def lacking(symbols: Iterable[str], libraries: Iterable[Library]) -> list[str]:
+    """The symbols that no library exports, in order."""
+    wanted = {_group(symbol): symbol for symbol in symbols}
+    for library in libraries:
+        text = library.symbols
+        for group in wanted.keys() & {text[place : place + 4] for place in range(0, len(text), 4)}:
+            del wanted[group]
+    return sorted(wanted.values())
+
+
+def _group(symbol: str) -> str:
+    """The four characters that stand for a symbol."""
+    return base64.urlsafe_b64encode(hashlib.sha256(symbol.encode()).digest()[:3]).decode()
+
+
+# ---- In a registry ---------------------------------------------------------------------------------------------------
+
+
+def of(registry: Registry, repository: str, digest: str) -> Facts | None:
+    """The facts that are attached to an image manifest; None if there are none. If several publishers attached some, all count.
+
+    Raises:
+        RosmlError: the registry does not answer, or the facts are damaged.
+    """
+    digests = sorted({entry["digest"] for entry in registry.referrers(repository, digest, ARTIFACT)})
+    if len(digests) > ATTACHED:
+        text = f"{registry.host}/{repository}@{digest} has facts from {len(digests)} publishers"
+        raise RosmlError(text, "remove those that are not yours")
+    artifacts = [artifact for name in digests if (artifact := registry.manifest(repository, name)) and artifact.layers]
+    parts = {artifact.layers[0].digest: artifact.layers[0] for artifact in artifacts}
+    found = [parse(registry.part(repository, part, PACKED)) for part in parts.values()]
+    return together(found) if len(found) > 1 else next(iter(found), None)
+
+
+def components(registry: Registry, repository: str, annotations: Mapping[str, str]) -> list[tuple[str, str]]:
+    """The ROS image and the parts of an image that a publishing run joined: repositories, and digests of their manifests. Empty if
+    the annotations name none, or if one of them is gone. Of a ROS image it is the image itself.
+
+    Args:
+        repository: of the image.
+        annotations: of the image's entry in its index. They name the SBOM of each part, which names the part.
+
+    Raises:
+        RosmlError: the registry does not answer.
+    """
+    named = [_SBOM.fullmatch(text) for name, text in sorted(annotations.items()) if name.startswith(COVERED)]
+    if len(named) > COMPONENTS or not all(named):
+        return []
+    prefix = repository.rpartition("/")[0]
+    found = []
+    for match in filter(None, named):
+        path = f"{prefix}/{match[1]}" if prefix else match[1]
+        artifact = registry.manifest(path, match[2])
+        if artifact is None or not artifact.subject:
+            return []
+        found.append((path, artifact.subject))
+    return found
+
+
+def of_member(registry: Registry, repository: str, digest: str, annotations: Mapping[str, str]) -> Facts | None:
+    """The facts of a base image: those that are attached to it, or those of its ROS image and parts together; None if one of these has
+    none.
+
+    Args:
+        digest: of the image's manifest.
+        annotations: of its entry in its index.
+
+    Raises:
+        RosmlError: the registry does not answer, or the facts are damaged.
+    """
+    if found := of(registry, repository, digest):
+        return found
+    parts = [of(registry, *place) for place in components(registry, repository, annotations) if place[1] != digest]
+    known = [facts for facts in parts if facts]
+    return together(known) if known and len(known) == len(parts) else None
