@@ -24,7 +24,10 @@ SYMBOLS, VERSIONS, VERSION = 2 << 20, 1 << 16, 1024
 TEXTS = 512 << 20
 """The most bytes of all names in a file."""
 
-_LOAD, _DYNAMIC = 1, 2
+_LOAD, _DYNAMIC, _NOTE = 1, 2, 4
+_BUILD_ID = 3, b"GNU\0"
+"""The kind and the owner of the note with the build ID."""
+
 _NEEDED, _HASH, _STRTAB, _SYMTAB, _STRSZ, _SONAME = 1, 4, 5, 6, 10, 14
 _GNU_HASH, _VERSYM, _VERDEF, _VERDEFNUM, _VERNEED, _VERNEEDNUM = (
     0x6FFFFEF5,
@@ -49,11 +52,13 @@ class Elf(NamedTuple):
         machine: what it is for: class, byte order, machine.
         needed: the libraries that it names.
         soname: its own name as a library; empty if it has none.
+        build: the build ID that the linker gave it, in hexadecimal digits; empty if it has none.
     """
 
     machine: tuple[int, int, int]
     needed: list[str]
     soname: str
+    build: str
 
 
 class Symbols(NamedTuple):
@@ -112,6 +117,7 @@ class _File:
             raise ValueError("too many segments")
         self._loaded: list[tuple[int, int, int]] = []  # address, bytes, place in the file
         dynamic = []
+        self._notes: list[tuple[int, int]] = []
         for number in range(count):
             entry = self._at(place + number * size, size)
             if self._wide:
@@ -122,6 +128,8 @@ class _File:
                 self._loaded.append((address, length, offset))
             elif segment == _DYNAMIC:
                 dynamic.append((offset, length))
+            elif segment == _NOTE:
+                self._notes.append((offset, length))
         self._left = VERSIONS  # entries about versions that may still be read
         self._tags: dict[int, list[int]] = {}
         form = struct.Struct(self._order + ("qQ" if self._wide else "iI"))
@@ -156,7 +164,19 @@ class _File:
         """What the file says of itself."""
         needed = [self._name(place) for place in self._tags.get(_NEEDED, [])]
         soname = self._name(self._tag(_SONAME)) if _SONAME in self._tags else ""
-        return Elf(self._machine, needed, soname)
+        return Elf(self._machine, needed, soname, self._build())
+
+    def _build(self) -> str:
+        """The build ID."""
+        for offset, length in self._notes:
+            rest = self._at(offset, min(length, LINE))
+            while len(rest) >= 12:
+                name, size, kind = struct.unpack_from(self._order + "III", rest)
+                start = 12 + (name + 3) // 4 * 4
+                if (kind, rest[12 : 12 + name]) == _BUILD_ID:
+                    return rest[start : start + size].hex()
+                rest = rest[start + (size + 3) // 4 * 4 :]
+        return ""
 
     def symbols(self) -> Symbols:
         """The dynamic symbols of the file."""

@@ -115,7 +115,19 @@ def _read(place: Path) -> tuple[Elf, Symbols] | None:
     """What a file says of itself, if it is a program or a library, and whole."""
     found = elf(place)
     names = symbols(place) if found else None
-    return (found, names) if found and names else None
+    if not found or not names:
+        return None
+    if not found.build:  # then its content says whether it is the same
+        found = found._replace(build=_digest(place))
+    return found, names
+
+
+def _digest(place: Path) -> str:
+    whole = hashlib.sha256()
+    with open(place, "rb") as file:
+        for block in iter(lambda: file.read(1 << 20), b""):
+            whole.update(block)
+    return whole.hexdigest()[:40]
 
 
 def _counts(found: Elf, names: Symbols) -> bool:
@@ -129,6 +141,7 @@ def _library(path: str, found: Elf, names: Symbols, links: Iterable[str]) -> dic
     return {
         "path": shown([path])[0],
         "soname": found.soname,
+        "id": found.build[:64],
         "names": sorted(shown({*links} - {found.soname, os.path.basename(path)})),
         "machine": found.machine,
         "needed": found.needed,

@@ -1,14 +1,72 @@
-"""What speaks against another base image: facts of both, without a look into a layer."""
+"""What speaks against another base image: facts of the app and of both base images, without a look into a layer.
+
+docs/rebase.md has the rules in words, and what they cannot see.
+"""
 
 from __future__ import annotations
 
+import re
+from collections import defaultdict
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from enum import IntEnum
+
 from rosml.base.errors import RosmlError
+from rosml.base.problems import listed
+from rosml.containerize.rebase import debian
 from rosml.containerize.rebase.image import AGAIN
 from rosml.images.image_set.labels import PREFIX
+from rosml.images.join import facts as of_images
+from rosml.images.join.facts import Facts, Library
 from rosml.images.join.layers import Source
 
 SAME = {"distribution": "ROS distribution", "os": "system", "python": "Python", "ros": "generation of ROS"}
 """The labels that the old and the new base image must have in common, by the words for people."""
+
+PARTS = ("torch", "tensorflow", "cuda")
+"""Versions of parts, as labels name them. Programs built on one minor release run on no other."""
+
+DRIVER = re.compile(
+    r"lib(cuda|nvcuvid|nvidia-[a-z0-9-]+|nvoptix|cudadebugger|GLX_nvidia|EGL_nvidia|dxcore)\.so(\.[0-9.]+)?"
+)
+"""Libraries that a driver brings when a container starts."""
+
+OF_THE_SYSTEM = re.compile(r"(usr/)?lib(32|64)?/(?!python)([^/]+/)?[^/]+")
+"""Places of a Debian system's own libraries: as long as a library has the same name, it keeps its interface (Debian's policy, 8.1)."""
+
+GENERATED = re.compile(
+    r"docker-ros/ws/install/(\.colcon_install_layout|_?(local_)?setup[^/]*|_order_packages\.py|_local_setup_util_\w+\.py)"
+    r"|(.*/)?__pycache__/.*"
+)
+"""Files that each app has of its own, and Python's compiled files, which belong to their sources."""
+
+
+class Verdict(IntEnum):
+    """What to do about another base image."""
+
+    SAFE = 0
+    LINK = 1
+    BUILD = 2
+
+
+WORDS = {Verdict.SAFE: "safe", Verdict.LINK: "check by link", Verdict.BUILD: "build again"}
+
+
+@dataclass
+class Judgement:
+    """A verdict with its reasons, the worst first."""
+
+    verdict: Verdict = Verdict.SAFE
+    reasons: dict[str, Verdict] = field(default_factory=dict)
+
+    def add(self, verdict: Verdict, reason: str) -> None:
+        """Adds a reason."""
+        self.reasons[reason] = max(verdict, self.reasons.get(reason, verdict))
+        self.verdict = max(self.verdict, verdict)
+
+    def of(self, verdict: Verdict) -> list[str]:
+        """The reasons for one verdict."""
+        return [reason for reason, found in self.reasons.items() if found is verdict]
 
 
 def require_fit(app: Source, base: Source) -> None:
@@ -27,3 +85,201 @@ def require_fit(app: Source, base: Source) -> None:
         if old != new:
             text = f"{app.name} was built on {words} {old or 'unknown'}, and {base.name} has {new}"
             raise RosmlError(text, f"name a base image with {old or 'the same'}; or {AGAIN}", exit_code=2)
+
+
+def judge(
+    app: Facts,
+    old: Facts | None,
+    new: Facts,
+    files: Container[str],
+    labels: tuple[Mapping[str, str], Mapping[str, str]],
+) -> Judgement:
+    """Whether an app runs on another base image.
+
+    Args:
+        app: the facts of its layer.
+        old: those of its present base image; None if they are gone.
+        new: those of the new one.
+        files: the files of the new base image.
+        labels: of the app, and of the new base image.
+
+    Raises:
+        RosmlError: facts are damaged.
+    """
+    found = Judgement()
+    try:
+        _packages(app, new, found)
+    except ValueError as error:
+        raise RosmlError(f"the facts of an image are damaged: {error}", AGAIN) from None
+    _files(app, new, files, found)
+    _parts(app, labels, found)
+    _libraries(app, old, new, found)
+    return found
+
+
+# ---- Packages and files ----------------------------------------------------------------------------------------------
+
+
+def _packages(app: Facts, new: Facts, found: Judgement) -> None:
+    """What packages say of each other.
+
+    Raises:
+        ValueError: a field is damaged.
+    """
+    base, own = debian.Known(new.packages), debian.Known(app.packages)
+    every = debian.Known([*new.packages, *app.packages])
+    for package in app.packages:
+        there = base.there(package.name)
+        if there and there != package.version:
+            found.add(Verdict.BUILD, f"the app has {package.name} {package.version}, and the base image has {there}")
+            continue
+        for alternatives in debian.relations(package.depends):
+            if not every.met(alternatives):
+                wanted = " | ".join(map(str, alternatives))
+                has = [f"{item.name} {version}" for item in alternatives if (version := every.there(item.name))]
+                lacks = f"the base image has {listed(has)}" if has else "the base image has none"
+                found.add(Verdict.BUILD, f"{package.name} needs {wanted}, and {lacks}")
+        for owner, named in base.conflicts(package):
+            found.add(Verdict.BUILD, f"{package.name} cannot stand beside {named}, and the base image has {owner}")
+    for package in new.packages:
+        for owner, named in own.conflicts(package):
+            text = f"{package.name} of the base image cannot stand beside {named}, and the app has {owner}"
+            found.add(Verdict.BUILD, text)
+
+
+def _files(app: Facts, new: Facts, files: Container[str], found: Judgement) -> None:
+    """Files that both have. Those of a package that both have in the same version are the same."""
+    base = debian.Known(new.packages)
+    for package in app.packages:
+        if base.there(package.name):  # in another version it was named already
+            continue
+        for path in package.files:
+            if path in files and not GENERATED.fullmatch(path):
+                found.add(Verdict.BUILD, f"the app and the base image both have /{path}")
+    for path in app.files:
+        if path in files and not GENERATED.fullmatch(path):
+            found.add(Verdict.BUILD, f"the app and the base image both have /{path}")
+
+
+def _parts(app: Facts, labels: tuple[Mapping[str, str], Mapping[str, str]], found: Judgement) -> None:
+    """Releases of parts, if the app's own programs use their libraries."""
+    needed = {name for library in app.libraries for name in library.needed}
+    for part in PARTS:
+        old, new = (said.get(PREFIX + part, "") for said in labels)
+        used = [name for name in needed if re.match(_USED[part], name)]
+        if used and old and new and _minor(old) != _minor(new):
+            found.add(Verdict.BUILD, f"the app was built with {part} {old} ({min(used)}), and the base image has {new}")
+
+
+_USED = {
+    "torch": r"lib(torch|c10)\w*\.so",
+    "tensorflow": r"libtensorflow\w*\.so",
+    "cuda": r"lib(cudart|cublas|cudnn|cufft|curand|cusolver|cusparse|nvrtc)\w*\.so",
+}
+
+
+def _minor(version: str) -> list[str]:
+    return version.split(".")[:2]
+
+
+# ---- Libraries -------------------------------------------------------------------------------------------------------
+
+
+class _Libraries:
+    """Libraries by each of their names, for one machine."""
+
+    def __init__(self, libraries: Iterable[Library], machine: Sequence[int]) -> None:
+        self._known: defaultdict[str, list[Library]] = defaultdict(list)
+        self._every = [library for library in libraries if list(library.machine) == list(machine)]
+        for library in self._every:
+            for name in {library.soname, library.path.rpartition("/")[2], *library.names} - {""}:
+                self._known[name].append(library)
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._known
+
+    def named(self, name: str) -> list[Library]:
+        """The libraries with a name."""
+        return self._known.get(name, [])
+
+    def closure(self, names: Iterable[str]) -> dict[str, list[Library]]:
+        """The libraries that are loaded with some, by name."""
+        found: dict[str, list[Library]] = {}
+        wanted = [*names]
+        while wanted:
+            name = wanted.pop()
+            if name not in found and name in self._known:
+                found[name] = self._known[name]
+                wanted += [other for library in found[name] for other in library.needed]
+        return found
+
+    @property
+    def interpreters(self) -> list[Library]:
+        """Python, whose extensions use what it exports."""
+        return [library for library in self._every if not library.soname]
+
+
+def _libraries(app: Facts, old: Facts | None, new: Facts, found: Judgement) -> None:
+    """What the app's programs and libraries need of the base image's."""
+    for machine in {tuple(library.machine) for library in app.libraries}:
+        own = _Libraries(app.libraries, machine)
+        here, before = _Libraries(new.libraries, machine), _Libraries(old.libraries, machine) if old else None
+        if not new.libraries or not any(tuple(item.machine) == machine for item in new.libraries):
+            continue  # the app has it for another processor
+        used: dict[str, str] = {}
+        for library in (item for item in app.libraries if tuple(item.machine) == machine):
+            for name in _needed(library, own):
+                used.setdefault(name, library.path)
+                if name not in here and not DRIVER.fullmatch(name) and (before is None or name in before):
+                    found.add(Verdict.BUILD, f"{_short(library)} needs {name}, which the base image lacks")
+            _symbols(library, own, before, here, found)
+        if before is None:
+            if used:
+                found.add(
+                    Verdict.LINK, "the base image that the app was built on is gone, so nobody can compare libraries"
+                )
+        else:
+            _changed(used, before, here, found)
+
+
+def _needed(library: Library, own: _Libraries) -> Iterator[str]:
+    """The libraries of others that a library of an app needs, also by others of the app."""
+    every = own.closure([library.path.rpartition("/")[2], library.soname]).values()
+    yield from (name for libraries in every for item in libraries for name in item.needed if name not in own)
+
+
+def _symbols(library: Library, own: _Libraries, before: _Libraries | None, here: _Libraries, found: Judgement) -> None:
+    """Symbols that the old base image had for a library, and the new one has not."""
+    names = {*_needed(library, own)}
+    lost = _lacking(library.uses, names, here)
+    if not lost or before is None:  # then it is linked in a step anyway
+        return
+    gone = {*lost} - {*_lacking(lost, names, before)}
+    if gone:
+        more = f" and {len(gone) - 1} more" if len(gone) > 1 else ""
+        text = f"{_short(library)} uses {min(gone)[:200]}{more}, which no library of the base image has any more"
+        found.add(Verdict.BUILD, text)
+
+
+def _lacking(symbols: Iterable[str], names: Iterable[str], libraries: _Libraries) -> list[str]:
+    known = [library for named in libraries.closure(names).values() for library in named]
+    return of_images.lacking(symbols, [*known, *libraries.interpreters])
+
+
+def _changed(used: Mapping[str, str], before: _Libraries, here: _Libraries, found: Judgement) -> None:
+    """Libraries that are not as they were. Of those of the operating system, the name says that the interface is the same."""
+    changed: dict[str, str] = {}
+    for name, libraries in before.closure(used).items():
+        for library in libraries:
+            if OF_THE_SYSTEM.fullmatch(library.path):
+                continue
+            same = [other for other in here.named(name) if other.path == library.path and other.id == library.id]
+            if not same and here.named(name):
+                changed[name] = library.path
+    if changed:
+        some = listed(sorted(changed)[:3]) + (f" and {len(changed) - 3} more" if len(changed) > 3 else "")
+        found.add(Verdict.LINK, f"{some} changed, and their names do not say whether their interfaces did")
+
+
+def _short(library: Library) -> str:
+    return library.path.removeprefix("docker-ros/ws/install/")

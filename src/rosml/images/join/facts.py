@@ -70,6 +70,7 @@ class Library(_Model):
     Attributes:
         path: without a slash at the beginning.
         soname: empty if it has none.
+        id: the same for the same file: its build ID, or a digest.
         names: of links to it, if they are neither its own nor its soname.
         machine: class, byte order and machine, as ELF has them.
         needed: sonames of the libraries that it loads.
@@ -79,6 +80,7 @@ class Library(_Model):
 
     path: Text
     soname: Text
+    id: str = Field(pattern=r"^[0-9a-f]{8,64}$")
     names: list[Text] = []
     machine: list[Number] = Field(min_length=3, max_length=3)
     needed: list[Text]
