@@ -188,6 +188,7 @@ class MemoryRegistry(Registry):
         part: bytes,
         media_type: str,
         annotations: Mapping[str, str] | None = None,
+        more: Sequence[Mapping[str, Any]] = (),
     ) -> str:
         if "attach" in self.refuses:
             raise RosmlError("the registry refuses to attach", "ask who runs it")
@@ -196,7 +197,7 @@ class MemoryRegistry(Registry):
             "schemaVersion": 2,
             "mediaType": IMAGE,
             "artifactType": artifact_type,
-            "layers": [layer],
+            "layers": [layer, *map(dict, more)],
             "annotations": dict(annotations or {}),
             "subject": dict(subject),
         }

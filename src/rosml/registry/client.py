@@ -14,7 +14,7 @@ import re
 import threading
 import time
 from collections import defaultdict
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from typing import Any, TypeVar
 
 import httpx
@@ -538,6 +538,7 @@ class Registry:
         part: bytes,
         media_type: str,
         annotations: Mapping[str, str] | None = None,
+        more: Sequence[Mapping[str, Any]] = (),
     ) -> str:
         """Attaches an artifact to a manifest of the repository. Attaching the same artifact again changes nothing.
 
@@ -548,6 +549,7 @@ class Registry:
             part: the content of the layer.
             media_type: of the layer.
             annotations: of the artifact's manifest.
+            more: descriptors of further layers, whose blobs the repository has.
 
         Returns:
             Digest of the artifact's manifest.
@@ -557,7 +559,9 @@ class Registry:
         """
         for data in (EMPTY_BLOB, part):
             self.put_blob(repository, data)
-        data = encoded(artifact(artifact_type, part, media_type, annotations, subject))
+        content = artifact(artifact_type, part, media_type, annotations, subject)
+        content["layers"] += [dict(layer) for layer in more]
+        data = encoded(content)
         digest, headers = self.send_manifest(repository, "", data, IMAGE)
         if headers.get("oci-subject") == subject["digest"]:
             self._keeps_account = True

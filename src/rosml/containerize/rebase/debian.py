@@ -19,10 +19,14 @@ _RUN = re.compile(r"(\D*)(\d*)")
 class Package(Protocol):
     """The fields of a package that others refer to. The last two are as dpkg writes them."""
 
-    name: str
-    version: str
-    provides: str
-    conflicts: str
+    @property
+    def name(self) -> str: ...
+    @property
+    def version(self) -> str: ...
+    @property
+    def provides(self) -> str: ...
+    @property
+    def conflicts(self) -> str: ...
 
 
 class Relation(NamedTuple):

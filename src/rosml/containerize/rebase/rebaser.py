@@ -11,19 +11,22 @@ from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from rosml.base.errors import RosmlError
-from rosml.base.problems import listed
+from rosml.base.problems import SHOWN, listed
 from rosml.containerize import app_base
 from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME, LOCK
 from rosml.containerize.app_base import Base
 from rosml.containerize.names import SLIM
-from rosml.containerize.rebase import checks, image
+from rosml.containerize.rebase import checks, contents, image
+from rosml.containerize.rebase.checks import Judgement, Verdict
+from rosml.containerize.rebase.contents import Contents, Known
+from rosml.containerize.rebase.trial import Pair
 from rosml.images.image_set.labels import APP, PREFIX
 from rosml.images.join.layers import Joined, Source
 from rosml.images.join.transfer import Transfer, Transferred
 from rosml.images.matrix.names import DATED
 from rosml.machine.services import Services
 from rosml.registry import oci, references
-from rosml.registry.client import Registries, Registry
+from rosml.registry.client import Registries
 from rosml.registry.references import Reference
 
 
@@ -41,6 +44,9 @@ class Rebased(Transferred):
         old_base: the base image until now, as the app names it.
         old_base_digest: its digest.
         moved: whether the tag points elsewhere than before.
+        verdict: what the facts of both base images say: `safe` or `check by link`.
+        reasons: why.
+        linked: whether it was linked in the builder.
     """
 
     app: str = ""
@@ -52,6 +58,9 @@ class Rebased(Transferred):
     old_base: str = ""
     old_base_digest: str = ""
     moved: bool = False
+    verdict: str = ""
+    reasons: list[str] = field(default_factory=list)
+    linked: bool = False
 
     def to_json(self) -> dict[str, Any]:
         """For `--json`."""
@@ -70,6 +79,8 @@ class Plan:
         base: the new base image.
         images: the new image for each platform.
         old: the app's image for each platform.
+        known: what is known of the new base image, for each platform.
+        judgement: what the facts of both base images say.
         document: the manifest or the index to which the tag will point.
         is_index: whether it is an index.
     """
@@ -81,6 +92,8 @@ class Plan:
     base: Base
     images: Mapping[str, Joined]
     old: Mapping[str, Source]
+    known: Mapping[str, Known]
+    judgement: Judgement
     document: bytes
     is_index: bool
 
@@ -108,6 +121,7 @@ class Rebaser:
 
     def __post_init__(self) -> None:
         self._transfer = Transfer(self.registries)
+        self._contents = Contents(self._transfer)
 
     def __enter__(self) -> Rebaser:
         return self
@@ -139,24 +153,36 @@ class Rebaser:
         found = self._base(base, tuple(old), next(iter(old.values())).labels)
         place = references.parse(f"{found.repository}@{found.digest}")
         new = self._transfer.platforms(str(place))
-        images = {}
+        images, bases, judgement = {}, {}, Judgement()
         for name, source in old.items():
             onto = new[name]
             checks.require_fit(source, onto)
             images[name] = image.moved(source, onto, self._labels(source, found, base))
+            bases[name] = self._contents.base(str(place), name)
+            self._judge(source, onto, bases[name], name, judgement)
+        _require_no_build(judgement, str(where), found)
         if manifest.is_index:
             by_digest = {source.digest: images[name] for name, source in old.items()}
             document = image.index(manifest.content, by_digest)
         else:
             document = next(iter(images.values())).manifest
-        by_its_digest = where._replace(reference=manifest.digest)
-        return Plan(by_its_digest, str(where), target, there, found, images, old, document, manifest.is_index)
+        own = where._replace(reference=manifest.digest)
+        return Plan(own, str(where), target, there, found, images, old, bases, judgement, document, manifest.is_index)
 
-    def carry_out(self, plan: Plan) -> Rebased:
-        """Pushes the new image, and moves the tag to it.
+    def _judge(self, app: Source, base: Source, known: Known, platform: str, judgement: Judgement) -> None:
+        """Adds what the facts of both base images say for one platform."""
+        below = contents.base_of(app)
+        before = self._contents.facts(below, platform) if below else None
+        own = self._contents.own(app)
+        found = checks.judge(own, before, known.facts, known.files, (app.labels, base.labels))
+        for reason, verdict in found.reasons.items():
+            judgement.add(verdict, reason)
+
+    def push(self, plan: Plan, with_sbom: bool = True) -> Rebased:
+        """Pushes the new image by its digest, with what is attached to it. No tag moves.
 
         Raises:
-            RosmlError: the tag has moved since the plan; a registry does not answer or refuses. No tag was moved.
+            RosmlError: a registry does not answer or refuses.
         """
         started = time.monotonic()
         first = next(iter(plan.old.values()))
@@ -169,17 +195,34 @@ class Rebaser:
             base_digest=plan.base.digest,
             old_base=first.labels.get(BASE_NAME, ""),
             old_base_digest=first.labels.get(BASE_DIGEST, ""),
+            verdict=checks.WORDS[plan.judgement.verdict],
+            reasons=[*plan.judgement.reasons],
         )
-        registry = self.registries(plan.target.host)
+        host, repository, _ = plan.target
         for name, joined in plan.images.items():
-            found.manifests[name] = self._transfer.push(joined, *plan.target[:2], found)
-        if plan.there != plan.digest:
-            self._move(registry, plan, found)
+            found.manifests[name] = self._transfer.push(joined, host, repository, found)
+            app, base = plan.old[name], plan.known[name]
+            found.uploaded += self._contents.attach(app, base, host, repository, joined.manifest, with_sbom)
         found.seconds = time.monotonic() - started
         return found
 
-    def _move(self, registry: Registry, plan: Plan, found: Rebased) -> None:
-        """Moves the tag, if it is still where it was. Registries cannot compare and write at once: in between is one request."""
+    def pairs(self, plan: Plan) -> dict[str, Pair]:
+        """The new and the old image for each platform, for a trial of what `push` has pushed."""
+        new, old = (f"{where.host}/{where.repository}" for where in (plan.target, plan.app))
+        return {
+            name: Pair(f"{new}@{joined.digest}", f"{old}@{plan.old[name].digest}")
+            for name, joined in plan.images.items()
+        }
+
+    def move(self, plan: Plan, found: Rebased) -> None:
+        """Moves the tag, if it is still where it was. Registries cannot compare and write at once: in between is one request.
+
+        Raises:
+            RosmlError: the tag has moved since the plan, and stays; a registry does not answer or refuses.
+        """
+        if plan.there == plan.digest:
+            return
+        started, registry = time.monotonic(), self.registries(plan.target.host)
         now = registry.head(*plan.target[1:])
         if now == plan.digest:
             return
@@ -190,6 +233,7 @@ class Rebaser:
         registry.put_manifest(*plan.target[1:], plan.document, kind)
         found.uploaded += len(plan.document)
         found.moved = True
+        found.seconds += time.monotonic() - started
 
     # ---- Reading -----------------------------------------------------------------------------------------------------
 
@@ -279,3 +323,15 @@ def _require_one_base(old: Mapping[str, Source], name: str) -> None:
         where = listed([f"{key} on {base or 'an unknown one'}" for key, base in named.items()])
         text = f"{name}: its platforms are on different images: {where}"
         raise RosmlError(text, "name one platform with --platform, and a tag for it with --tag", exit_code=2)
+
+
+def _require_no_build(judgement: Judgement, app: str, base: Base) -> None:
+    """Checks that nothing speaks against the new base image.
+
+    Raises:
+        RosmlError: something does (exit code 2).
+    """
+    if wrong := judgement.of(Verdict.BUILD):
+        more = [f"and {len(wrong) - SHOWN} more reasons"] if len(wrong) > SHOWN else []
+        lines = "".join(f"\n    {line}" for line in [*wrong[:SHOWN], *more])
+        raise RosmlError(f"{app} does not go onto {base.name} without a build:{lines}", image.AGAIN, exit_code=2)

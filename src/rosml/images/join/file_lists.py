@@ -33,6 +33,9 @@ LONGEST = 4096
 ATTACHED = 4
 """Most lists of one image. An image has one list from each publisher."""
 
+LAYERS = 32
+"""Most layers of one list. An image has a list for each image that it was joined from."""
+
 _REMEDY = "attach it again: publish the image again"
 
 _MERGED = ("bin", "lib", "lib32", "lib64", "libx32", "sbin")
@@ -144,6 +147,8 @@ class Lists:
         texts = []
         for name in sorted(digests):
             artifact = registry.manifest(repository, name)
-            if artifact and artifact.layers:
-                texts.append(unpacked(registry.part(repository, artifact.layers[0], PACKED)))
+            for layer in (
+                artifact.layers[:ATTACHED] if artifact else ()
+            ):  # an app on another base has its own list and that of the base
+                texts.append(unpacked(registry.part(repository, layer, PACKED)))
         return Files.parse(b"\n".join(texts)) if texts else None
