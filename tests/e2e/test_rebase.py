@@ -92,8 +92,8 @@ RUN --mount=type=bind,from=built,source=/in,target=/in /in/install.sh
     return f"{place}:{name}"
 
 
-def rebased(app: str, onto: str, *options: str) -> Run:
-    return run(sys.executable, str(ROOT / "src"), "rebase", app, "--base", onto, "--json", *options)
+def rebased(app: str, *options: str) -> Run:
+    return run(sys.executable, str(ROOT / "src"), "rebase", app, "--json", *options)
 
 
 def digest(services: Services, name: str) -> str:
@@ -104,12 +104,14 @@ def digest(services: Services, name: str) -> str:
 
 def test_an_app_moves_to_another_base_image(published: Publish, services: Services, tmp_path: Path) -> None:
     core, runtime = published(BASE).reference, published(RUNTIME).reference
-    bases = {}
-    for number, (greeting, vendor) in enumerate((("greeting", 1), ("greeting", 2), ("salute", 2))):
-        for kind, below in (("core", core), ("run", runtime)):
-            name = f"rebase-{kind}-{number}"
-            arguments = (below, name, tmp_path / name, f"1.{number}", greeting, vendor)
-            bases[kind, number] = base(services, core, *arguments)
+
+    def night(number: int, greeting: str, vendor: int, name: str = "night") -> str:
+        """Base images of a night: their tags move."""
+        for kind, below in (("run", runtime), ("core", core)):
+            folder = tmp_path / f"{name}-{kind}-{number}"
+            found = base(services, core, below, f"{name}-{kind}", folder, f"1.{number}", greeting, vendor)
+        return found
+
     folder, name = tmp_path / "robot", f"{NAMESPACE}/mover"
     shutil.copytree(ROOT / "examples/ros1/src", folder / "src")
     greeter = folder / "src/greeter"
@@ -117,45 +119,49 @@ def test_an_app_moves_to_another_base_image(published: Publish, services: Servic
     (greeter / "package.xml").write_text(PACKAGE.format("greeter", ""))
     (greeter / "CMakeLists.txt").write_text(CMAKE)
     (greeter / "greet.c").write_text(NODE)
+    onto = night(0, "greeting", 1)
 
-    def build(number: int, tag: str) -> dict[str, Any]:
+    def build(tag: str) -> dict[str, Any]:
         options = ["--image-name", name, "--image-tag", tag, "--target", "run", "--no-tests", "--enable-slim"]
-        options += ["--command", "rosrun greeter greet", "--slim-base-image", bases["run", number]]
-        return made(folder, "--base-image", bases["core", number], *options)
+        options += ["--command", "rosrun greeter greet", "--slim-base-image", onto.replace("-core", "-run")]
+        return made(folder, "--base-image", onto, *options)
 
-    first = build(0, "first")
+    first = build("first")
     run_image, slim_image = (first[target]["reference"] for target in ("run", "slim"))
+    before = digest(services, onto)
+    night(1, "greeting", 2)
 
     moved = {}
-    for image, kind in ((run_image, "core"), (slim_image, "run")):
-        done = rebased(image, bases[kind, 1], "--tag", f"{image}-moved")
+    for target, image in (("run", run_image), ("slim", slim_image)):
+        done = rebased(image, "--tag", f"{image}-moved")
         assert done.code == 0, done.err
-        moved[kind] = json.loads(done.out)
-        assert moved[kind]["verdict"] == "check by link" and moved[kind]["linked"], done.err
-        assert "check by link: libvendor.so changed" in done.err, (
-            "the library without a package; the other one has a name that says enough"
-        )
-        assert digest(services, f"{image}-moved") == moved[kind]["digest"]
+        moved[target] = json.loads(done.out)
+        assert moved[target]["verdict"] == "check by link" and moved[target]["linked"], done.err
+        assert "check by link: libvendor.so changed" in done.err, "the other one has a name that says enough"
+        assert digest(services, f"{image}-moved") == moved[target]["digest"]
     (tmp_path / "chk").mkdir()
     (tmp_path / "chk/Dockerfile").write_text(
         "".join(
-            f"FROM {moved[kind]['reference']} AS {kind}\n"
+            f"FROM {moved[target]['reference']} AS {target}\n"
             "RUN /entrypoint.sh bash -c \"$DEFAULT_CMD\" | grep 'hello of 1.1 2' && /entrypoint.sh rospack find compass\n"
-            for kind in moved
+            for target in moved
         )
-        + "FROM scratch\nCOPY --from=core /tini /1\nCOPY --from=run /tini /2\n"
+        + "FROM scratch\nCOPY --from=run /tini /1\nCOPY --from=slim /tini /2\n"
     )
     build_folder(services, tmp_path / "chk")
 
-    refused = rebased(run_image, bases["core", 2])
+    gone = night(2, "salute", 2, "gone")
+    refused = rebased(run_image, "--base", gone)
     assert refused.code == 2 and "uses greeting, which no library of the base image has any more" in refused.err
     assert digest(services, run_image) == first["run"]["digest"], "the tag stays"
 
-    again = build(1, "again")
-    for target, kind in (("run", "core"), ("slim", "run")):
-        assert again[target]["digest"] == moved[kind]["digest"], "as a build on that base image gives it"
+    again = build("again")
+    for target in moved:
+        assert again[target]["digest"] == moved[target]["digest"], "as a build on that base image gives it"
 
-    small = rebased(run_image, bases["core", 1], "--tag", f"{run_image}-small", "--no-sbom", "--check", "metadata")
-    assert small.code == 0, small.err
-    back = rebased(f"{run_image}-moved", bases["core", 0])
-    assert json.loads(back.out)["digest"] == first["run"]["digest"], "and back"
+    small = rebased(run_image, "--tag", f"{run_image}-small", "--no-sbom", "--check", "metadata")
+    assert small.code == 0 and json.loads(small.out)["uploaded"] < 20_000, small.err
+    back = rebased(f"{run_image}-moved", "--base", f"{onto.rpartition(':')[0]}@{before}")
+    assert back.code == 0 and json.loads(back.out)["base_digest"] == before, back.err
+    tested = rebased(run_image, "--check", "run", "--command", "rosrun greeter greet | grep 'hello of 1.0'")
+    assert tested.code == 1 and digest(services, run_image) == first["run"]["digest"], "it failed, and the tag stays"

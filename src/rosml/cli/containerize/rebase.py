@@ -26,7 +26,9 @@ KEPT = "interrupted: the old tag stands; the next call finds again what was push
     "rebase", short_help="Puts an app on another base image, without a build.", cls=Command, alone=True, kept=KEPT
 )
 @click.argument("app")
-@click.option("--base", required=True, metavar="REFERENCE", help="the new base image")
+@click.option(
+    "--base", default="", metavar="REFERENCE", help="the new base image [the app's own, where its tag is now]"
+)
 @click.option("--tag", default="", metavar="REFERENCE", help="the tag to move, in full [the app's own]")
 @click.option(
     "--platform", "platforms", multiple=True, metavar="PLATFORM", help="only this one, such as linux/arm64; repeatable"
@@ -62,7 +64,7 @@ def main(
 
     \b
     Examples:
-      rosml rebase ghcr.io/me/robot:latest --base ghcr.io/us/ros:jazzy-base
+      rosml rebase ghcr.io/me/robot:latest
       rosml rebase ghcr.io/me/robot:latest --base ghcr.io/us/ros-torch:jazzy-base-cu130 --tag ghcr.io/me/robot:torch
     """
     from rosml.containerize.rebase import checks

@@ -25,6 +25,7 @@ from rosml.images.scan import sbom
 from rosml.registry import oci, references
 from rosml.registry.client import Registry
 from rosml.registry.oci import Manifest
+from rosml.registry.references import Reference
 
 DEPTH = 10
 """Most apps on one another."""
@@ -121,7 +122,7 @@ class Contents:
     def _member(self, reference: str, platform: str) -> tuple[Source | None, Mapping[str, str]]:
         """An image for one platform, with the annotations of its entry in its index."""
         where = references.parse(reference)
-        manifest = self._transfer.registries(where.host).manifest(where.repository, where.reference)
+        manifest = self._transfer.manifest(where)
         if manifest is None:
             return None, {}
         source = self._transfer.members(reference, where, manifest).get(platform)
@@ -176,7 +177,7 @@ class Contents:
         """What is attached to an image, of one kind."""
         registry = self._registry(place)
         digests = sorted({entry["digest"] for entry in registry.referrers(place.repository, place.digest, kind)})
-        found = [registry.manifest(place.repository, name) for name in digests]
+        found = [self._transfer.manifest(Reference(place.host, place.repository, name)) for name in digests]
         return [item for item in found if item and item.layers]
 
     def _mounted(self, places: Iterable[Place], registry: Registry, repository: str) -> Iterator[dict[str, Any]]:

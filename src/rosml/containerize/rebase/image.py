@@ -11,8 +11,6 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from pydantic import ValidationError
-
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME, LOCK, REPLACED
@@ -85,27 +83,18 @@ def as_buildkit(content: Mapping[str, Any], indent: int | None = None) -> bytes:
     return text.encode()
 
 
-def with_digests(label: str, base: str, digest: str, other: str = "") -> str:
-    """The label with the lock of an app, with other base images.
-
-    Args:
-        label: its text.
-        base: the name of the new base image, as the user wrote it.
-        digest: its digest.
-        other: the digest of the base image of the slim image; empty if it stays.
+def lock_of(app: Source) -> Lock | None:
+    """The lock in an app's label; None if it has no such label.
 
     Raises:
-        ValueError: it is no lock.
+        RosmlError: the label is damaged (exit code 2).
     """
+    if LOCK not in app.labels:
+        return None
     try:
-        known = Lock.model_validate(untrusted.json_value(label.encode()))
-    except ValidationError:
-        raise ValueError("it is no lock") from None
-    slim = known.slim_base_image
-    if slim and other:
-        slim = slim.model_copy(update={"digest": other})
-    named = known.base_image.model_copy(update={"name": base, "digest": digest})
-    return known.model_copy(update={"base_image": named, "slim_base_image": slim}).line()
+        return Lock.model_validate(untrusted.json_value(app.labels[LOCK].encode()))
+    except ValueError:
+        raise RosmlError(f"{app.name}: its label {LOCK} is damaged", AGAIN, exit_code=2) from None
 
 
 def _own_history(app: Source) -> list[dict[str, Any]]:

@@ -5,6 +5,7 @@ The tag moves last. If a call is interrupted, the old tag stands, and the next c
 
 from __future__ import annotations
 
+import contextlib
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
@@ -12,7 +13,7 @@ from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import SHOWN, listed
-from rosml.containerize import app_base
+from rosml.containerize import app_base, lock
 from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME, LOCK
 from rosml.containerize.app_base import Base
 from rosml.containerize.names import SLIM
@@ -26,7 +27,7 @@ from rosml.images.join.transfer import Transfer, Transferred
 from rosml.images.matrix.names import DATED
 from rosml.machine.services import Services
 from rosml.registry import oci, references
-from rosml.registry.client import Registries
+from rosml.registry.client import Registry
 from rosml.registry.references import Reference
 
 
@@ -103,6 +104,21 @@ class Plan:
         return oci.digest_of(self.document)
 
 
+@dataclass(frozen=True)
+class _Onto:
+    """A new base image.
+
+    Attributes:
+        base: the image itself.
+        whole: the image with compilers that the user named, if `base` is the one without that belongs to it; else the same.
+        text: as the user wrote it; empty for the app's own.
+    """
+
+    base: Base
+    whole: Base
+    text: str
+
+
 @dataclass
 class Rebaser:
     """Puts apps on other base images. It reads each base image once. Safe to share among threads; use it in a `with`.
@@ -114,9 +130,9 @@ class Rebaser:
     """
 
     services: Services
-    registries: Registries
+    registries: Callable[[str], Registry]
     say: Callable[[str], None] = lambda _: None
-    _bases: dict[tuple[str, tuple[str, ...]], Base] = field(default_factory=dict)
+    _bases: dict[tuple[str, tuple[str, ...], bool], _Onto] = field(default_factory=dict)
     _digests: dict[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -134,7 +150,7 @@ class Rebaser:
 
         Args:
             app: the app, by any name that `rosml run` takes.
-            base: the new base image, by any name that `rosml containerize` takes.
+            base: the new base image, by any name that `rosml containerize` takes; empty for the app's own, where its tag is now.
             tag: the complete reference of the tag to move; empty for the app's own.
             platforms: only these; all of the app's if empty.
 
@@ -150,16 +166,15 @@ class Rebaser:
             raise RosmlError(f"{tag or app} {what}, and a tag has to move", "name one: --tag REGISTRY/NAME:TAG", 2)
         there = manifest.digest if target == where else self.registries(target.host).head(*target[1:])
         _require_one_base(old, str(where))
-        found = self._base(base, tuple(old), next(iter(old.values())).labels)
+        onto = self._base(base, tuple(old), next(iter(old.values())))
+        found = onto.base
         place = references.parse(f"{found.repository}@{found.digest}")
         new = self._transfer.platforms(str(place))
         images, bases, judgement = {}, {}, Judgement()
         for name, source in old.items():
-            onto = new[name]
-            checks.require_fit(source, onto)
-            images[name] = image.moved(source, onto, self._labels(source, found, base))
-            bases[name] = self._contents.base(str(place), name)
-            self._judge(source, onto, bases[name], name, judgement)
+            checks.require_fit(source, new[name])
+            images[name] = image.moved(source, new[name], self._labels(source, onto))
+            bases[name] = self._judge(source, new[name], str(place), name, judgement)
         _require_no_build(judgement, str(where), found)
         if manifest.is_index:
             by_digest = {source.digest: images[name] for name, source in old.items()}
@@ -169,14 +184,17 @@ class Rebaser:
         own = where._replace(reference=manifest.digest)
         return Plan(own, str(where), target, there, found, images, old, bases, judgement, document, manifest.is_index)
 
-    def _judge(self, app: Source, base: Source, known: Known, platform: str, judgement: Judgement) -> None:
-        """Adds what the facts of both base images say for one platform."""
-        below = contents.base_of(app)
-        before = self._contents.facts(below, platform) if below else None
-        own = self._contents.own(app)
-        found = checks.judge(own, before, known.facts, known.files, (app.labels, base.labels))
+    def _judge(self, app: Source, base: Source, place: str, platform: str, judgement: Judgement) -> Known:
+        """Adds what the facts of both base images say for one platform. Gives what is known of the new one."""
+        below, submit = contents.base_of(app), self._transfer.pool.submit
+        reading = submit(self._contents.own, app), submit(self._contents.base, place, platform)
+        before = submit(self._contents.facts, below, platform) if below else None
+        own, known = reading[0].result(), reading[1].result()
+        labels = app.labels, base.labels
+        found = checks.judge(own, before.result() if before else None, known.facts, known.files, labels)
         for reason, verdict in found.reasons.items():
             judgement.add(verdict, reason)
+        return known
 
     def push(self, plan: Plan, with_sbom: bool = True) -> Rebased:
         """Pushes the new image by its digest, with what is attached to it. No tag moves.
@@ -263,38 +281,54 @@ class Rebaser:
         )
         raise RosmlError(text, remedy, exit_code=2)
 
-    def _base(self, text: str, platforms: tuple[str, ...], app: Mapping[str, str]) -> Base:
+    def _base(self, text: str, platforms: tuple[str, ...], app: Source) -> _Onto:
         """The new base image; for a slim app, the image without compilers that belongs to it."""
-        slim = app.get(APP) == SLIM
-        key = text, (*platforms, *([SLIM] if slim else []))
+        slim = app.labels.get(APP) == SLIM
+        named = text or app.labels.get(BASE_NAME, "")
+        if not named:
+            raise RosmlError(f"{app.name} does not say which base image it is on", "name one with --base", 2)
+        key = named, platforms, slim
         if key not in self._bases:
-            found = app_base.find(text, self.services, platforms)
-            if slim and (name := app_base.runtime(found)):
-                self.say(f"{text} has compilers: the slim image goes onto {name}")
+            whole = found = app_base.find(named, self.services, platforms)
+            if slim and (name := app_base.runtime(whole)):
+                self.say(f"{named} has compilers: the slim image goes onto {name}")
                 found = app_base.find(name, self.services, platforms)
             if found.local:
-                raise RosmlError(f"{text} is in your Docker, and in no registry", "push it, and name it there", 2)
-            self._bases[key] = found
+                raise RosmlError(f"{named} is in your Docker, and in no registry", "push it, and name it there", 2)
+            self._bases[key] = _Onto(found, whole, text)
         return self._bases[key]
 
-    def _labels(self, app: Source, base: Base, text: str) -> dict[str, str]:
+    def _labels(self, app: Source, onto: _Onto) -> dict[str, str]:
         """The labels of an app about its new base image, as a build on it would write them."""
-        found = {BASE_NAME: base.name, BASE_DIGEST: base.digest}
-        if app.labels.get(APP) == SLIM or LOCK not in app.labels:
+        found = {BASE_NAME: onto.base.name, BASE_DIGEST: onto.base.digest}
+        known = image.lock_of(app)
+        if known is None:
             return found
-        other = ""
-        if '"slim_base_image"' in app.labels[LOCK] and (name := app_base.runtime(base)):
-            other = self._digest(name)
-        try:
-            return found | {LOCK: image.with_digests(app.labels[LOCK], text, base.digest, other)}
-        except ValueError:
-            raise RosmlError(f"{app.name}: its label {LOCK} is damaged", image.AGAIN, exit_code=2) from None
+        main, slim = known.base_image, known.slim_base_image
+        if app.labels.get(APP) != SLIM:
+            main = lock.Image(name=onto.text or main.name, digest=onto.base.digest)
+            slim = slim and self._now(slim, slim.name or app_base.runtime(onto.base))
+        elif onto.whole is not onto.base:
+            main = lock.Image(name=onto.text or main.name, digest=onto.whole.digest)
+            slim = slim and slim.model_copy(update={"digest": onto.base.digest})
+        else:
+            main = self._now(main, main.name)
+            slim = slim and lock.Image(
+                name=onto.text if slim.name and onto.text else slim.name, digest=onto.base.digest
+            )
+        return found | {LOCK: known.model_copy(update={"base_image": main, "slim_base_image": slim}).line()}
 
-    def _digest(self, name: str) -> str:
+    def _now(self, pin: lock.Image, name: str) -> lock.Image:
+        """The pin of another base image, as a build would find it now; as it was if there is none."""
         if name not in self._digests:
-            where = references.parse(name)
-            self._digests[name] = self.registries(where.host).head(where.repository, where.reference)
-        return self._digests[name]
+            self._digests[name] = ""
+            for reference in app_base.candidates(name, self.services) if name else ():
+                where = references.parse(reference)
+                with contextlib.suppress(RosmlError):
+                    self._digests[name] = self.registries(where.host).head(where.repository, where.reference)
+                if self._digests[name]:
+                    break
+        return pin.model_copy(update={"digest": self._digests[name] or pin.digest})
 
 
 def _chosen(known: Mapping[str, Source], platforms: Sequence[str], name: str) -> dict[str, Source]:

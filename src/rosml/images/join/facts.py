@@ -134,7 +134,7 @@ def together(found: Iterable[Facts]) -> Facts:
 def exports(library: Library, symbol: str) -> bool:
     """Whether a library exports a symbol: `name`, or `name@VERSION`. Of symbols that a library lacks, one in 17 million for each
     symbol that it has counts as there."""
-    group = _group(symbol)
+    group = hashed(symbol)
     place = library.symbols.find(group)
     while place % 4 and place > 0:  # between two others
         place = library.symbols.find(group, place + 1)
@@ -143,7 +143,7 @@ def exports(library: Library, symbol: str) -> bool:
 
 def lacking(symbols: Iterable[str], libraries: Iterable[Library]) -> list[str]:
     """The symbols that no library exports, in order."""
-    wanted = {_group(symbol): symbol for symbol in symbols}
+    wanted = {hashed(symbol): symbol for symbol in symbols}
     for library in libraries:
         text = library.symbols
         for group in wanted.keys() & {text[place : place + 4] for place in range(0, len(text), 4)}:
@@ -151,7 +151,7 @@ def lacking(symbols: Iterable[str], libraries: Iterable[Library]) -> list[str]:
     return sorted(wanted.values())
 
 
-def _group(symbol: str) -> str:
+def hashed(symbol: str) -> str:
     """The four characters that stand for a symbol."""
     return base64.urlsafe_b64encode(hashlib.sha256(symbol.encode()).digest()[:3]).decode()
 

@@ -55,6 +55,7 @@ class Transfer:
         self.registries = registries
         self.pool = ThreadPoolExecutor(THREADS)
         self._sources: dict[Reference, Source] = {}
+        self._manifests: dict[Reference, oci.Manifest] = {}
         self._lock = threading.Lock()
 
     def __enter__(self) -> Transfer:
@@ -74,12 +75,24 @@ class Transfer:
             RosmlError: there is no such image (exit code 2); the registry does not answer or refuses.
         """
         where = references.parse(name)
-        registry = self.registries(where.host)
-        manifest = registry.manifest(where.repository, where.reference)
+        registry, manifest = self.registries(where.host), self.manifest(where)
         if manifest is None:
             near = unknown("tag", where.reference, registry.tags(where.repository)).partition("; ")[2]
             raise RosmlError(f"{name} is not there", f"check its name: {near or 'its repository has no tags'}", 2)
         return self.members(name, where, manifest)
+
+    def manifest(self, where: Reference) -> oci.Manifest | None:
+        """The manifest of a place; None if there is none. One that is named by its digest is read once.
+
+        Raises:
+            RosmlError: the registry does not answer or refuses.
+        """
+        if found := self._manifests.get(where):
+            return found
+        found = self.registries(where.host).manifest(where.repository, where.reference)
+        if found and references.is_digest(where.reference):
+            self._manifests[where] = found
+        return found
 
     def members(self, name: str, where: Reference, manifest: oci.Manifest) -> Mapping[str, Source]:
         """The same for a manifest that was read already.
@@ -112,7 +125,7 @@ class Transfer:
         """
         if where not in self._sources:
             registry = self.registries(where.host)
-            manifest = manifest or registry.manifest(where.repository, where.reference)
+            manifest = manifest or self.manifest(where)
             if manifest is None:
                 raise RosmlError(f"{where} is not there any more", "check its name", exit_code=2)
             config = registry.config(where.repository, manifest, str(where))
