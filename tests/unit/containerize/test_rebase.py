@@ -268,15 +268,13 @@ def test_no_layer_is_pulled_and_little_is_sent(place: Place) -> None:
     app = place.app(old)
     start, before = len(place.server.requests), place.registry.uploaded
     found = place.rebase(app, new, with_sbom=False)
+    requests, headers = place.server.requests[start:], place.server.headers[start:]
     layers = {layer["digest"] for name in (old, new, app) for layer in place.layers(name)}
-    pulled = [
-        line for line in place.server.requests[start:] if line.startswith("GET") and line.rpartition("/")[2] in layers
-    ]
-    sent = [int(item.get("content-length", 0)) for item in place.server.headers[start:]]
+    pulled = [line for line in requests if line.startswith("GET") and line.rpartition("/")[2] in layers]
     assert not pulled and place.registry.uploaded == before
-    assert sum(sent) == found.uploaded < 10_000
+    assert sum(int(item.get("content-length", 0)) for item in headers) == found.uploaded < 10_000
     assert (found.mounted, found.present, found.copied) == (1, 1, 0)
-    assert len(place.server.requests) - start < 54, "\n".join(place.server.requests[start:])
+    assert len(requests) <= 60, "in a registry without the API of referrers, which takes 14 more"
 
 
 def test_a_registry_that_mounts_nothing(place: Place) -> None:
