@@ -1,0 +1,253 @@
+"""Puts many apps on their base images' newest digests: those of a file `apps.yaml`.
+
+Each app moves alone: one that is refused or fails stays, and the others move. A dated tag comes first, which never moves again. Where tags
+were before is in the record of the run, so that `rosml publish undo` moves them back.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import asdict, dataclass, field
+from fnmatch import fnmatchcase
+from itertools import chain, count
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import Field
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import unknown
+from rosml.base.side_by_side import side_by_side
+from rosml.containerize.app_bake_file import BASE_NAME
+from rosml.containerize.rebase.checks import Verdict
+from rosml.containerize.rebase.rebaser import Plan, Rebased, Rebaser
+from rosml.containerize.rebase.trial import Pair
+from rosml.images.matrix import source, validate
+from rosml.images.matrix.model import Facts
+from rosml.images.matrix.names import DATED, dated
+from rosml.images.records import tag_moves
+from rosml.images.records.store import Records
+from rosml.images.records.tag_moves import Move
+from rosml.registry import references
+from rosml.registry.documents import TAG
+from rosml.registry.place import Place
+
+REFERENCE = r"^[^\s@*?\[]+(:[A-Za-z0-9_.*?\[\]-]+)?$"
+MEANING = {REFERENCE: "an app with its registry, such as ghcr.io/me/robot:latest; its tag may be a pattern, such as v*"}
+
+MANY = 10_000
+"""Most apps of a file, after its patterns were replaced."""
+
+_OURS = "sha256-"
+"""The beginning of tags that are no app's: lists of what is attached to an image."""
+
+State = Literal["moved", "there", "refused", "failed"]
+
+
+class Entry(Facts):
+    """One app, or those whose tags match a pattern."""
+
+    app: Annotated[str, Field(pattern=REFERENCE, max_length=500)] = Field(description="the app, or a pattern of its tags")
+    base: Annotated[str, Field(max_length=500)] = Field(
+        default="", description="the new base image; the app's own, where its tag is now, if left out"
+    )
+    check: Literal["auto", "metadata", "link", "run"] = Field(default="auto", description="as for rosml rebase")
+    command: Annotated[str, Field(max_length=4000)] = Field(default="", description="for check: run")
+
+
+class Apps(Facts):
+    """The file."""
+
+    apps: Annotated[tuple[Entry, ...], Field(min_length=1)] = Field(description="apps that follow their base images")
+
+
+@dataclass
+class Outcome:
+    """What became of an app.
+
+    Attributes:
+        app: its complete reference.
+        state: `moved`, `there` if it was on the newest base image already, `refused` by the checks, or `failed`.
+        reason: why it was refused or failed.
+        remedy: what to do about it.
+        rebased: the result, if it moved or was there.
+    """
+
+    app: str
+    state: State
+    reason: str = ""
+    remedy: str = ""
+    rebased: Rebased | None = None
+
+    def to_json(self) -> dict[str, Any]:
+        """For `--json`."""
+        return {name: value for name, value in asdict(self).items() if value}
+
+
+def read(file: Path) -> tuple[Entry, ...]:
+    """The apps of a file.
+
+    Raises:
+        RosmlError: the file is missing or unreadable (exit code 2).
+        InputError: with every problem of the file.
+    """
+    document = source.read(file, "--all")
+    found = validate.checked(document, Apps, MEANING)
+    for number, entry in enumerate(found.apps):
+        if bool(entry.command) != (entry.check == "run"):
+            problem = document.problem(("apps", number), "check: run and command belong together")
+            raise RosmlError(f"{document.name}: {problem}", "give both, or neither", exit_code=2)
+    return found.apps
+
+
+@dataclass
+class Fleet:
+    """A run over many apps.
+
+    Attributes:
+        rebaser: plans and moves each.
+        date: of the run.
+        link: links an app in the builder; raises if it lacks something.
+        start: starts a command in an app; raises if it fails.
+        with_sbom: attach SBOMs.
+        say: prints a line for people.
+    """
+
+    rebaser: Rebaser
+    date: str
+    link: Callable[[Rebased, dict[str, Pair]], None]
+    start: Callable[[Rebased, dict[str, Pair], str], None]
+    with_sbom: bool = True
+    say: Callable[[str], None] = lambda _: None
+    _building: threading.Lock = field(default_factory=threading.Lock)
+
+    def run(self, entries: Iterable[Entry]) -> list[Outcome]:
+        """Moves all apps. An app on another one of them waits for that one.
+
+        Raises:
+            RosmlError: a pattern matches nothing (exit code 2); a registry does not list its tags, or refuses the record.
+        """
+        wanted = {name: entry for entry in entries for name in self._named(entry)}
+        if len(wanted) > MANY:
+            raise RosmlError(f"{len(wanted):,} apps match, and at most {MANY:,} move in a run", "name fewer", exit_code=2)
+        found: dict[str, Outcome] = {}
+        for names in self._levels([*wanted]):
+            planned = side_by_side(lambda name: self._plan(name, wanted[name]), names, title="plan")
+            ready = [item for item in planned if isinstance(item, _Ready)]
+            pushed = side_by_side(self._push, ready, title="push")
+            self._record([item for item in pushed if isinstance(item, _Ready)])
+            done = side_by_side(self._move, (item for item in pushed if isinstance(item, _Ready)), title="move")
+            for outcome in chain(planned, pushed, done):
+                if isinstance(outcome, Outcome):
+                    found[outcome.app] = outcome
+        return [found[name] for name in wanted]
+
+    def _named(self, entry: Entry) -> list[str]:
+        """The complete references of an entry.
+
+        Raises:
+            RosmlError: a pattern matches nothing (exit code 2), or the registry does not answer or refuses.
+        """
+        name, _, tag = entry.app.rpartition(":")
+        if not name or "/" in tag:
+            name, tag = entry.app, "latest"
+        if not any(character in tag for character in "*?["):
+            return [str(self.rebaser.where(f"{name}:{tag}"))]
+        place = self.rebaser.where(f"{name}:x")
+        known = self.rebaser.registries(place.host).tags(place.repository)
+        tags = [item for item in known if not DATED.search(item) and not item.startswith(_OURS)]
+        matching = [item for item in tags if fnmatchcase(item, tag)]
+        if not matching:
+            near = unknown("tag", tag, tags).partition("; ")[2] or "the repository has no tags"
+            raise RosmlError(f"no tag of {name} matches {tag}", near, exit_code=2)
+        return [str(place._replace(reference=item)) for item in matching]
+
+    def _levels(self, names: Sequence[str]) -> Iterator[list[str]]:
+        """The apps in the order in which they can move: those on other ones of them come later."""
+        below = dict(zip(names, side_by_side(self._below, names, title="read"), strict=True))
+        left = [*names]
+        while left:
+            ready = [name for name in left if below[name] not in left or below[name] == name]
+            ready = ready or left  # they name each other: each stands for itself
+            yield ready
+            left = [name for name in left if name not in ready]
+
+    def _below(self, name: str) -> str:
+        """The image below an app, by its name; empty if it cannot be read, which its plan will say."""
+        try:
+            sources = self.rebaser.read(name)
+        except RosmlError:
+            return ""
+        return next((source.labels.get(BASE_NAME, "") for source in sources.values()), "")
+
+    def _plan(self, name: str, entry: Entry) -> _Ready | Outcome:
+        try:
+            plan = self.rebaser.plan(name, entry.base)
+            if plan.there == plan.digest:
+                return Outcome(name, "there")
+            return _Ready(name, entry, plan, self._moves(plan))
+        except RosmlError as error:
+            return Outcome(name, "refused" if error.exit_code == 2 else "failed", error.message, error.remedy)
+
+    def _moves(self, plan: Plan) -> list[Move]:
+        """The moves of an app's tags, in their order: the dated one first."""
+        host, repository, tag = plan.target
+        registry = self.rebaser.registries(host)
+        name = repository.rpartition("/")[2]
+        day = dated(tag, self.date)
+        found = []
+        for candidate in chain([day], (f"{day}.{number}" for number in count(2))):  # the second tag of a day ends in .2
+            there = registry.head(repository, candidate)
+            if not there:
+                found.append(Move(name, candidate, "", plan.digest))
+            if there in ("", plan.digest):
+                break
+        return [*found, Move(name, tag, plan.there, plan.digest)]
+
+    def _push(self, ready: _Ready) -> _Ready | Outcome:
+        """Pushes an app by its digest, and tries it in the builder."""
+        try:
+            ready.rebased = self.rebaser.push(ready.plan, self.with_sbom)
+            pairs, check = self.rebaser.pairs(ready.plan), ready.entry.check
+            undecided = check == "auto" and ready.plan.judgement.verdict is Verdict.LINK
+            if check in ("link", "run") or undecided:
+                with self._building:
+                    self.link(ready.rebased, pairs)
+                    ready.rebased.linked = True
+                    if check == "run":
+                        self.start(ready.rebased, pairs, ready.entry.command)
+        except RosmlError as error:
+            return Outcome(ready.name, "refused" if error.exit_code == 2 else "failed", error.message, error.remedy)
+        return ready
+
+    def _record(self, ready: Sequence[_Ready]) -> None:
+        """Records where tags were, beside the apps."""
+        by_place: defaultdict[tuple[str, str], list[Move]] = defaultdict(list)
+        for item in ready:
+            by_place[item.plan.target.host, item.plan.target.repository.rpartition("/")[0]] += item.moves
+        for (host, prefix), moves in by_place.items():
+            if prefix:
+                tag_moves.record(Records(Place(self.rebaser.registries(host), prefix)), self.date, moves)
+            else:
+                self.say(f"{host}: apps without a folder have no record, and rosml publish undo does not move them back")
+
+    def _move(self, ready: _Ready) -> Outcome:
+        assert ready.rebased
+        try:
+            self.rebaser.move(ready.plan, ready.rebased, [move.tag for move in ready.moves[:-1]])
+        except RosmlError as error:
+            return Outcome(ready.name, "failed", error.message, error.remedy, ready.rebased)
+        return Outcome(ready.name, "moved", rebased=ready.rebased)
+
+
+@dataclass
+class _Ready:
+    """An app that may move."""
+
+    name: str
+    entry: Entry
+    plan: Plan
+    moves: list[Move]
+    rebased: Rebased | None = None

@@ -1,0 +1,126 @@
+"""Many apps on newer base images, in a registry in this process; and the way back."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import pytest
+from test_rebase import BASE_FACTS, BOTH, OTHER_BUILD, OWN, App, Place, changed, package, place  # noqa: F401
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import InputError
+from rosml.containerize.rebase import fleet
+from rosml.containerize.rebase.fleet import Entry, Fleet, Outcome
+from rosml.containerize.rebase.rebaser import Rebaser
+from rosml.images.publish import undo
+from rosml.images.records.store import Records
+from rosml.registry import place as places
+from rosml.registry.client import Registries
+
+DATE = "2026-11-27T03:00:00Z"
+
+
+def run(place: Place, *entries: Entry, date: str = DATE, linked: list[str] | None = None, refuses: str = "") -> dict[str, Outcome]:
+    """Runs a fleet; the builder notes what it links, and refuses one app."""
+
+    def link(found: Any, _pairs: Any) -> None:
+        (linked if linked is not None else []).append(found.app)
+        if refuses and refuses in found.app:
+            raise RosmlError("the app does not find libgone.so", "build it again", exit_code=2)
+
+    with Registries() as registries, Rebaser(place.services, registries, place.said.append) as rebaser:
+        one = Fleet(rebaser, date, link, lambda *_: None, say=place.said.append)
+        found = one.run(entries)
+    return {outcome.app.rpartition("/")[2]: outcome for outcome in found}
+
+
+def test_a_night(place: Place) -> None:  # noqa: F811
+    old = place.base()
+    names = {name: App(old, name=name).put(place.registry, "latest") for name in ("arm", "camera", "odd")}
+    upper = App(names["arm"], {**OWN, "files": ["x"], "packages": [], "libraries": []}, name="upper")
+    two = App(old, name="lower").put(place.registry, "latest", index=True)
+    upper = App(two, {**OWN, "files": ["x"], "packages": [], "libraries": []}, name="upper").put(place.registry, "latest")
+    before = {name: place.digest(reference) for name, reference in names.items()}
+    odd = changed(OWN, packages=[package("python3-angles", "1.16", depends="python3 (<< 3.11.2-2)", files=[])])
+    App(old, odd, name="odd").put(place.registry, "latest")
+    before["odd"] = place.digest(names["odd"])
+    place.base(said=changed(BASE_FACTS, packages=[package("python3", "3.11.2-5")]), files=("usr/bin/env", "bin", "usr/bin/new"))
+
+    entries = [Entry(app=item) for item in (upper, two, *names.values())]
+    found = run(place, *entries)
+    assert {name: outcome.state for name, outcome in found.items()} == {
+        "upper:latest": "moved",
+        "lower:latest": "moved",
+        "arm:latest": "moved",
+        "camera:latest": "moved",
+        "odd:latest": "refused",
+    }
+    assert "python3-angles needs python3 (<< 3.11.2-2)" in found["odd:latest"].reason
+    assert place.digest(names["odd"]) == before["odd"]
+    lower, on_it = found["lower:latest"].rebased, found["upper:latest"].rebased
+    assert lower and on_it and on_it.base_digest == lower.digest, "the app on another one came after it"
+    for name in ("arm", "camera"):
+        moved = place.digest(names[name])
+        assert moved != before[name] and place.registry.head(f"me/{name}", "latest-20261127") == moved
+    assert {outcome.state for name, outcome in run(place, *entries).items() if name != "odd:latest"} == {"there"}
+
+    records = Records(places.Place(place.registry, "me"))
+    undo.undo(records, DATE)
+    for name in ("arm", "camera"):
+        assert place.digest(names[name]) == before[name], "and back"
+        assert not place.registry.head(f"me/{name}", "latest-20261127")
+
+
+def test_libraries_that_need_a_link(place: Place) -> None:  # noqa: F811
+    old = place.base()
+    names = [App(old, name=name).put(place.registry, "latest") for name in ("arm", "camera")]
+    before = [place.digest(name) for name in names]
+    others = [item for item in BASE_FACTS["libraries"] if item["path"] != OTHER_BUILD["path"]]
+    place.base(said=changed(BASE_FACTS, libraries=[*others, OTHER_BUILD]), files=("usr/bin/env", "bin", "usr/bin/new"))
+    linked: list[str] = []
+    found = run(place, *(Entry(app=name) for name in names), linked=linked, refuses="camera")
+    assert sorted(linked) == sorted(names)
+    assert [outcome.state for outcome in found.values()] == ["moved", "refused"]
+    assert place.digest(names[1]) == before[1] and "libgone.so" in found["camera:latest"].reason
+    assert not place.registry.head("me/camera", "latest-20261127"), "no tag of it moved"
+
+
+def test_tags_by_a_pattern(place: Place) -> None:  # noqa: F811
+    old = place.base()
+    for tag in ("v1", "v2", "next", "v1-20261120"):
+        App(old).put(place.registry, tag)
+    place.base(files=("usr/bin/env", "bin", "usr/bin/new"))
+    found = run(place, Entry(app=f"{place.server.address}/me/robot:v*"))
+    assert sorted(found) == ["robot:v1", "robot:v2"], "neither another name, nor a dated tag, nor a list of attached things"
+    with pytest.raises(RosmlError, match="no tag of .* matches w\\*") as caught:
+        run(place, Entry(app=f"{place.server.address}/me/robot:w*"))
+    assert caught.value.exit_code == 2
+
+
+def test_an_app_that_is_gone_does_not_stop_the_others(place: Place) -> None:  # noqa: F811
+    old = place.base()
+    app = App(old).put(place.registry, "latest")
+    place.base(files=("usr/bin/env", "bin", "usr/bin/new"))
+    found = run(place, Entry(app=f"{place.server.address}/me/none:latest"), Entry(app=app))
+    assert [outcome.state for outcome in found.values()] == ["refused", "moved"]
+
+
+@pytest.mark.parametrize(
+    ("content", "says"),
+    [
+        ({"apps": []}, "apps"),
+        ({"apps": [{"app": "a b"}]}, "an app with its registry"),
+        ({"apps": [{"app": "a/b:c", "bases": "x"}]}, "bases"),
+        ({"apps": [{"app": "a/b:c", "check": "maybe"}]}, "check"),
+        ({"apps": [{"app": "a/b:c", "check": "run"}]}, "belong together"),
+        ({"app": []}, "app"),
+    ],
+)
+def test_a_wrong_file_is_refused(tmp_path: Path, content: Mapping[str, Any], says: str) -> None:
+    (tmp_path / "apps.yaml").write_text(json.dumps(content))
+    with pytest.raises((InputError, RosmlError)) as caught:
+        fleet.read(tmp_path / "apps.yaml")
+    assert says in str(caught.value) and caught.value.exit_code == 2
