@@ -69,7 +69,14 @@ def test_a_module_that_never_ends(script: ModuleType, tmp_path: Path, monkeypatc
 
 @pytest.mark.parametrize(
     "content",
-    [b"text\n", b"{}\n", b"[1]\n", b'"a"\n' + b"\xff\n", os.urandom(64), b"".join(b'"%d"\n' % n for n in range(10_001))],
+    [
+        b"text\n",
+        b"{}\n",
+        b"[1]\n",
+        b'"a"\n' + b"\xff\n",
+        os.urandom(64),
+        b"".join(b'"%d"\n' % n for n in range(10_001)),
+    ],
 )
 def test_what_is_no_list_of_lines_is_refused(content: bytes) -> None:
     with pytest.raises(RosmlError, match="left something else than its lines"):

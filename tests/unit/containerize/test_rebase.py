@@ -2,249 +2,42 @@
 
 from __future__ import annotations
 
-import gzip
-import json
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
-from registry_stand_in import StandIn, standing_in
+from rebasing import (
+    BASE_FACTS,
+    BOTH,
+    LIBC,
+    OTHER_BUILD,
+    OWN,
+    PYTHON,
+    ROSCPP,
+    App,
+    Place,
+    attach,
+    changed,
+    library,
+    moving,
+    package,
+)
 
 from rosml.base.errors import RosmlError
-from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME, LOCK, REPLACED
-from rosml.containerize.lock import Image, Lock
-from rosml.containerize.rebase import image
-from rosml.containerize.rebase.rebaser import Plan, Rebased, Rebaser
-from rosml.images.image_set.labels import APP, REVISION, TITLE
+from rosml.containerize.app_bake_file import LOCK, REPLACED
 from rosml.images.join import facts, file_lists
 from rosml.images.scan import sbom
-from rosml.machine.services import Services
-from rosml.registry import failures, oci, references
-from rosml.registry.client import Registries, Registry
-from tests.e2e.parts import archive, ros
-
-BOTH = ("linux/amd64", "linux/arm64")
-WHEN = "2026-11-20T10:00:00Z"
-X86 = [2, 1, 62]
-
-
-def library(path: str, symbols: Sequence[str] = (), needed: Sequence[str] = (), **more: Any) -> dict[str, Any]:
-    """A library or program as facts have it."""
-    groups = sorted({facts.hashed(name) for name in symbols})
-    own = {"soname": path.rpartition("/")[2] if ".so" in path else "", "id": "0" * 40, "names": [], "machine": X86}
-    return {"path": path, **own, "needed": list(needed), "symbols": "".join(groups), "uses": [], **more}
-
-
-def package(name: str, version: str = "1.0", **more: Any) -> dict[str, Any]:
-    said = {"architecture": "amd64", "provides": "", "depends": "", "conflicts": ""}
-    return {"name": name, "version": version, **said, **more}
-
-
-LIBC = library("usr/lib/libc.so.6", ("printf",))
-ROSCPP = library("opt/ros/lib/librclcpp.so", ("spin", "shutdown"), ["libc.so.6"])
-PYTHON = library("usr/bin/python3.11", ("PyObject_Call",), soname="")
-BASE_FACTS: dict[str, Any] = {"packages": [package("python3", "3.11.2-1")], "libraries": [LIBC, ROSCPP, PYTHON]}
-OWN: dict[str, Any] = {
-    "packages": [package("python3-angles", "1.16", depends="python3 (<< 3.12)", files=["usr/lib/python3/angles.py"])],
-    "libraries": [
-        library("docker-ros/ws/install/lib/node", needed=["librclcpp.so"], uses=["printf", "spin"]),
-        library("docker-ros/ws/install/lib/ext.so", needed=["libc.so.6"], uses=["PyObject_Call", "printf"]),
-    ],
-    "files": ["docker-ros/ws/install/setup.bash", "docker-ros/ws/install/lib/node", "docker-ros/ws/install/lib/ext.so"],
-}
-
-
-@dataclass
-class App:
-    """An app as BuildKit joins it.
-
-    Attributes:
-        base: its base image. facts: of its layer; None for none. labels, environment: beside the usual ones.
-        history: the instructions after the layer.
-    """
-
-    base: str
-    facts: Mapping[str, Any] | None = field(default_factory=lambda: OWN)
-    labels: Mapping[str, str] = field(default_factory=dict)
-    target: str = "run"
-    name: str = "robot"
-
-    def put(self, registry: Registry, tag: str, platforms: Sequence[str] = BOTH[:1], index: bool = False) -> str:
-        """Puts it under a tag of `me/robot`; gives its reference."""
-        where = references.parse(self.base)
-        found = registry.manifest(where.repository, where.reference)
-        assert found
-        by_platform = {f"linux/{entry.platform.architecture}": entry for entry in found.members if entry.platform}
-        made = [self._image(registry, where.repository, found.digest, by_platform[name].digest) for name in platforms]
-        if not index and len(platforms) == 1:
-            registry.put_manifest(f"me/{self.name}", tag, made[0])
-        else:
-            places = [{"architecture": name.partition("/")[2], "os": "linux"} for name in platforms]
-            entries = [
-                {**oci.descriptor(oci.IMAGE, manifest), "platform": place}
-                for manifest, place in zip(made, places, strict=True)
-            ]
-            content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries}
-            registry.put_manifest(f"me/{self.name}", tag, image.as_buildkit(content, indent=2), oci.INDEX)
-        return f"{registry.host}/me/{self.name}:{tag}"
-
-    def _image(self, registry: Registry, repository: str, index: str, digest: str) -> bytes:
-        base = registry.manifest(repository, digest)
-        assert base and base.config
-        known = registry.json_blob(repository, base.config.digest)
-        layer = archive(["docker-ros/ws/install/lib/node"], self.name)
-        for blob in base.content["layers"]:
-            registry.put_blob(f"me/{self.name}", registry.blob(repository, blob["digest"]))
-        registry.put_blob(f"me/{self.name}", layer)
-        lock = Lock(base_image=Image(name=self.base, digest=index)).line()
-        own = {TITLE: self.name, BASE_NAME: self.base, BASE_DIGEST: index, REVISION: "", APP: self.target, LOCK: lock}
-        said = {**known["config"]["Labels"], **own, **self.labels}
-        values = dict(entry.partition("=")[::2] for entry in known["config"]["Env"])
-        values |= {"WORKSPACE": "/docker-ros/ws", "DEFAULT_CMD": "a <b> & c"}
-        lines = ["COPY / / # buildkit", "ARG APP_WORKSPACE=/docker-ros/ws", "ENV WORKSPACE=/docker-ros/ws"]
-        lines += ["ARG APP_DEFAULT_CMD=a <b> & c", "ENV DEFAULT_CMD=a <b> & c", 'CMD ["bash"]']
-        history = [{"created": WHEN, "created_by": line, "comment": "buildkit.dockerfile.v0",
-                    **({} if line.startswith("COPY") else {"empty_layer": True})} for line in lines]  # fmt: skip
-        config = {
-            "architecture": known["architecture"],
-            "config": {
-                "Env": [f"{name}={value}" for name, value in values.items()],
-                "Entrypoint": known["config"]["Entrypoint"],
-                "Cmd": ["bash", "-c", 'exec bash -c "$DEFAULT_CMD"'],
-                "Labels": dict(sorted(said.items())),
-                "ArgsEscaped": True,
-            },
-            "created": WHEN,
-            "history": [*known["history"], *history],
-            "os": "linux",
-            "rootfs": {
-                "type": "layers",
-                "diff_ids": [*known["rootfs"]["diff_ids"], oci.digest_of(gzip.decompress(layer))],
-            },
-        }
-        text = image.as_buildkit(config)
-        registry.put_blob(f"me/{self.name}", text)
-        content = {
-            "schemaVersion": 2,
-            "mediaType": oci.IMAGE,
-            "config": oci.descriptor(oci.CONFIG, text),
-            "layers": [
-                *map(_ordered, base.content["layers"]),
-                oci.descriptor("application/vnd.oci.image.layer.v1.tar+gzip", layer),
-            ],
-        }
-        manifest = image.as_buildkit(content, indent=2)
-        registry.put_manifest(f"me/{self.name}", "", manifest)
-        if self.facts is not None:
-            attach(registry, f"me/{self.name}", oci.descriptor(oci.IMAGE, manifest), self.facts)
-        return manifest
-
-
-def _ordered(layer: Mapping[str, Any]) -> dict[str, Any]:
-    """A descriptor in BuildKit's order."""
-    return {name: layer[name] for name in ("mediaType", "digest", "size")}
-
-
-def attach(registry: Registry, repository: str, subject: Mapping[str, Any], said: Mapping[str, Any]) -> None:
-    data = gzip.compress(json.dumps(said).encode(), mtime=0)
-    registry.attach(repository, subject, facts.ARTIFACT, data, facts.MEDIA_TYPE)
-
-
-class Place:
-    """A registry, and who moves apps in it."""
-
-    def __init__(self, server: StandIn, folder: Path) -> None:
-        self.server, self.said = server, list[str]()
-        self.registry = Registry(server.address)
-        self.services = replace(Services.load(folder, required=False), registry=server.address)
-
-    def base(
-        self,
-        tag: str = "core",
-        said: Mapping[str, Any] | None = BASE_FACTS,
-        platforms: Sequence[str] = BOTH,
-        **more: Any,
-    ) -> str:
-        made = ros(salt=tag, **more)
-        reference = made.put(self.registry, "rosml/ros", tag, platforms)
-        found = self.registry.manifest("rosml/ros", tag)
-        assert found
-        for entry in found.members if said is not None else ():
-            subject = {"mediaType": entry.mediaType, "digest": entry.digest, "size": entry.size}
-            attach(self.registry, "rosml/ros", subject, said or {})
-        return reference
-
-    def app(self, base: str, tag: str = "latest", **more: Any) -> str:
-        platforms = more.pop("platforms", BOTH[:1])
-        return App(base, **more).put(self.registry, tag, platforms)
-
-    def plan(
-        self, app: str, base: str, tag: str = "", platforms: Sequence[str] = (), registry: Registry | None = None
-    ) -> tuple[Rebaser, Plan]:
-        clients: Callable[[str], Registry] = (lambda _: registry) if registry else Registries()
-        rebaser = Rebaser(self.services, clients, self.said.append)
-        return rebaser, rebaser.plan(app, base, tag, platforms)
-
-    def rebase(self, app: str, base: str, tag: str = "", platforms: Sequence[str] = (), **more: Any) -> Rebased:
-        rebaser, plan = self.plan(app, base, tag, platforms)
-        with rebaser:
-            found = rebaser.push(plan, **more)
-            rebaser.move(plan, found)
-        return found
-
-    def refused(self, *arguments: Any, code: int = 2) -> str:
-        """The message with which a move is refused; no manifest was written."""
-        before = self._content()
-        with pytest.raises(RosmlError) as caught:
-            self.rebase(*arguments)
-        assert caught.value.exit_code == code and caught.value.remedy
-        assert self._content() == before, "nothing was written"
-        return caught.value.message
-
-    def _content(self) -> tuple[set[tuple[str, str]], dict[str, dict[str, str]]]:
-        return {*self.server.manifests}, {name: dict(tags) for name, tags in self.server.tags.items() if tags}
-
-    def layers(self, reference: str) -> list[dict[str, Any]]:
-        where = references.parse(reference)
-        found = self.registry.manifest(where.repository, where.reference)
-        if found and found.is_index:
-            found = self.registry.manifest(where.repository, found.members[0].digest)
-        assert found
-        layers: list[dict[str, Any]] = found.content["layers"]
-        return layers
-
-    def sbom(self, repository: str, reference: str, packages: Sequence[str]) -> None:
-        """Attaches an SBOM to an image for one platform, or to the first of an index."""
-        found = self.registry.manifest(repository, references.parse(reference).reference)
-        assert found
-        if found.is_index:
-            found = self.registry.manifest(repository, found.members[0].digest)
-            assert found
-        components = [
-            {"bom-ref": item, "type": "library", "name": name, "version": version, "purl": f"pkg:deb/debian/{item}"}
-            for item in packages
-            for name, _, version in (item.partition("@"),)
-        ]
-        about = {"component": {"name": f"x@{found.digest}"}}
-        data = oci.encoded({"bomFormat": "CycloneDX", "metadata": about, "components": components})
-        self.registry.attach(repository, found.descriptor, sbom.MEDIA_TYPE, data, sbom.MEDIA_TYPE, sbom.FORMAT)
-
-    def digest(self, reference: str) -> str:
-        where = references.parse(reference)
-        return self.registry.head(where.repository, where.reference)
+from rosml.registry import oci
+from rosml.registry.client import Registry
+from tests.e2e.parts import ros
 
 
 @pytest.fixture
 def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
-    monkeypatch.setattr(failures, "WAIT", 0.001)
-    monkeypatch.setattr(failures, "LONGEST_WAIT", 0.01)
-    monkeypatch.setenv("DOCKER_CONFIG", str(tmp_path / "docker"))
-    with standing_in() as server:
-        found = Place(server, tmp_path)
+    with moving(tmp_path, monkeypatch) as found:
         yield found
-        found.registry.close()
 
 
 # ---- What comes of it ------------------------------------------------------------------------------------------------
@@ -333,12 +126,7 @@ def test_one_platform_of_two(place: Place) -> None:
 # ---- What is refused -------------------------------------------------------------------------------------------------
 
 
-def changed(said: Mapping[str, Any], **more: Any) -> dict[str, Any]:
-    return {**said, **more}
-
-
 WITHOUT_SPIN = library("opt/ros/lib/librclcpp.so", ("shutdown",), ["libc.so.6"], id="1" * 40)
-OTHER_BUILD = library("opt/ros/lib/librclcpp.so", ("spin", "shutdown", "more"), ["libc.so.6"], id="1" * 40)
 
 
 @pytest.mark.parametrize(

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from test_rebase import BASE_FACTS, BOTH, OTHER_BUILD, OWN, App, Place, changed, package, place  # noqa: F401
+from rebasing import BASE_FACTS, OTHER_BUILD, OWN, App, Place, changed, moving, package
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
@@ -20,10 +20,19 @@ from rosml.images.records.store import Records
 from rosml.registry import place as places
 from rosml.registry.client import Registries
 
+
+@pytest.fixture
+def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
+    with moving(tmp_path, monkeypatch) as found:
+        yield found
+
+
 DATE = "2026-11-27T03:00:00Z"
 
 
-def run(place: Place, *entries: Entry, date: str = DATE, linked: list[str] | None = None, refuses: str = "") -> dict[str, Outcome]:
+def run(
+    place: Place, *entries: Entry, date: str = DATE, linked: list[str] | None = None, refuses: str = ""
+) -> dict[str, Outcome]:
     """Runs a fleet; the builder notes what it links, and refuses one app."""
 
     def link(found: Any, _pairs: Any) -> None:
@@ -37,17 +46,20 @@ def run(place: Place, *entries: Entry, date: str = DATE, linked: list[str] | Non
     return {outcome.app.rpartition("/")[2]: outcome for outcome in found}
 
 
-def test_a_night(place: Place) -> None:  # noqa: F811
+def test_a_night(place: Place) -> None:
     old = place.base()
     names = {name: App(old, name=name).put(place.registry, "latest") for name in ("arm", "camera", "odd")}
-    upper = App(names["arm"], {**OWN, "files": ["x"], "packages": [], "libraries": []}, name="upper")
     two = App(old, name="lower").put(place.registry, "latest", index=True)
-    upper = App(two, {**OWN, "files": ["x"], "packages": [], "libraries": []}, name="upper").put(place.registry, "latest")
+    upper = App(two, {**OWN, "files": ["x"], "packages": [], "libraries": []}, name="upper").put(
+        place.registry, "latest"
+    )
     before = {name: place.digest(reference) for name, reference in names.items()}
     odd = changed(OWN, packages=[package("python3-angles", "1.16", depends="python3 (<< 3.11.2-2)", files=[])])
     App(old, odd, name="odd").put(place.registry, "latest")
     before["odd"] = place.digest(names["odd"])
-    place.base(said=changed(BASE_FACTS, packages=[package("python3", "3.11.2-5")]), files=("usr/bin/env", "bin", "usr/bin/new"))
+    place.base(
+        said=changed(BASE_FACTS, packages=[package("python3", "3.11.2-5")]), files=("usr/bin/env", "bin", "usr/bin/new")
+    )
 
     entries = [Entry(app=item) for item in (upper, two, *names.values())]
     found = run(place, *entries)
@@ -74,7 +86,7 @@ def test_a_night(place: Place) -> None:  # noqa: F811
         assert not place.registry.head(f"me/{name}", "latest-20261127")
 
 
-def test_libraries_that_need_a_link(place: Place) -> None:  # noqa: F811
+def test_libraries_that_need_a_link(place: Place) -> None:
     old = place.base()
     names = [App(old, name=name).put(place.registry, "latest") for name in ("arm", "camera")]
     before = [place.digest(name) for name in names]
@@ -88,19 +100,21 @@ def test_libraries_that_need_a_link(place: Place) -> None:  # noqa: F811
     assert not place.registry.head("me/camera", "latest-20261127"), "no tag of it moved"
 
 
-def test_tags_by_a_pattern(place: Place) -> None:  # noqa: F811
+def test_tags_by_a_pattern(place: Place) -> None:
     old = place.base()
     for tag in ("v1", "v2", "next", "v1-20261120"):
         App(old).put(place.registry, tag)
     place.base(files=("usr/bin/env", "bin", "usr/bin/new"))
     found = run(place, Entry(app=f"{place.server.address}/me/robot:v*"))
-    assert sorted(found) == ["robot:v1", "robot:v2"], "neither another name, nor a dated tag, nor a list of attached things"
-    with pytest.raises(RosmlError, match="no tag of .* matches w\\*") as caught:
+    assert sorted(found) == ["robot:v1", "robot:v2"], (
+        "neither another name, nor a dated tag, nor a list of attached things"
+    )
+    with pytest.raises(RosmlError, match=r"no tag of .* matches w\*") as caught:
         run(place, Entry(app=f"{place.server.address}/me/robot:w*"))
     assert caught.value.exit_code == 2
 
 
-def test_an_app_that_is_gone_does_not_stop_the_others(place: Place) -> None:  # noqa: F811
+def test_an_app_that_is_gone_does_not_stop_the_others(place: Place) -> None:
     old = place.base()
     app = App(old).put(place.registry, "latest")
     place.base(files=("usr/bin/env", "bin", "usr/bin/new"))
@@ -119,7 +133,7 @@ def test_an_app_that_is_gone_does_not_stop_the_others(place: Place) -> None:  # 
         ({"app": []}, "app"),
     ],
 )
-def test_a_wrong_file_is_refused(tmp_path: Path, content: Mapping[str, Any], says: str) -> None:
+def test_a_wrong_file_is_refused(tmp_path: Path, content: dict[str, Any], says: str) -> None:
     (tmp_path / "apps.yaml").write_text(json.dumps(content))
     with pytest.raises((InputError, RosmlError)) as caught:
         fleet.read(tmp_path / "apps.yaml")

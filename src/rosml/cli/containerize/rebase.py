@@ -1,8 +1,10 @@
-"""`rosml rebase`: puts an app on another base image in a registry. It needs no Docker, no builder and no sources, and pulls no layer."""
+"""`rosml rebase`: puts apps on other base images in a registry. It needs no Docker, no builder and no sources, and pulls no layer."""
 
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -15,7 +17,9 @@ from rosml.cli.checkout import Command
 from rosml.cli.command import say
 
 if TYPE_CHECKING:
-    from rosml.containerize.rebase.rebaser import Rebased
+    from rosml.containerize.rebase.fleet import Outcome
+    from rosml.containerize.rebase.rebaser import Rebased, Rebaser
+    from rosml.containerize.rebase.trial import Pair
     from rosml.machine.services import Services
 
 KEPT = "interrupted: the old tag stands; the next call finds again what was pushed"
@@ -25,13 +29,20 @@ KEPT = "interrupted: the old tag stands; the next call finds again what was push
 @click.command(
     "rebase", short_help="Puts an app on another base image, without a build.", cls=Command, alone=True, kept=KEPT
 )
-@click.argument("app")
+@click.argument("app", required=False, default="")
 @click.option(
     "--base", default="", metavar="REFERENCE", help="the new base image [the app's own, where its tag is now]"
 )
 @click.option("--tag", default="", metavar="REFERENCE", help="the tag to move, in full [the app's own]")
 @click.option(
     "--platform", "platforms", multiple=True, metavar="PLATFORM", help="only this one, such as linux/arm64; repeatable"
+)
+@click.option(
+    "--all",
+    "apps",
+    metavar="FILE",
+    type=click.Path(path_type=Path),
+    help="all apps that a file apps.yaml names, instead of APP",
 )
 @click.option(
     "--check",
@@ -48,6 +59,7 @@ def main(
     base: str,
     tag: str,
     platforms: tuple[str, ...],
+    apps: Path | None,
     check: str,
     command: str,
     no_sbom: bool,
@@ -57,7 +69,7 @@ def main(
     """Puts APP on another base image, such as tonight's, and moves its tag there.
 
     APP is a run or slim image of 'rosml containerize' in a registry. The result is the image that a build of the same packages on that
-    base image would give. Only a manifest and a config are pushed: nothing is built or pulled. The same command moves it back.
+    base image would give. Only a manifest and a config are pushed: nothing is built or pulled. With an older --base it moves back.
 
     Before it writes anything, it compares packages, files and libraries of the app and of both base images, and refuses what does not
     fit. If C++ libraries changed in a way that these facts do not decide, the builder links the app in the new image first.
@@ -66,38 +78,85 @@ def main(
     Examples:
       rosml rebase ghcr.io/me/robot:latest
       rosml rebase ghcr.io/me/robot:latest --base ghcr.io/us/ros-torch:jazzy-base-cu130 --tag ghcr.io/me/robot:torch
+      rosml rebase --all apps.yaml
     """
-    from rosml.containerize.rebase import checks
     from rosml.containerize.rebase.rebaser import Rebaser
-    from rosml.containerize.rebase.trial import Trial
     from rosml.machine.services import Services
     from rosml.registry.client import Registries
 
     if bool(command) != (check == "run"):
         raise RosmlError("--check run and --command belong together", "give both, or neither", exit_code=2)
+    one = {
+        "APP": app,
+        "--base": base,
+        "--tag": tag,
+        "--platform": platforms,
+        "--dry-run": dry_run,
+        "--command": command,
+    }
+    given = [name for name, value in one.items() if value]
+    if apps and given:
+        raise RosmlError(f"--all and {given[0]} exclude each other", "write what holds for an app into the file", 2)
+    if not apps and not app:
+        raise RosmlError("no app is named", "name one, or a file of them with --all apps.yaml", exit_code=2)
     services = Services.load(ROOT, required=False)
     with Registries(services.ca_bundle) as registries, Rebaser(services, registries, say) as rebaser:
+        if apps:
+            _fleet(rebaser, apps, with_sbom=not no_sbom, as_json=as_json)
+            return
         plan = rebaser.plan(app, base, tag, platforms)
-        for reason in plan.judgement.of(checks.Verdict.LINK):
+        for reason in plan.judgement.undecided:
             say(f"check by link: {reason}")
         if dry_run:
-            say(f"{checks.WORDS[plan.judgement.verdict]}; {plan.target} would point at {plan.digest}")
+            say(f"{plan.judgement.words}; {plan.target} would point at {plan.digest}")
             return
-        links = check in ("link", "run") or (check == "auto" and plan.judgement.verdict is checks.Verdict.LINK)
-        if links:
-            services = _builder()
+        links = check in ("link", "run") or (check == "auto" and bool(plan.judgement.undecided))
+        if links and plan.there != plan.digest:
+            _builder()
         found = rebaser.push(plan, with_sbom=not no_sbom)
-        if links:
-            trial = Trial(services, found.reference)
-            trial.link(rebaser.pairs(plan))
+        if links and plan.there != plan.digest:
+            _link(found, rebaser.pairs(plan))
             found.linked = True
             if command:
-                trial.run(rebaser.pairs(plan), command)
+                _start(found, rebaser.pairs(plan), command)
         rebaser.move(plan, found)
     if as_json:
         terminal.echo(json.dumps(found.to_json(), indent=2))
-        return
-    _print(found)
+    else:
+        _print(found)
+
+
+def _fleet(rebaser: Rebaser, file: Path, with_sbom: bool, as_json: bool) -> None:
+    """Moves the apps of a file.
+
+    Raises:
+        SystemExit: one was refused or failed (exit code 1).
+    """
+    from rosml.base.clock import now
+    from rosml.containerize.rebase import fleet
+
+    date = now()
+    found = fleet.Fleet(rebaser, date, _link, _start, with_sbom, say).run(fleet.read(file))
+    if as_json:
+        terminal.echo(json.dumps({"date": date, "apps": [item.to_json() for item in found]}, indent=2))
+    else:
+        _tell(found, date)
+    if any(item.state in ("refused", "failed") for item in found):
+        raise SystemExit(1)
+
+
+def _tell(found: Sequence[Outcome], date: str) -> None:
+    for item in found:
+        what = item.rebased.base if item.rebased else item.reason.partition("\n")[0]
+        terminal.echo(f"{item.state:<8} {item.app}  {what}".rstrip())
+        for line in item.reason.split("\n")[1:]:
+            terminal.echo(f"         {line}")
+        if item.remedy:
+            terminal.echo(f"         {item.remedy}")
+    counts = {state: sum(item.state == state for item in found) for state in ("moved", "there", "refused", "failed")}
+    terminal.echo(", ".join(f"{number} {state}" for state, number in counts.items() if number))
+    if counts["moved"]:
+        terminal.echo(f"back: rosml publish undo {date} --registry REGISTRY/FOLDER, with the folder of the apps")
 
 
 def _builder() -> Services:
@@ -115,6 +174,18 @@ def _builder() -> Services:
         remedy = f"{error.remedy}; or --check metadata, to move it without"
         raise RosmlError(f"the app has to be linked in the new image, and {error.message}", remedy) from None
     return services
+
+
+def _link(found: Rebased, pairs: dict[str, Pair]) -> None:
+    from rosml.containerize.rebase.trial import Trial
+
+    Trial(_builder(), found.reference).link(pairs)
+
+
+def _start(found: Rebased, pairs: dict[str, Pair], command: str) -> None:
+    from rosml.containerize.rebase.trial import Trial
+
+    Trial(_builder(), found.reference).run(pairs, command)
 
 
 def _print(found: Rebased) -> None:

@@ -68,6 +68,16 @@ class Judgement:
         """The reasons for one verdict."""
         return [reason for reason, found in self.reasons.items() if found is verdict]
 
+    @property
+    def undecided(self) -> list[str]:
+        """Why the app has to be linked before its tag moves; none if it is safe."""
+        return self.of(Verdict.LINK)
+
+    @property
+    def words(self) -> str:
+        """The verdict for people."""
+        return WORDS[self.verdict]
+
 
 def require_fit(app: Source, base: Source) -> None:
     """Checks that a base image is of the app's kind.

@@ -21,7 +21,6 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import unknown
 from rosml.base.side_by_side import side_by_side
 from rosml.containerize.app_bake_file import BASE_NAME
-from rosml.containerize.rebase.checks import Verdict
 from rosml.containerize.rebase.rebaser import Plan, Rebased, Rebaser
 from rosml.containerize.rebase.trial import Pair
 from rosml.images.matrix import source, validate
@@ -30,8 +29,6 @@ from rosml.images.matrix.names import DATED, dated
 from rosml.images.records import tag_moves
 from rosml.images.records.store import Records
 from rosml.images.records.tag_moves import Move
-from rosml.registry import references
-from rosml.registry.documents import TAG
 from rosml.registry.place import Place
 
 REFERENCE = r"^[^\s@*?\[]+(:[A-Za-z0-9_.*?\[\]-]+)?$"
@@ -49,7 +46,9 @@ State = Literal["moved", "there", "refused", "failed"]
 class Entry(Facts):
     """One app, or those whose tags match a pattern."""
 
-    app: Annotated[str, Field(pattern=REFERENCE, max_length=500)] = Field(description="the app, or a pattern of its tags")
+    app: Annotated[str, Field(pattern=REFERENCE, max_length=500)] = Field(
+        description="the app, or a pattern of its tags"
+    )
     base: Annotated[str, Field(max_length=500)] = Field(
         default="", description="the new base image; the app's own, where its tag is now, if left out"
     )
@@ -131,7 +130,9 @@ class Fleet:
         """
         wanted = {name: entry for entry in entries for name in self._named(entry)}
         if len(wanted) > MANY:
-            raise RosmlError(f"{len(wanted):,} apps match, and at most {MANY:,} move in a run", "name fewer", exit_code=2)
+            raise RosmlError(
+                f"{len(wanted):,} apps match, and at most {MANY:,} move in a run", "name fewer", exit_code=2
+            )
         found: dict[str, Outcome] = {}
         for names in self._levels([*wanted]):
             planned = side_by_side(lambda name: self._plan(name, wanted[name]), names, title="plan")
@@ -211,7 +212,7 @@ class Fleet:
         try:
             ready.rebased = self.rebaser.push(ready.plan, self.with_sbom)
             pairs, check = self.rebaser.pairs(ready.plan), ready.entry.check
-            undecided = check == "auto" and ready.plan.judgement.verdict is Verdict.LINK
+            undecided = check == "auto" and bool(ready.plan.judgement.undecided)
             if check in ("link", "run") or undecided:
                 with self._building:
                     self.link(ready.rebased, pairs)
@@ -231,7 +232,9 @@ class Fleet:
             if prefix:
                 tag_moves.record(Records(Place(self.rebaser.registries(host), prefix)), self.date, moves)
             else:
-                self.say(f"{host}: apps without a folder have no record, and rosml publish undo does not move them back")
+                self.say(
+                    f"{host}: apps without a folder have no record, and rosml publish undo does not move them back"
+                )
 
     def _move(self, ready: _Ready) -> Outcome:
         assert ready.rebased

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import contextlib
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
@@ -213,7 +213,7 @@ class Rebaser:
             base_digest=plan.base.digest,
             old_base=first.labels.get(BASE_NAME, ""),
             old_base_digest=first.labels.get(BASE_DIGEST, ""),
-            verdict=checks.WORDS[plan.judgement.verdict],
+            verdict=plan.judgement.words,
             reasons=[*plan.judgement.reasons],
         )
         host, repository, _ = plan.target
@@ -232,8 +232,11 @@ class Rebaser:
             for name, joined in plan.images.items()
         }
 
-    def move(self, plan: Plan, found: Rebased) -> None:
+    def move(self, plan: Plan, found: Rebased, before: Iterable[str] = ()) -> None:
         """Moves the tag, if it is still where it was. Registries cannot compare and write at once: in between is one request.
+
+        Args:
+            before: further tags of the same repository, which move first.
 
         Raises:
             RosmlError: the tag has moved since the plan, and stays; a registry does not answer or refuses.
@@ -248,38 +251,46 @@ class Rebaser:
             text = f"{plan.target} has moved since it was read, and stays: from {plan.there or 'nothing'} to {now or 'nothing'}"
             raise RosmlError(text, "somebody else moved it; if your app has to go there as well, run it again")
         kind = oci.INDEX if plan.is_index else oci.IMAGE
-        registry.put_manifest(*plan.target[1:], plan.document, kind)
-        found.uploaded += len(plan.document)
+        for tag in (*before, plan.target.reference):
+            registry.put_manifest(plan.target.repository, tag, plan.document, kind)
+            found.uploaded += len(plan.document)
         found.moved = True
         found.seconds += time.monotonic() - started
 
     # ---- Reading -----------------------------------------------------------------------------------------------------
 
+    def where(self, text: str) -> Reference:
+        """The place of an app, by any name that `rosml run` takes: of one without a registry, in the local registry if there is one.
+
+        Raises:
+            RosmlError: it is no name of an image (exit code 2).
+        """
+        if self.services.registry and not references.has_registry(text):
+            return references.parse(f"{self.services.registry}/{text}")
+        return references.parse(references.complete(text))
+
+    def read(self, app: str) -> Mapping[str, Source]:
+        """An app's image for each platform.
+
+        Raises:
+            RosmlError: there is no such image (exit code 2), or the registry does not answer or refuses.
+        """
+        return self._transfer.members(app, *self._find(app))
+
     def _find(self, text: str) -> tuple[Reference, oci.Manifest]:
         """An app's place and manifest.
 
         Raises:
-            RosmlError: there is no such image (exit code 2), or no registry answers.
+            RosmlError: there is no such image (exit code 2), or the registry does not answer or refuses.
         """
-        short = self.services.registry and not references.has_registry(text)
-        names = (*([f"{self.services.registry}/{text}"] if short else []), references.complete(text))
-        refused: RosmlError | None = None
-        for name in names:
-            where = references.parse(name)
-            try:
-                manifest = self.registries(where.host).manifest(where.repository, where.reference)
-            except RosmlError as error:
-                refused = error
-                continue
-            if manifest:
-                return where, manifest
-        if refused and len(names) == 1:
-            raise refused
-        text = f"there is no app {text} in a registry (looked for {', '.join(names)})"
-        remedy = (
-            refused.remedy if refused else "name it with its registry; an app in your Docker has to be pushed first"
+        where = self.where(text)
+        if manifest := self.registries(where.host).manifest(where.repository, where.reference):
+            return where, manifest
+        raise RosmlError(
+            f"there is no app {text} in a registry (looked for {where})",
+            "name it with its registry; an app in your Docker has to be pushed first",
+            exit_code=2,
         )
-        raise RosmlError(text, remedy, exit_code=2)
 
     def _base(self, text: str, platforms: tuple[str, ...], app: Source) -> _Onto:
         """The new base image; for a slim app, the image without compilers that belongs to it."""

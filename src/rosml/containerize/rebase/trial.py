@@ -75,7 +75,7 @@ class Trial:
             }
             self._build("link", platform, target)
             exported.unpack(archive, self._state / "linked")
-            now, before = (_lines(exported.read(self._state / "linked", name)) for name in ("app", "before"))
+            now, before = (lines(exported.read(self._state / "linked", name)) for name in ("app", "before"))
             if lost := sorted(now - before):
                 more = [f"and {len(lost) - SHOWN} more"] if len(lost) > SHOWN else []
                 found = "".join(f"\n    {line}" for line in [*lost[:SHOWN], *more])
@@ -116,7 +116,7 @@ def _image(reference: str) -> str:
     return f"docker-image://{reference}"
 
 
-def _lines(content: bytes) -> set[str]:
+def lines(content: bytes) -> set[str]:
     """The lines of components/containerize/link.py. Code of the app may have written others.
 
     Raises:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import json
 import re
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 
 from pydantic import BaseModel
 
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
-from rosml.images.records.store import Records
+from rosml.images.records.store import ANNOTATION, Records
 
 UNDO = "undo."
 """The tag of each record of moves begins with this."""
@@ -61,3 +63,20 @@ def read_moves(records: Records, name: str) -> list[Move]:
         return _Record.model_validate(content).moves
     except (KeyError, TypeError, ValueError, IndexError):
         raise RosmlError(f"the record {name} cannot be read", "move the tags by hand: regctl image copy") from None
+
+
+def record(records: Records, date: str, planned: Iterable[Move]) -> None:
+    """Records where tags were before a run. If the run is called again, its first record of a tag counts.
+
+    Raises:
+        RosmlError: the earlier record cannot be read; the registry does not answer or refuses.
+    """
+    name = record_name(date)
+    before = {(move.repository, move.tag): move for move in read_moves(records, name)}
+    merged = dict(before)
+    for move in planned:
+        first = before.get((move.repository, move.tag))
+        merged[move.repository, move.tag] = replace(move, old=first.old if first else move.old)
+    content = {"date": date, "moves": [move.to_json() for move in merged.values()]}
+    text = json.dumps(content, sort_keys=True)
+    records.artifact(name, text.encode(), {ANNOTATION: json.dumps({"undo": date})})

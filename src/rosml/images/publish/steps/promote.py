@@ -7,7 +7,6 @@ out, and last the floating ones. A tag never moves to something older, or to few
 
 from __future__ import annotations
 
-import json
 import time
 from collections.abc import Iterable
 from itertools import chain, count
@@ -22,9 +21,9 @@ from rosml.images.image_set.model import Image, Part, tags_of
 from rosml.images.matrix.names import dated
 from rosml.images.publish.run import Outcome, Run
 from rosml.images.publish.steps.sign import sign
-from rosml.images.records import store
-from rosml.images.records.store import ANNOTATION, INDEX, Entry
-from rosml.images.records.tag_moves import Move, read_moves, record_name
+from rosml.images.records import store, tag_moves
+from rosml.images.records.store import INDEX, Entry
+from rosml.images.records.tag_moves import Move, record_name
 from rosml.registry.oci import Manifest
 
 BATCH = 64
@@ -62,7 +61,7 @@ class _Promotion:
             planned = [item for item in side_by_side(self._prepared, batch) if item[1]]
             moves = [move for _, several in planned for move in several]
             if moves:
-                self._record(moves)
+                tag_moves.record(self.run.records, self.date, moves)
             every += moves
             side_by_side(self._move, planned)  # the tags of one image move in their order
         self.run.put_in_order(before)
@@ -171,20 +170,6 @@ class _Promotion:
         platforms = [item.platform for item in found.members if item.platform]
         lost = {item.architecture or "" for item in platforms} - set(entry.parts) - {"unknown", ""}
         return f"it would lose {', '.join(sorted(lost))}" if lost else ""
-
-    def _record(self, planned: list[Move]) -> None:
-        """Records where tags were. If a run is called again, its first record of a tag counts."""
-        name = record_name(self.date)
-        before = {(move.repository, move.tag): move for move in read_moves(self.run.records, name)}
-        merged = dict(before)
-        for move in planned:
-            first = before.get((move.repository, move.tag))
-            merged[move.repository, move.tag] = Move(
-                move.repository, move.tag, first.old if first else move.old, move.new
-            )
-        content = {"date": self.date, "moves": [move.to_json() for move in merged.values()]}
-        text = json.dumps(content, sort_keys=True)
-        self.run.records.artifact(name, text.encode(), {ANNOTATION: json.dumps({"undo": self.date})})
 
     def _move(self, planned: tuple[Image | Part, list[Move]]) -> None:
         """Moves the tags of an image. If a tag is protected, or the index is gone, only this image fails.
