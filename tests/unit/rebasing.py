@@ -189,6 +189,9 @@ class Place:
         platforms = more.pop("platforms", BOTH[:1])
         return App(base, **more).put(self.registry, tag, platforms)
 
+    def rebaser(self) -> Rebaser:
+        return Rebaser(self.services, Registries(), self.said.append)
+
     def plan(
         self, app: str, base: str, tag: str = "", platforms: Sequence[str] = (), registry: Registry | None = None
     ) -> tuple[Rebaser, Plan]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -27,6 +27,7 @@ from rebasing import (
 
 from rosml.base.errors import RosmlError
 from rosml.containerize.app_bake_file import LOCK, REPLACED
+from rosml.containerize.rebase import variants
 from rosml.images.join import facts, file_lists
 from rosml.images.scan import sbom
 from rosml.registry import oci
@@ -311,3 +312,63 @@ class Dying(Registry):
             if self.left < 0:
                 raise KeyboardInterrupt
         return super()._ask(method, *arguments, **more)
+
+
+# ---- Variants --------------------------------------------------------------------------------------------------------
+
+
+def on_stack(place: Place, stack: str, said: Mapping[str, Any], driver: str = "") -> str:
+    """Puts a base image with a framework."""
+    labels = {**ros().labels, "io.rosml.stack": stack, "io.rosml.framework": "torch"}
+    labels |= {"io.rosml.gpu.driver": driver} if driver else {}
+    tag = f"ros1-bookworm-core-{stack}"
+    made = replace(ros(salt=stack), labels=labels).put(place.registry, "rosml/ros-torch", tag, BOTH[:1])
+    found = place.registry.manifest("rosml/ros-torch", tag)
+    assert found
+    [entry] = found.members
+    subject = {"mediaType": entry.mediaType, "digest": entry.digest, "size": entry.size}
+    attach(place.registry, "rosml/ros-torch", subject, said)
+    return made
+
+
+def test_an_app_on_several_accelerators(place: Place) -> None:
+    cpu = on_stack(place, "cpu", BASE_FACTS)
+    on_stack(place, "cu130", BASE_FACTS, "580")
+    app = place.app(cpu)
+    with place.rebaser() as rebaser:
+        for plan in variants.plans(rebaser, app, ["cpu", "cu130"]):
+            rebaser.move(plan, rebaser.push(plan))
+    config = {}
+    for tag in ("latest", "latest-cpu", "latest-cu130"):
+        found = place.registry.manifest("me/robot", tag)
+        assert found and found.config
+        config[tag] = place.registry.json_blob("me/robot", found.config.digest)["config"]["Labels"]
+        assert config[tag]["io.rosml.variants"] == "cpu cu130:580"
+    assert [config[tag]["io.rosml.stack"] for tag in config] == ["cpu", "cpu", "cu130"]
+    moved = place.rebase(f"{place.server.address}/me/robot:latest-cu130", on_stack(place, "cu132", BASE_FACTS))
+    assert moved.moved, "and they follow their own base images"
+
+
+@pytest.mark.parametrize(
+    ("stacks", "says"),
+    [
+        (["cpu"], "1 variants are named"),
+        (["cpu", "cu13 0"], "'cu13 0' is no stack"),
+        (["cpu", "cu999"], "there is no image"),
+        (["cpu", "cu130"], "lib/node needs libcudart.so.12, which the base image lacks"),
+    ],
+)
+def test_variants_are_refused(place: Place, stacks: list[str], says: str) -> None:
+    cudart = changed(BASE_FACTS, libraries=[*BASE_FACTS["libraries"], library("usr/local/lib/libcudart.so.12")])
+    cpu = on_stack(place, "cpu", cudart)
+    on_stack(place, "cu130", BASE_FACTS, "580")
+    uses = [library("docker-ros/ws/install/lib/node", needed=["libcudart.so.12"])]
+    app = place.app(cpu, facts=changed(OWN, libraries=uses))
+    with place.rebaser() as rebaser, pytest.raises(RosmlError) as caught:
+        variants.plans(rebaser, app, stacks)
+    assert says in caught.value.message and caught.value.exit_code == 2
+
+
+def test_an_app_without_a_framework_has_no_variants(place: Place) -> None:
+    with place.rebaser() as rebaser, pytest.raises(RosmlError, match="has no framework"):
+        variants.plans(rebaser, place.app(place.base()), ["cpu", "cu130"])

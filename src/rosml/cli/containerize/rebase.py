@@ -18,7 +18,7 @@ from rosml.cli.command import say
 
 if TYPE_CHECKING:
     from rosml.containerize.rebase.fleet import Outcome
-    from rosml.containerize.rebase.rebaser import Rebased, Rebaser
+    from rosml.containerize.rebase.rebaser import Plan, Rebased, Rebaser
     from rosml.containerize.rebase.trial import Pair
     from rosml.machine.services import Services
 
@@ -45,6 +45,9 @@ KEPT = "interrupted: the old tag stands; the next call finds again what was push
     help="all apps that a file apps.yaml names, instead of APP",
 )
 @click.option(
+    "--variants", default="", metavar="STACKS", help="an image for each of these, such as cpu,cu130: TAG-cpu, TAG-cu130"
+)
+@click.option(
     "--check",
     type=click.Choice(["auto", "metadata", "link", "run"]),
     default="auto",
@@ -60,6 +63,7 @@ def main(
     tag: str,
     platforms: tuple[str, ...],
     apps: Path | None,
+    variants: str,
     check: str,
     command: str,
     no_sbom: bool,
@@ -95,6 +99,8 @@ def main(
         "--command": command,
     }
     given = [name for name, value in one.items() if value]
+    if variants and (base or platforms):
+        raise RosmlError("--variants chooses base images and platforms by itself", "leave the other option out", 2)
     if apps and given:
         raise RosmlError(f"--all and {given[0]} exclude each other", "write what holds for an app into the file", 2)
     if not apps and not app:
@@ -104,26 +110,44 @@ def main(
         if apps:
             _fleet(rebaser, apps, with_sbom=not no_sbom, as_json=as_json)
             return
-        plan = rebaser.plan(app, base, tag, platforms)
-        for reason in plan.judgement.undecided:
-            say(f"check by link: {reason}")
-        if dry_run:
-            say(f"{plan.judgement.words}; {plan.target} would point at {plan.digest}")
-            return
-        links = check in ("link", "run") or (check == "auto" and bool(plan.judgement.undecided))
-        if links and plan.there != plan.digest:
-            _builder()
-        found = rebaser.push(plan, with_sbom=not no_sbom)
-        if links and plan.there != plan.digest:
-            _link(found, rebaser.pairs(plan))
-            found.linked = True
-            if command:
-                _start(found, rebaser.pairs(plan), command)
-        rebaser.move(plan, found)
+        plans = [rebaser.plan(app, base, tag, platforms)] if not variants else _variants(rebaser, app, variants, tag)
+        found = [_moved(rebaser, plan, check, command, not no_sbom, dry_run) for plan in plans]
+    if dry_run:
+        return
     if as_json:
-        terminal.echo(json.dumps(found.to_json(), indent=2))
+        documents = [item.to_json() for item in found if item]
+        terminal.echo(json.dumps(documents if variants else documents[0], indent=2))
     else:
-        _print(found)
+        for item in filter(None, found):
+            _print(item)
+
+
+def _variants(rebaser: Rebaser, app: str, stacks: str, tag: str) -> list[Plan]:
+    from rosml.containerize.names import listed
+    from rosml.containerize.rebase import variants
+
+    return variants.plans(rebaser, app, listed(stacks), tag)
+
+
+def _moved(rebaser: Rebaser, plan: Plan, check: str, command: str, with_sbom: bool, dry_run: bool) -> Rebased | None:
+    """Carries out a plan; None if it is only shown."""
+    for reason in plan.judgement.undecided:
+        say(f"check by link: {reason}")
+    if dry_run:
+        say(f"{plan.judgement.words}; {plan.target} would point at {plan.digest}")
+        return None
+    links = check in ("link", "run") or (check == "auto" and bool(plan.judgement.undecided))
+    links = links and plan.there != plan.digest
+    if links:
+        _builder()  # before anything is pushed
+    found = rebaser.push(plan, with_sbom)
+    if links:
+        _link(found, rebaser.pairs(plan))
+        found.linked = True
+        if command:
+            _start(found, rebaser.pairs(plan), command)
+    rebaser.move(plan, found)
+    return found
 
 
 def _fleet(rebaser: Rebaser, file: Path, with_sbom: bool, as_json: bool) -> None:

@@ -15,11 +15,14 @@ from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME, LOCK, REPLACED
 from rosml.containerize.lock import Lock
-from rosml.images.image_set.labels import APP, REVISION, TITLE
+from rosml.images.image_set.labels import APP, PREFIX, REVISION, TITLE
 from rosml.images.join.layers import Joined, Source
 from rosml.registry import oci
 
-OWN = (TITLE, BASE_NAME, BASE_DIGEST, REVISION, APP, LOCK)
+VARIANTS = f"{PREFIX}variants"
+"""The label of an app that is there for several accelerators: each stack, with the oldest driver that it needs: `cpu cu130:580`."""
+
+OWN = (TITLE, BASE_NAME, BASE_DIGEST, REVISION, APP, LOCK, VARIANTS)
 """The labels of an app. Its other labels are those of its base image."""
 
 AGAIN = "build it again with rosml containerize, on the new base image"

@@ -145,7 +145,9 @@ class Rebaser:
     def __exit__(self, failed: object, *_: object) -> None:
         self._transfer.close(failed)
 
-    def plan(self, app: str, base: str, tag: str = "", platforms: Sequence[str] = ()) -> Plan:
+    def plan(
+        self, app: str, base: str, tag: str = "", platforms: Sequence[str] = (), extra: Mapping[str, str] | None = None
+    ) -> Plan:
         """Computes the new image, and checks what speaks against it. It changes nothing.
 
         Args:
@@ -153,6 +155,7 @@ class Rebaser:
             base: the new base image, by any name that `rosml containerize` takes; empty for the app's own, where its tag is now.
             tag: the complete reference of the tag to move; empty for the app's own.
             platforms: only these; all of the app's if empty.
+            extra: further labels.
 
         Raises:
             RosmlError: the app cannot be put on this base image (exit code 2), or a registry does not answer or refuses.
@@ -173,7 +176,7 @@ class Rebaser:
         images, bases, judgement = {}, {}, Judgement()
         for name, source in old.items():
             checks.require_fit(source, new[name])
-            images[name] = image.moved(source, new[name], self._labels(source, onto))
+            images[name] = image.moved(source, new[name], self._labels(source, onto) | dict(extra or {}))
             bases[name] = self._judge(source, new[name], str(place), name, judgement)
         _require_no_build(judgement, str(where), found)
         if manifest.is_index:

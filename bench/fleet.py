@@ -1,0 +1,214 @@
+"""A thousand apps that move to tonight's base images, beside one app that is built again.
+
+The apps are of 20 kinds, on ten base images. All are made from one real app and one real base image, in the local registry, by new
+manifests and configs: layers, lists and facts have the sizes of real ones. Everything is in a namespace of its own, and is removed at the end.
+"""
+
+from __future__ import annotations
+
+import copy
+import gzip
+import io
+import tarfile
+import time
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field
+from typing import Any
+
+from rosml.base.clock import now
+from rosml.base.errors import RosmlError
+from rosml.base.side_by_side import side_by_side
+from rosml.base.terminal import show, table
+from rosml.base.units import duration, size
+from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME
+from rosml.containerize.rebase import image
+from rosml.containerize.rebase.fleet import Entry, Fleet
+from rosml.containerize.rebase.rebaser import Rebaser
+from rosml.images.image_set.labels import TITLE
+from rosml.images.join import facts, file_lists
+from rosml.images.join.layers import Joined, Source
+from rosml.images.join.transfer import Transfer, Transferred
+from rosml.machine.services import Services
+from rosml.registry import oci, references
+from rosml.registry.client import Registries, Registry
+
+NAMESPACE = "bench-fleet"
+APPS, KINDS, BASES = 1000, 20, 10
+LISTS = ((file_lists.ARTIFACT, file_lists.MEDIA_TYPE), (facts.ARTIFACT, facts.MEDIA_TYPE))
+
+
+@dataclass
+class Result:
+    """What moving came to.
+
+    Attributes:
+        states: how many apps moved, were refused or failed.
+        seconds: wall time of the whole run.
+        uploaded: bytes sent. requests: to the registry.
+        one: seconds, bytes and requests of one app alone, with an empty cache.
+    """
+
+    states: Mapping[str, int]
+    seconds: float
+    uploaded: int
+    requests: int
+    one: tuple[float, int, int]
+
+
+def print_table(found: Result, again: float) -> None:
+    """Prints the result. `again`: seconds that a build of one app takes on a new base image; 0 if unknown."""
+    count = sum(found.states.values())
+    made = table("apps on tonight's base images", f"{count} apps", "one app", right=(f"{count} apps", "one app"))
+    made.add_row("seconds", duration(found.seconds), duration(found.one[0]))
+    made.add_row("for each app", duration(found.seconds / count), duration(found.one[0]))
+    made.add_row("sent for each app", size(found.uploaded // count), size(found.one[1]))
+    made.add_row("requests for each app", f"{found.requests / count:.0f}", str(found.one[2]))
+    if again:
+        made.add_row("rosml containerize, on the new base image", "", duration(again))
+    show(made)
+
+
+class Counting:
+    """The clients of registries, with a count of their requests."""
+
+    def __init__(self, registries: Registries) -> None:
+        self._registries, self.requests = registries, 0
+        self._known: dict[str, Registry] = {}
+
+    def __call__(self, host: str) -> Registry:
+        if host not in self._known:
+            self._known[host] = self._registries(host)
+            self._known[host].on_request(self._count)
+        return self._known[host]
+
+    def _count(self) -> None:
+        self.requests += 1
+
+
+@dataclass
+class Bench:
+    """One measurement.
+
+    Attributes:
+        services: the local registry.
+        app: a real app in it, by its reference. base: its base image.
+        say: tells what begins.
+        pushed: repositories with the digests that are to be removed.
+    """
+
+    services: Services
+    app: str
+    base: str
+    say: Callable[[str], None]
+    apps: int = APPS
+    pushed: set[tuple[str, str]] = field(default_factory=set)
+
+    def measure(self) -> Result:
+        """Makes base images and apps, moves all, and removes everything.
+
+        Raises:
+            RosmlError: the registry does not answer or refuses.
+        """
+        with Registries(self.services.ca_bundle) as registries, self._cleaned(registries):
+            registry = registries(self.services.registry)
+            with Transfer(registries) as transfer:
+                self.say(f"{BASES} base images and {self.apps} apps of {KINDS} kinds")
+                core, app = (next(iter(transfer.platforms(name).values())) for name in (self.base, self.app))
+                bases = [self._base(transfer, registry, core, number, "yesterday") for number in range(BASES)]
+                onto = [next(iter(transfer.platforms(name).values())) for name in bases]
+                names = [f"{NAMESPACE}/app-{number % KINDS}-{number // KINDS}" for number in range(self.apps)]
+                side_by_side(
+                    lambda item: self._app(transfer, registry, app, onto[item[0] % BASES], bases[item[0] % BASES], *item),
+                    [*enumerate(names)],
+                    title="make",
+                )
+                for number in range(BASES):
+                    self._base(transfer, registry, core, number, "tonight")
+            self.say("move one")
+            one = self._moved(registries, names[:1])
+            self.say("move all")
+            states, *numbers = self._moved(registries, names[1:])
+            return Result(states, *numbers, one=(one[1], one[2], one[3]))
+
+    def _moved(self, registries: Registries, names: list[str]) -> tuple[dict[str, int], float, int, int]:
+        counting, started = Counting(registries), time.monotonic()
+
+        def nothing(*_: Any) -> None:
+            raise RosmlError("the facts should decide")
+
+        with Rebaser(self.services, counting) as rebaser:
+            entries = [Entry(app=f"{self.services.registry}/{name}:latest") for name in names]
+            found = Fleet(rebaser, now(), nothing, nothing, with_sbom=False).run(entries)
+        seconds, states = time.monotonic() - started, dict[str, int]()
+        for item in found:
+            states[item.state] = states.get(item.state, 0) + 1
+            if item.rebased:
+                self.pushed.update((references.parse(item.app).repository, name) for name in item.rebased.manifests.values())
+        return states, seconds, sum(item.rebased.uploaded for item in found if item.rebased), counting.requests
+
+    def _base(self, transfer: Transfer, registry: Registry, core: Source, number: int, night: str) -> str:
+        """Puts a base image with one more layer, under a tag that moves."""
+        stream = io.BytesIO()
+        with tarfile.open(fileobj=stream, mode="w") as archive:
+            text = f"{night} {number}\n".encode()
+            entry = tarfile.TarInfo(f"etc/rosml-bench-{number}")
+            entry.size = len(text)
+            archive.addfile(entry, io.BytesIO(text))
+        layer = gzip.compress(stream.getvalue(), mtime=0)
+        config = copy.deepcopy(core.config.content)
+        config["rootfs"]["diff_ids"].append(oci.digest_of(stream.getvalue()))
+        config["history"].append({"created": config["created"], "created_by": f"COPY {night} /"})
+        repository = f"{NAMESPACE}/ros"
+        registry.put_blob(repository, layer)
+        layers = [*core.layers, oci.descriptor("application/vnd.oci.image.layer.v1.tar+gzip", layer)]
+        data = oci.encoded(config)
+        manifest = oci.encoded(
+            {"schemaVersion": 2, "mediaType": oci.IMAGE, "config": oci.descriptor(oci.CONFIG, data), "layers": layers}
+        )
+        known = tuple((item, core) for item in core.layers)
+        transfer.push(Joined(core.platform, data, manifest, {}, known), registry.host, repository, Transferred())
+        registry.put_manifest(repository, f"base-{number}", manifest)
+        self.pushed.add((repository, oci.digest_of(manifest)))
+        for artifact, media_type in LISTS:
+            self._attached(registry, core, repository, manifest, artifact, media_type)
+        return f"{registry.host}/{repository}:base-{number}"
+
+    def _app(
+        self, transfer: Transfer, registry: Registry, app: Source, base: Source, named: str, number: int, repository: str
+    ) -> None:
+        """Puts an app of a kind on a base image."""
+        labels = {TITLE: repository, BASE_NAME: named, BASE_DIGEST: base.digest}
+        joined = image.moved(app, base, labels)
+        transfer.push(joined, registry.host, repository, Transferred())
+        registry.put_manifest(repository, "latest", joined.manifest)
+        self.pushed.add((repository, joined.digest))
+        for artifact, media_type in LISTS[1:]:
+            self._attached(registry, app, repository, joined.manifest, artifact, media_type)
+
+    def _attached(
+        self, registry: Registry, source: Source, repository: str, manifest: bytes, artifact: str, media_type: str
+    ) -> None:
+        """Attaches what a real image has."""
+        [entry, *_] = registry.referrers(source.repository, source.digest, artifact)
+        found = registry.manifest(source.repository, entry["digest"])
+        if found is None:
+            raise RosmlError(f"{source.name} has lost what was attached to it", "build it again")
+        data = registry.part(source.repository, found.layers[0])
+        subject = oci.descriptor(oci.IMAGE, manifest)
+        self.pushed.add((repository, registry.attach(repository, subject, artifact, data, media_type)))
+
+    @contextmanager
+    def _cleaned(self, registries: Registries) -> Iterator[None]:
+        """Removes at the end what was pushed. The registry itself collects its blobs."""
+        try:
+            yield
+        finally:
+            self.say("remove what was pushed")
+            registry = registries(self.services.registry)
+
+            def remove(item: tuple[str, str]) -> None:
+                with suppress(RosmlError):
+                    registry.delete(*item)
+
+            side_by_side(remove, sorted(self.pushed))

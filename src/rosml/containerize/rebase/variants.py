@@ -1,0 +1,79 @@
+"""One app on several accelerators: an image for each stack, from one build.
+
+Each image has a label with all of them, by which `rosml run` takes the one for a machine (`run/variants.py`).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from rosml.base.errors import RosmlError
+from rosml.containerize import app_base
+from rosml.containerize.app_bake_file import BASE_NAME
+from rosml.containerize.rebase.image import VARIANTS
+from rosml.containerize.rebase.rebaser import Plan, Rebaser
+from rosml.images.image_set.labels import GPU, PREFIX
+from rosml.images.join.layers import Source
+from rosml.images.matrix.names import main_tag
+from rosml.registry import references
+
+STACK = re.compile(r"[a-z][a-z0-9]{0,15}")
+
+MOST = 10
+"""Most variants of an app."""
+
+
+def plans(rebaser: Rebaser, app: str, stacks: Sequence[str], tag: str = "") -> list[Plan]:
+    """The images of an app, one for each stack, and last the tag itself, which is the first of them.
+
+    Args:
+        app: an app with a framework.
+        stacks: such as `cpu` and `cu130`.
+        tag: the complete reference before `-STACK`; empty for the app's own.
+
+    Raises:
+        RosmlError: the app has no framework, or does not go onto one of the stacks (exit code 2); a registry does not answer or refuses.
+    """
+    stacks = list(dict.fromkeys(stacks))
+    if wrong := [name for name in stacks if not STACK.fullmatch(name)]:
+        raise RosmlError(f"{wrong[0]!r} is no stack", "name stacks such as cpu,cu130", exit_code=2)
+    if not 2 <= len(stacks) <= MOST:
+        raise RosmlError(f"{len(stacks)} variants are named", f"name 2 to {MOST}, such as cpu,cu130", exit_code=2)
+    sources = rebaser.read(app)
+    source = next(iter(sources.values()))
+    bases = {stack: _base(source, stack) for stack in stacks}
+    named = " ".join(
+        ":".join(filter(None, (stack, _driver(rebaser, bases[stack], tuple(sources))))) for stack in stacks
+    )
+    where = references.parse(tag) if tag else rebaser.where(app)
+    if references.is_digest(where.reference):
+        raise RosmlError(
+            f"{where} is a digest, and tags have to move", "name one: --tag REGISTRY/NAME:TAG", exit_code=2
+        )
+    found = [rebaser.plan(app, bases[stack], f"{where}-{stack}", extra={VARIANTS: named}) for stack in stacks]
+    return [*found, rebaser.plan(app, bases[stacks[0]], str(where), extra={VARIANTS: named})]
+
+
+def _base(app: Source, stack: str) -> str:
+    """The app's base image on another stack.
+
+    Raises:
+        RosmlError: the app has no framework, or does not say which base image it is on (exit code 2).
+    """
+    labels = app.labels
+    own, distribution, component = (labels.get(PREFIX + name, "") for name in ("stack", "distribution", "component"))
+    if not own:
+        text = f"{app.name} has no framework, so no accelerator makes a difference"
+        raise RosmlError(text, "put it on an image with one first: --base ros-torch:…", exit_code=2)
+    name = labels.get(BASE_NAME, "")
+    if not distribution or not component or not name:
+        raise RosmlError(f"{app.name} does not say which base image it is on", "build it again with rosml", exit_code=2)
+    where = references.parse(name)
+    return f"{where.host}/{where.repository}:{main_tag(distribution, component, stack)}"
+
+
+def _driver(rebaser: Rebaser, base: str, platforms: tuple[str, ...]) -> str:
+    """The oldest driver on which a base image runs; empty if it needs none."""
+    found = app_base.find(base, rebaser.services, platforms).labels.get(f"{GPU}driver", "")
+    return found if re.fullmatch(r"[0-9]{1,5}(\.[0-9]{1,5}){0,3}", found) else ""
