@@ -6,13 +6,14 @@ Examples:
   uv run python -m bench --target ros1-bookworm-base-torch-cu128
                                            one that has CUDA: 35 GB of free disk
   uv run python -m bench --start           what rosml run takes longer than docker run
+  uv run python -m bench --fleet           a thousand apps that move to tonight's base images
 """
 
 from __future__ import annotations
 
 import click
 
-from bench import second_image, start
+from bench import fleet, second_image, start
 from rosml import ROOT
 from rosml.images.image_set import load
 from rosml.machine.services import Services
@@ -24,15 +25,21 @@ TARGET = "ros1-bookworm-base-tensorflow-cpu"
 @click.command(help=__doc__, context_settings={"help_option_names": ["-h", "--help"]})
 @click.option("--target", default="", help=f"The image that is built in both ways; {TARGET} if it is empty.")
 @click.option("--start", "only_start", is_flag=True, help="Measure the start of rosml run alone.")
-def main(target: str, only_start: bool) -> None:
+@click.option("--fleet", "only_fleet", is_flag=True, help="Move a thousand apps alone.")
+@click.option("--apps", default=fleet.APPS, help="How many apps --fleet moves.")
+def main(target: str, only_start: bool, only_fleet: bool, apps: int) -> None:
     if only_start:
         click.echo(f"rosml run takes {start.seconds():.3f} s longer than docker run (median of {start.ROUNDS})")
+        return
+    if only_fleet:
+        fleet.print_table(*fleet.measure(Services.load(ROOT), apps, _say))
         return
     image_set = load.load(ROOT / "matrix.yaml", ROOT)
     image = image_set.image(target or TARGET)
     second_image.require_comparable(image, ROOT, image_set)
 
-    def say(line: str) -> None:
-        click.echo(click.style(f"==> {line}", bold=True), err=True)
+    second_image.print_table(image, second_image.compare(Services.load(ROOT), image_set, image, _say))
 
-    second_image.print_table(image, second_image.compare(Services.load(ROOT), image_set, image, say))
+
+def _say(line: str) -> None:
+    click.echo(click.style(f"==> {line}", bold=True), err=True)

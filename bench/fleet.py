@@ -9,6 +9,7 @@ from __future__ import annotations
 import copy
 import gzip
 import io
+import logging
 import tarfile
 import time
 from collections.abc import Callable, Iterator, Mapping
@@ -16,11 +17,13 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from typing import Any
 
+from rosml import ROOT
 from rosml.base.clock import now
 from rosml.base.errors import RosmlError
 from rosml.base.side_by_side import side_by_side
 from rosml.base.terminal import show, table
 from rosml.base.units import duration, size
+from rosml.containerize import app_inputs, build
 from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME
 from rosml.containerize.rebase import image
 from rosml.containerize.rebase.fleet import Entry, Fleet
@@ -34,6 +37,7 @@ from rosml.registry import oci, references
 from rosml.registry.client import Registries, Registry
 
 NAMESPACE = "bench-fleet"
+BASE = "rosml/ros:ros1-bookworm-core"
 APPS, KINDS, BASES = 1000, 20, 10
 LISTS = ((file_lists.ARTIFACT, file_lists.MEDIA_TYPE), (facts.ARTIFACT, facts.MEDIA_TYPE))
 
@@ -69,21 +73,50 @@ def print_table(found: Result, again: float) -> None:
     show(made)
 
 
-class Counting:
-    """The clients of registries, with a count of their requests."""
+class Counting(logging.Handler):
+    """Counts requests, of which httpx logs each."""
 
-    def __init__(self, registries: Registries) -> None:
-        self._registries, self.requests = registries, 0
-        self._known: dict[str, Registry] = {}
+    def __init__(self) -> None:
+        super().__init__()
+        self.requests = 0
 
-    def __call__(self, host: str) -> Registry:
-        if host not in self._known:
-            self._known[host] = self._registries(host)
-            self._known[host].on_request(self._count)
-        return self._known[host]
+    def emit(self, record: logging.LogRecord) -> None:
+        """Counts one."""
+        self.requests += record.getMessage().startswith("HTTP Request")
 
-    def _count(self) -> None:
-        self.requests += 1
+    @contextmanager
+    def on(self) -> Iterator[None]:
+        """Counts meanwhile."""
+        log = logging.getLogger("httpx")
+        level, shared = log.level, log.propagate
+        log.addHandler(self)
+        log.setLevel(logging.INFO)
+        log.propagate = False
+        try:
+            yield
+        finally:
+            log.removeHandler(self)
+            log.setLevel(level)
+            log.propagate = shared
+
+
+def measure(services: Services, apps: int, say: Callable[[str], None]) -> tuple[Result, float]:
+    """Builds the example on the base image that is in the local registry, and moves many of it.
+
+    Returns:
+        The result, and the seconds that a build of the app takes if its base image has changed.
+
+    Raises:
+        RosmlError: no base image is there, or a build failed.
+    """
+    options = {"base-image": f"{services.registry}/{BASE}", "image-name": f"{NAMESPACE}/example", "target": "run"}
+    options |= {"command": "roslaunch compass compass.launch", "tests": "false", "image-tag": "latest"}
+    folder = ROOT / "examples/ros1"
+    say("build the example")
+    started = time.monotonic()
+    built = build.App(folder, app_inputs.values(options, folder, {}), {}, services, say).build()
+    again = time.monotonic() - started
+    return Bench(services, built.images[0].reference, options["base-image"], say, apps).measure(), again
 
 
 @dataclass
@@ -119,7 +152,9 @@ class Bench:
                 onto = [next(iter(transfer.platforms(name).values())) for name in bases]
                 names = [f"{NAMESPACE}/app-{number % KINDS}-{number // KINDS}" for number in range(self.apps)]
                 side_by_side(
-                    lambda item: self._app(transfer, registry, app, onto[item[0] % BASES], bases[item[0] % BASES], *item),
+                    lambda item: self._app(
+                        transfer, registry, app, onto[item[0] % BASES], bases[item[0] % BASES], *item
+                    ),
                     [*enumerate(names)],
                     title="make",
                 )
@@ -132,19 +167,21 @@ class Bench:
             return Result(states, *numbers, one=(one[1], one[2], one[3]))
 
     def _moved(self, registries: Registries, names: list[str]) -> tuple[dict[str, int], float, int, int]:
-        counting, started = Counting(registries), time.monotonic()
+        counting, started = Counting(), time.monotonic()
 
         def nothing(*_: Any) -> None:
             raise RosmlError("the facts should decide")
 
-        with Rebaser(self.services, counting) as rebaser:
+        with counting.on(), Rebaser(self.services, registries) as rebaser:
             entries = [Entry(app=f"{self.services.registry}/{name}:latest") for name in names]
             found = Fleet(rebaser, now(), nothing, nothing, with_sbom=False).run(entries)
         seconds, states = time.monotonic() - started, dict[str, int]()
         for item in found:
             states[item.state] = states.get(item.state, 0) + 1
             if item.rebased:
-                self.pushed.update((references.parse(item.app).repository, name) for name in item.rebased.manifests.values())
+                self.pushed.update(
+                    (references.parse(item.app).repository, name) for name in item.rebased.manifests.values()
+                )
         return states, seconds, sum(item.rebased.uploaded for item in found if item.rebased), counting.requests
 
     def _base(self, transfer: Transfer, registry: Registry, core: Source, number: int, night: str) -> str:
@@ -175,7 +212,14 @@ class Bench:
         return f"{registry.host}/{repository}:base-{number}"
 
     def _app(
-        self, transfer: Transfer, registry: Registry, app: Source, base: Source, named: str, number: int, repository: str
+        self,
+        transfer: Transfer,
+        registry: Registry,
+        app: Source,
+        base: Source,
+        named: str,
+        number: int,
+        repository: str,
     ) -> None:
         """Puts an app of a kind on a base image."""
         labels = {TITLE: repository, BASE_NAME: named, BASE_DIGEST: base.digest}
