@@ -163,8 +163,8 @@ class Bench:
             self.say("move one")
             one = self._moved(registries, names[:1])
             self.say("move all")
-            states, *numbers = self._moved(registries, names[1:])
-            return Result(states, *numbers, one=(one[1], one[2], one[3]))
+            states, seconds, uploaded, requests = self._moved(registries, names[1:])
+            return Result(states, seconds, uploaded, requests, one[1:])
 
     def _moved(self, registries: Registries, names: list[str]) -> tuple[dict[str, int], float, int, int]:
         counting, started = Counting(), time.monotonic()
