@@ -189,9 +189,8 @@ class _File:
         table = memoryview(self._loaded_at(self._tag(_SYMTAB), count * form.size))
         table = table[: len(table) // form.size * form.size]
         versions = self._versions(texts)
-        # 0 and 1 in their place stand for no version.
         chosen = self._chosen(len(table) // form.size) if versions else []
-        room = TEXTS
+        room = min(TEXTS, 4 * len(texts) + 64 * count)  # the names of few symbols share their end
         for number, entry in enumerate(form.iter_unpack(table)):
             if self._wide:
                 place, info, other, section, _, _ = entry
