@@ -30,8 +30,9 @@ SOURCES = {
     "b": "#include <stdlib.h>\nint plain(void); int versioned(void); __attribute__((weak)) int optional(void);"
     ' int b(void){return plain() + versioned() + (optional ? optional() : 0) + atoi("1");}',
     "program": "int b(void); int main(void){return b();}",
+    "silent": "int b(void); static __attribute__((constructor)) void f(void){b();}",
 }
-"""Of three files: `program` uses b, and b uses a."""
+"""Of four files: `program` uses b, and b uses a. `silent` exports nothing, so its table of hashes does not count its symbols."""
 
 
 @pytest.fixture(scope="module")
@@ -45,7 +46,7 @@ def script() -> ModuleType:
 
 
 def build(folder: Path, style: str = "gnu") -> Path:
-    """Makes `liba.so.1`, `libb.so` and `program`, with tables of hashes in a style."""
+    """Makes `liba.so.1`, `libb.so`, `program` and `silent.so`, with tables of hashes in a style."""
     for name, text in SOURCES.items():
         (folder / f"{name}.c").write_text(text)
     (folder / "versions").write_text("A_1 { global: *; }; A_2 { } A_1;")
@@ -54,6 +55,7 @@ def build(folder: Path, style: str = "gnu") -> Path:
     run(folder, "-shared", "-fPIC", "-o", "liba.so.1", "a.c", own, hashes)
     run(folder, "-shared", "-fPIC", "-o", "libb.so", "b.c", "liba.so.1", hashes)
     run(folder, "-o", "program", "program.c", "libb.so", "-Wl,--allow-shlib-undefined", hashes)
+    run(folder, "-nostdlib", "-shared", "-fPIC", "-o", "silent.so", "silent.c", "libb.so", hashes)
     return folder
 
 
@@ -81,7 +83,7 @@ def test_symbols_of_real_files(style: str, sections: bool, elf: ModuleType, tmp_
     """With either table of hashes, and without sections, which the loader does not read."""
     build(tmp_path, style)
     if not sections:
-        for name in ("liba.so.1", "libb.so", "program"):
+        for name in ("liba.so.1", "libb.so", "program", "silent.so"):
             data = bytearray((tmp_path / name).read_bytes())
             data[0x28:0x30], data[0x3A:0x40] = bytes(8), bytes(6)
             (tmp_path / name).write_bytes(data)
@@ -95,6 +97,7 @@ def test_symbols_of_real_files(style: str, sections: bool, elf: ModuleType, tmp_
     assert [name for name in used.uses if name.startswith(b"atoi@GLIBC")]
     assert not [name for name in used.uses if name.startswith((b"optional", b"__cxa_finalize"))]
     assert b"b" in elf.symbols(tmp_path / "program").uses
+    assert elf.symbols(tmp_path / "silent.so") == (set(), {b"b"})
 
 
 @pytest.mark.skipif(not shutil.which("nm"), reason="there is no nm")
@@ -189,13 +192,12 @@ HOSTILE = {
         x1024=SYMBOL,
         x4096=struct.pack("<IIII", 0xFFFFFFFF, 1, 0xFFFFFFFF, 0),
     ),
-    "versions that lead to each other": tables(
-        {SYMTAB: 1024, STRTAB: 2048, STRSZ: 8, HASH: 1536, VERSYM: 1600, VERNEED: 4096, VERNEEDNUM: 1 << 40},
+    "versions that stand in each other": tables(
+        {SYMTAB: 1024, STRTAB: 2048, STRSZ: 32, HASH: 1536, VERSYM: 1600, VERNEED: 4096, VERNEEDNUM: 1 << 40},
         x1024=SYMBOL * 2,
         x1536=struct.pack("<II", 1, 2),
-        x2048=b"\0a\0",
-        # Each library expects 65,535 versions, and the next one is the same one.
-        x4096=struct.pack("<HHIII", 1, 0xFFFF, 1, 16, 16) + struct.pack("<IHHII", 0, 0, 2, 1, 0xFFFFFFF0),
+        # Each of these is a library that expects 28,672 versions, and one of the versions that those before it expect.
+        x4096=struct.pack("<HHIII", 1, 0x7000, 2 << 16, 16, 16) * (1 << 16),
     ),
 }
 

@@ -15,6 +15,7 @@ from rosml.images.join.facts import Facts, Library
 from rosml.registry import oci
 from rosml.registry.client import Registry
 
+DIGEST = f"sha256:{'1' * 64}"
 ROS, TORCH = "me/rosml/ros", "me/rosml/ros-torch"
 LIBRARY = {"path": "a.so", "soname": "", "machine": [2, 1, 62], "needed": [], "symbols": "AAAABBBB"}
 
@@ -92,6 +93,19 @@ def test_the_facts_of_an_image_and_of_a_joined_one(stand_in: StandIn) -> None:
         for wrong in ({}, {"io.rosml.sbom.a": f"ros@sha256:{'0' * 64}"}, {"io.rosml.sbom.a": "../x@y"}):
             assert facts.of_member(client, TORCH, joined, said | wrong if wrong else {}) is None
         assert facts.of_member(client, ROS, f"sha256:{'0' * 64}", {}) is None
+
+
+def test_a_part_without_facts_makes_an_image_without_facts(stand_in: StandIn) -> None:
+    """It would look like an image that lacks what the part has."""
+    with Registry(stand_in.address) as client:
+        _, with_facts = attached(client, ROS, 1)
+        content = {"schemaVersion": 2, "mediaType": oci.IMAGE, "layers": []}
+        client.put_manifest("me/rosml/part", "", content)
+        part = oci.descriptor(oci.IMAGE, oci.encoded(content))
+        without = client.attach("me/rosml/part", part, "application/vnd.cyclonedx+json", b"{}", "application/json")
+        said = {"io.rosml.sbom.alpha": f"ros@{with_facts}", "io.rosml.sbom.torch": f"part@{without}"}
+        assert len(facts.components(client, TORCH, said)) == 2
+        assert facts.of_member(client, TORCH, DIGEST, said) is None
 
 
 def test_facts_of_several_publishers_count_together(stand_in: StandIn, monkeypatch: pytest.MonkeyPatch) -> None:
