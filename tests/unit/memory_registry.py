@@ -238,6 +238,10 @@ class Bytes(Maker):
         digest = self._put("build", image, architecture, [*self._layers(parts, architecture), own])
         return Made(digest, parts, packages, "" if parts else BASE, self._sbom(image, digest))
 
+    def describe(self, thing: Image | Part, digest: str) -> str:
+        self.made.append(("describe", thing.target, ""))
+        return self._sbom(thing, digest)
+
     def join(self, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
         return self._put("join", image, architecture, self._layers(parts, architecture))
 

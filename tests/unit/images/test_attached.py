@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from datetime import date
 from pathlib import Path
 from typing import Any
@@ -296,3 +297,21 @@ def test_a_builder_says_it_once(registry: Publisher, image_set: ImageSet, monkey
     registry.publish(image_set, only=ONLY, date="2026-11-25T03:00:00Z", force=True)
     assert len(attached(registry, run, ("alpha-core", "amd64"), MEDIA_TYPE)) == 2
     assert len(attached(registry, run, (TARGET, "amd64"), MEDIA_TYPE)) == 2
+
+
+# ---- Facts -----------------------------------------------------------------------------------------------------------
+
+
+def test_what_has_no_facts_is_described_again_and_not_built(registry: Publisher, image_set: ImageSet) -> None:
+    """An older version attached none. Digests stay, so nothing is joined or tested again."""
+    run = registry.publish(image_set, only=ONLY)
+    for entry in run.state.known.values():
+        run.records.write(replace(entry, described=""))
+    digests = {key: entry.digest for key, entry in run.state.known.items()}
+    again = registry.publish(image_set, only=ONLY, date=NEXT)
+    items = [item for item in again.state.items if item.kind != "joined"]
+    assert {item.kind for item in items} == {"ros", "part"}
+    assert again.made == [("describe", item.target, "") for item in items] and not again.failed
+    assert {key: entry.digest for key, entry in again.state.known.items()} == digests
+    assert all(again.state.known[item.key].described for item in items)
+    assert registry.publish(image_set, only=ONLY, date=LATER).made == []

@@ -23,6 +23,9 @@ from rosml.machine.services import Services
 from rosml.registry.client import Registry
 from rosml.registry.oci import Manifest
 
+FORMAT = "facts.v1"
+"""What is attached beside the SBOM and the list of files. With another one, all images are described again, without a build."""
+
 TARGET = "contents"
 """The bake target that lists the content of an image."""
 

@@ -111,6 +111,15 @@ class Maker(Protocol):
             packages: the state of the package repositories; empty if the image does not depend on any.
         """
 
+    def describe(self, thing: Image | Part, digest: str) -> str:
+        """Attaches to a pushed ROS image or part what belongs beside it: list of files, facts, SBOM. What is there stays.
+        Gives the digest of the SBOM.
+
+        Args:
+            thing: the ROS image or part.
+            digest: of its manifest.
+        """
+
     def join(self, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
         """Joins a ROS image and parts in the registry; gives the digest of the manifest.
 
@@ -181,6 +190,11 @@ class BuildKitMaker:
         call = buildx.Bake(image.target, f"build-{image.target}-{architecture}", bake_file, tuple(sets), given)
         _, digest = push_by_digest(self.services, call, self.place.reference(image.repository))
         return Made(digest, parts, packages, "" if parts else base(image, given), self._describe(image, digest))
+
+    def describe(self, thing: Image | Part, digest: str) -> str:
+        """Has the builder list what is in a pushed ROS image or part, and attaches that."""
+        self._make_room(thing.disk.unpacked + thing.disk.compressed, thing.target)
+        return self._describe(thing, digest)
 
     def join(self, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
         """Joins an image by its manifest. No layer in the registry is read or sent."""
@@ -261,8 +275,6 @@ class BuildKitMaker:
         self.services.require_builder("" if native else self._platform(architecture))
 
     def _describe(self, thing: Image | Part, digest: str) -> str:
-        """Attaches the list of files, for joins, and the SBOM to a pushed image or part. Gives the digest of the
-        SBOM."""
         where = self.place.path(repository_of(thing))
         return contents.attach(self.services, self.image_set, self.place.client, where, digest, self.say)[digest]
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from rosml.base.clock import now
 from rosml.base.errors import RosmlError
-from rosml.images.builds import package_state
+from rosml.images.builds import contents, package_state
 from rosml.images.builds.maker import Made
 from rosml.images.image_set import apt_repository
 from rosml.images.image_set.model import Image, Part
@@ -46,6 +46,7 @@ def after(run: Run, item: Item, before: Entry, made: Made, started: str) -> Entr
         provenance=statements,
         package_state=made.package_state,
         sbom=made.sbom,
+        described=contents.FORMAT if made.sbom else "",
     )
 
 

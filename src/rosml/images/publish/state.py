@@ -16,7 +16,7 @@ from typing import Literal
 
 from rosml.base.problems import listed, some
 from rosml.images.bake.inputs import TARGET, Inputs
-from rosml.images.builds import base_images, package_state
+from rosml.images.builds import base_images, contents, package_state
 from rosml.images.image_set import missing
 from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
 from rosml.images.matrix.model import Size
@@ -29,6 +29,9 @@ Step = Literal["build", "join", "test", "scan"]
 
 ABSENT = "the archive has no"
 """How the reason begins if a distribution cannot be built because its packages are not published."""
+
+UNDESCRIBED = "it has no facts for apps that change their base"
+"""The reason why an image or a part is described again: if there is no other, it is not built."""
 
 WAITING = "waiting for a builder"
 ELSEWHERE = f"{WAITING} of its architecture"
@@ -284,6 +287,8 @@ class State:
             why.append("it is not in the registry any more")
         if item.kind != "joined" and not entry.sbom:  # an older version of this program made SBOMs in the scan
             why.append("it has no SBOM")
+        elif item.kind != "joined" and entry.described != contents.FORMAT:
+            why.append(UNDESCRIBED)
         for target in item.needs:
             part = self.known.get((target, item.architecture))
             if part and part.digest and entry.parts.get(target) != part.digest:

@@ -59,6 +59,7 @@ class Entry:
         failures: the tests that failed.
         provenance: digests of the provenance statements, by builder.
         sbom: for a ROS image or part, digest of the artifact with its SBOM.
+        described: for a ROS image or part, `contents.FORMAT` of what is attached to it.
         scanned: outcome of the scan; empty before.
         scan: findings by severity, the digest and date of the database, and the digest of the policy.
         versions: of packages and programs found in the image.
@@ -87,6 +88,7 @@ class Entry:
     failures: tuple[str, ...] = ()
     provenance: Mapping[str, str] = field(default_factory=dict)
     sbom: str = ""
+    described: str = ""
     scanned: str = ""
     scan: Mapping[str, Any] = field(default_factory=dict)
     versions: Mapping[str, str] = field(default_factory=dict)

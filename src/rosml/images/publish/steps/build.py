@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 
 from rosml.base.clock import now
 from rosml.base.errors import RosmlError
-from rosml.images.builds import package_state
+from rosml.images.builds import contents, package_state
 from rosml.images.builds.maker import Made
 from rosml.images.image_set.model import Part
 from rosml.images.publish.made import after
 from rosml.images.publish.run import Postponed, Run
-from rosml.images.publish.state import Item
+from rosml.images.publish.state import UNDESCRIBED, Item
 from rosml.images.records.store import Entry
 
 RESTARTS = 2
@@ -34,6 +35,10 @@ def build(run: Run) -> None:
 
 
 def _build(run: Run, may_restart: bool, item: Item, entry: Entry) -> Entry:
+    if run.state.reasons(item) == [UNDESCRIBED]:
+        run.say(f"{item.target} stays as it is: only its facts are attached")
+        sbom = run.maker.describe(item.thing, entry.digest)
+        return replace(entry, sbom=sbom, described=contents.FORMAT, failed={})
     started = now()
     if isinstance(item.thing, Part):
         made = run.maker.build_part(item.thing, item.architecture)
