@@ -42,6 +42,7 @@ from rosml.containerize.init.conditions import holds
 from rosml.images.builds import apt_sources, package_state, structure_tests, sync
 from rosml.images.catalogue import read
 from rosml.images.image_set import labels, load
+from rosml.images.join import facts
 from rosml.images.matrix import source
 from rosml.images.publish import plan, scan_results
 from rosml.images.records import store, tag_moves
@@ -261,6 +262,20 @@ def dpkg_of(document: bytes, folder: Path) -> object:
     file.write_bytes(document)
     files = script("app_files")
     return files.versions(folder, [folder]), [*files.status(folder).values()]
+
+
+def elf_of(document: bytes, folder: Path) -> object:
+    """What a program or a library says of itself."""
+    (folder / "file").write_bytes(document)
+    return script("elf").elf(folder / "file"), script("elf").symbols(folder / "file")
+
+
+LIBRARY = {"path": "a.so", "soname": "a", "machine": [2, 1, 62], "needed": ["b"], "symbols": "AAAA", "uses": ["c@D"]}
+FACTS = {
+    "packages": [{"name": "a", "architecture": "all", "version": "1", "depends": "b (>= 1)", "files": ["c"]}],
+    "libraries": [LIBRARY],
+    "files": ["d"],
+}
 
 
 def contents_of(name: str) -> Callable[[bytes, Path], object]:
@@ -623,6 +638,9 @@ PARSERS: dict[str, Parser] = {
     ),
     "packages of apt in an image": Parser("text", [STATUS], contents_of("var/lib/dpkg/status.d/a")),
     "os-release in an image": Parser("text", [b'ID=debian\nVERSION_ID="12"\n'], contents_of("usr/lib/os-release")),
+    "relations of a package": Parser("text", [STATUS], text(lambda found: script("facts").package(found))),
+    "program in an image": Parser("text", [Path("/bin/true").read_bytes()], elf_of),
+    "facts of an image": Parser("json", as_json(FACTS), lambda document, folder: facts.parse(gzip.compress(document))),
     "report of pip": Parser("json", as_json(PIP), requirements_of),
     "lock file": Parser("json", [LOCK.text().encode()], written("a.lock", lambda file: lock.read(file, file.parent))),
     "folder of upstream sources": Parser(
