@@ -17,7 +17,7 @@ from rosml.registry.client import Registry
 
 DIGEST = f"sha256:{'1' * 64}"
 ROS, TORCH = "me/rosml/ros", "me/rosml/ros-torch"
-LIBRARY = {"path": "a.so", "soname": "", "machine": [2, 1, 62], "needed": [], "symbols": "AAAABBBB"}
+LIBRARY = {"id": "0" * 40, "path": "a.so", "soname": "", "machine": [2, 1, 62], "needed": [], "symbols": "AAAABBBB"}
 
 
 @pytest.mark.parametrize(
@@ -47,7 +47,7 @@ def test_facts_that_are_too_large(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_a_symbol_stands_only_at_its_place() -> None:
     """Four characters of two symbols that follow each other are none."""
-    group = facts._group("it")  # noqa: SLF001
+    group = facts.hashed("it")
     for text, found in ((f"A{group}AAA", False), (f"AAAA{group}", True), (f"A{group}AAA{group}", True), ("", False)):
         library = Library.model_validate(LIBRARY | {"symbols": text})
         assert facts.exports(library, "it") is found and facts.lacking(["it"], [library]) == ([] if found else ["it"])
