@@ -105,10 +105,10 @@ def digest(services: Services, name: str) -> str:
 def test_an_app_moves_to_another_base_image(published: Publish, services: Services, tmp_path: Path) -> None:
     core, runtime = published(BASE).reference, published(RUNTIME).reference
 
-    def night(number: int, greeting: str, vendor: int, name: str = "night") -> str:
-        """Base images of a night: their tags move."""
-        for kind, below in (("run", runtime), ("core", core)):
-            folder = tmp_path / f"{name}-{kind}-{number}"
+    def night(number: int, kinds: str, greeting: str, vendor: int, name: str = "night") -> str:
+        """Base images of a night, with compilers and without: their tags move. Gives the name of the last one."""
+        for kind in kinds.split():
+            folder, below = tmp_path / f"{name}-{kind}-{number}", core if kind == "core" else runtime
             found = base(services, core, below, f"{name}-{kind}", folder, f"1.{number}", greeting, vendor)
         return found
 
@@ -119,7 +119,7 @@ def test_an_app_moves_to_another_base_image(published: Publish, services: Servic
     (greeter / "package.xml").write_text(PACKAGE.format("greeter", ""))
     (greeter / "CMakeLists.txt").write_text(CMAKE)
     (greeter / "greet.c").write_text(NODE)
-    onto = night(0, "greeting", 1)
+    onto = night(0, "run core", "greeting", 1)
 
     def build(tag: str) -> dict[str, Any]:
         options = ["--image-name", name, "--image-tag", tag, "--target", "run", "--no-tests", "--enable-slim"]
@@ -129,7 +129,7 @@ def test_an_app_moves_to_another_base_image(published: Publish, services: Servic
     first = build("first")
     run_image, slim_image = (first[target]["reference"] for target in ("run", "slim"))
     before = digest(services, onto)
-    night(1, "greeting", 2)
+    night(1, "run core", "greeting", 2)
 
     moved = {}
     for target, image in (("run", run_image), ("slim", slim_image)):
@@ -150,7 +150,7 @@ def test_an_app_moves_to_another_base_image(published: Publish, services: Servic
     )
     build_folder(services, tmp_path / "chk")
 
-    gone = night(2, "salute", 2, "gone")
+    gone = night(2, "core", "salute", 2, "gone")
     refused = rebased(run_image, "--base", gone)
     assert refused.code == 2 and "uses greeting, which no library of the base image has any more" in refused.err
     assert digest(services, run_image) == first["run"]["digest"], "the tag stays"

@@ -39,6 +39,7 @@ from rosml.containerize import (
 )
 from rosml.containerize.init import packages
 from rosml.containerize.init.conditions import holds
+from rosml.containerize.rebase import fleet, trial
 from rosml.images.builds import apt_sources, package_state, structure_tests, sync
 from rosml.images.catalogue import read
 from rosml.images.image_set import labels, load
@@ -641,6 +642,16 @@ PARSERS: dict[str, Parser] = {
     "relations of a package": Parser("text", [STATUS], text(lambda found: script("facts").package(found))),
     "program in an image": Parser("text", [Path("/bin/true").read_bytes()], elf_of),
     "facts of an image": Parser("json", as_json(FACTS), lambda document, folder: facts.parse(gzip.compress(document))),
+    "apps that move": Parser(
+        "yaml",
+        [
+            b"apps:\n  - app: ghcr.io/me/robot:v*\n    base: ghcr.io/us/ros:jazzy-base\n  - {app: a.example/b, check: run, command: c}\n"
+        ],
+        written("apps.yaml", fleet.read),
+    ),
+    "lines of a trial": Parser(
+        "json", [b'"lib/a: undefined symbol: b"\n"import c: d"\n'], lambda document, _: trial.lines(document)
+    ),
     "report of pip": Parser("json", as_json(PIP), requirements_of),
     "lock file": Parser("json", [LOCK.text().encode()], written("a.lock", lambda file: lock.read(file, file.parent))),
     "folder of upstream sources": Parser(
