@@ -254,5 +254,6 @@ class Bench:
             def remove(item: tuple[str, str]) -> None:
                 with suppress(RosmlError):
                     registry.delete(*item)
+                    registry.forget(*item)
 
             side_by_side(remove, sorted(self.pushed))

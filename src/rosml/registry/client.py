@@ -154,6 +154,7 @@ class Registry:
         self._attaching: defaultdict[str, threading.Lock] = defaultdict(threading.Lock)  # by the tag of a list
         self._reached = False
         self.uploaded = 0
+        self._sent = threading.local()
         self._keeping: set[str] = set()  # repositories that refused to discard something
         self._there: set[str] = set()  # repositories that have, or had, a manifest
         self._warned = False
@@ -171,6 +172,11 @@ class Registry:
     def close(self) -> None:
         """Closes its connections."""
         self._client.close()
+
+    @property
+    def sent_by_this_thread(self) -> int:
+        """As `uploaded`, of this thread alone."""
+        return int(getattr(self._sent, "bytes", 0))
 
     # ---- Manifests ---------------------------------------------------------------------------------------------------
 
@@ -800,6 +806,7 @@ class Registry:
         with self._lock:
             self._reached = True
             self.uploaded += int(request.headers.get("content-length", 0))
+        self._sent.bytes = self.sent_by_this_thread + int(request.headers.get("content-length", 0))
         return answer, header
 
     def _expect(self, answer: Answer, allow: Container[int], repository: str, push: bool) -> Answer:

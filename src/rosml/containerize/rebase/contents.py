@@ -156,7 +156,7 @@ class Contents:
         """
         registry, subject = self._transfer.registries(host), oci.descriptor(oci.IMAGE, manifest)
         there = {entry.get("artifactType") for entry in registry.referrers(repository, subject["digest"])}
-        before, own = registry.uploaded, self.own(app)
+        before, own = registry.sent_by_this_thread, self.own(app)
         if facts.ARTIFACT not in there:
             for layer in self._artifacts(Place(app.host, app.repository, app.digest), facts.ARTIFACT)[:1]:
                 data = self._transfer.registries(app.host).part(app.repository, layer.layers[0], facts.PACKED)
@@ -171,7 +171,7 @@ class Contents:
             reference = f"{host}/{repository}@{subject['digest']}"
             data = self._sbom(app, own, base, reference)
             registry.attach(repository, subject, sbom.MEDIA_TYPE, data, sbom.MEDIA_TYPE, sbom.FORMAT)
-        return registry.uploaded - before
+        return registry.sent_by_this_thread - before
 
     def _listed(self, place: Place, kind: str) -> list[Manifest]:
         """What is attached to an image, of one kind."""
