@@ -114,10 +114,10 @@ def regular(file: Path, most: int) -> bytes | None:
     except OSError as error:
         reason = "it is a link" if error.errno == errno.ELOOP else error.strerror
         raise RosmlError(f"{shown(file)}: cannot be read: {reason}", "put a file in its place", 2) from None
+    if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+        os.close(descriptor)
+        raise RosmlError(f"{shown(file)}: cannot be read: it is no file", "put a file in its place", 2)
     with os.fdopen(descriptor, "rb") as stream:
-        facts = os.fstat(descriptor)
-        if not stat.S_ISREG(facts.st_mode):
-            raise RosmlError(f"{shown(file)}: cannot be read: it is no file", "put a file in its place", 2)
         content = stream.read(most + 1)
     if len(content) > most:
         raise RosmlError(f"{shown(file)}: has more than {most:,} bytes", "put a smaller file in its place", 2)

@@ -66,12 +66,12 @@ def is_ours(container: Container) -> bool:
 def default(container: Container, image: Image | None) -> Sequence[str]:
     """The default command: the image's own if that is a shell, otherwise bash. If the image's command is an app, that runs
     already. In another image with an entrypoint, CMD is a program only together with that entrypoint."""
-    if image is None or not _is_shell(image.command) or (image.entrypoint and not is_ours(container)):
+    if image is None or not is_shell(image.command) or (image.entrypoint and not is_ours(container)):
         return ["bash"]
     return image.command
 
 
-def _is_shell(command: Sequence[str]) -> bool:
+def is_shell(command: Sequence[str]) -> bool:
     """Whether a command is a shell that runs no program: `bash -l`, not `bash -c …` or `bash start.sh`."""
     program, *options = command or ("",)
     return program.rpartition("/")[2] in SHELLS and all(re.fullmatch("--[a-z]+|-[il]+", word) for word in options)

@@ -7,10 +7,9 @@ from collections.abc import Callable, Mapping
 from functools import reduce
 from typing import Any
 
-import yaml
-
 from rosml.base.errors import RosmlError
-from rosml.run.export import Call, Option, fields, file, placed, volume
+from rosml.run import yaml_text
+from rosml.run.export import COUNT, Call, Option, fields, file, gpus, merged, nested, placed, volume
 
 SAME = (
     *("annotation", "cpus", "domainname", "expose", "hostname", "ipc", "isolation", "pid", "platform"),
@@ -92,7 +91,7 @@ def text(call: Call) -> str:
     Raises:
         RosmlError: an option has no counterpart.
     """
-    return yaml.dump(_escaped(content(call)), Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=1_000_000)
+    return yaml_text.text(escaped(content(call)))
 
 
 def content(call: Call) -> dict[str, Any]:
@@ -101,7 +100,7 @@ def content(call: Call) -> dict[str, Any]:
     Raises:
         RosmlError: an option has no counterpart.
     """
-    service: Any = reduce(_merged, (_part(option, call.folder) for option in call.options), {"image": call.image})
+    service: Any = reduce(merged, (_part(option, call) for option in call.options), {"image": call.image})
     if "entrypoint" in service:
         service["entrypoint"] = [service["entrypoint"]]  # the engines take one word
     if call.command:
@@ -115,7 +114,7 @@ def content(call: Call) -> dict[str, Any]:
 # ---- An option -------------------------------------------------------------------------------------------------------
 
 
-def _part(option: Option, folder: str) -> dict[str, Any]:
+def _part(option: Option, call: Call) -> dict[str, Any]:
     """The fields that an option adds to a service.
 
     Raises:
@@ -123,7 +122,7 @@ def _part(option: Option, folder: str) -> dict[str, Any]:
     """
     name, value = option.name, option.value or ""
     if name in MADE:
-        return MADE[name](option, folder)
+        return MADE[name](option, call)
     if name not in NAMES or value not in TAKEN.get(name, (value,)):
         raise _without(option, f"--{name}" if name not in NAMES else f"--{name}={value}")
     found: Any = value
@@ -136,14 +135,14 @@ def _part(option: Option, folder: str) -> dict[str, Any]:
         found = {
             key: None if name == "env" and not equals else said
         }  # None: from the environment of the user who starts it
-    return _nested(NAMES[name], found)
+    return nested(NAMES[name], found)
 
 
 def _without(option: Option, what: str) -> RosmlError:
     return RosmlError(f"{what} has no counterpart in a file of compose", f"leave out --{option.name}", exit_code=2)
 
 
-def _network(option: Option, folder: str) -> dict[str, Any]:
+def _network(option: Option, call: Call) -> dict[str, Any]:
     value = option.value or ""
     if "=" in value:
         raise _without(option, f"--network {value}")
@@ -152,11 +151,11 @@ def _network(option: Option, folder: str) -> dict[str, Any]:
     return {"networks": {value: {}}}
 
 
-def _volume(option: Option, folder: str) -> dict[str, Any]:
-    return {"volumes": [volume(option, folder, ".")]}
+def _volume(option: Option, call: Call) -> dict[str, Any]:
+    return {"volumes": [volume(option, call, ".")]}
 
 
-def _mount(option: Option, folder: str) -> dict[str, Any]:
+def _mount(option: Option, call: Call) -> dict[str, Any]:
     """A mount. The engines refuse a missing folder; compose would make it."""
     mount: dict[str, Any] = {"type": "volume"}
     for key, value in fields(option):
@@ -167,10 +166,10 @@ def _mount(option: Option, folder: str) -> dict[str, Any]:
             found = Option(key, value or None).is_on
         elif key == "tmpfs-mode":
             found = _octal(value)
-        mount = _merged(mount, _nested(MOUNT[key], found))
+        mount = merged(mount, nested(MOUNT[key], found))
     if mount["type"] == "bind":
-        mount = _merged(mount, {"bind": {"create_host_path": False}})
-        mount["source"] = placed(mount.get("source", ""), folder, ".")
+        mount = merged(mount, {"bind": {"create_host_path": False}})
+        mount["source"] = placed(mount.get("source", ""), call, ".")
     return {"volumes": [mount]}
 
 
@@ -179,27 +178,21 @@ def _octal(mode: str) -> int | str:
     return int(mode, 8) if re.fullmatch("[0-7]{1,9}", mode) else mode
 
 
-def _gpus(option: Option, folder: str) -> dict[str, Any]:
+def _gpus(option: Option, call: Call) -> dict[str, Any]:
     """GPUs: `all`, `2`, `device=0`, `"device=0,1"`, or other fields."""
-    device: dict[str, Any] = {"driver": "nvidia", "capabilities": ["gpu"]}
-    for key, value in fields(option):
-        if key in ("all", "count") or COUNT.fullmatch(key):
-            count = value or key
-            device["count"] = int(count) if COUNT.fullmatch(count) else count
-        elif key == "device":
-            device["device_ids"] = value.split(",")
-        elif key == "driver":
-            device["driver"] = value
-        elif key == "capabilities":
-            device = _merged(device, {"capabilities": value.split(",")})
-        else:
-            raise _without(option, f"{key} of --gpus")
-    if "count" not in device and "device_ids" not in device:
-        device["count"] = 1
-    return _nested("deploy.resources.reservations.devices", [device])
+    found = gpus(option)
+    device: dict[str, Any] = {
+        "driver": found.driver or "nvidia",
+        "capabilities": [*dict.fromkeys(("gpu", *found.capabilities))],
+    }
+    if found.count:
+        device["count"] = int(found.count) if COUNT.fullmatch(found.count) else found.count
+    if found.ids:
+        device["device_ids"] = [*found.ids]
+    return nested("deploy.resources.reservations.devices", [device])
 
 
-def _ulimit(option: Option, folder: str) -> dict[str, Any]:
+def _ulimit(option: Option, call: Call) -> dict[str, Any]:
     name, _, limits = (option.value or "").partition("=")
     soft, colon, hard = limits.partition(":")
     return {"ulimits": {name: {"soft": _number(soft), "hard": _number(hard)} if colon else _number(soft)}}
@@ -209,20 +202,20 @@ def _number(found: str) -> int | str:
     return int(found) if NUMBER.fullmatch(found) else found
 
 
-COUNT, NUMBER = re.compile("[0-9]{1,18}"), re.compile("-?[0-9]{1,18}")
+NUMBER = re.compile("-?[0-9]{1,18}")
 """Values that become numbers. All others stay text."""
 
 
-MADE: Mapping[str, Callable[[Option, str], dict[str, Any]]] = {
-    "env-file": lambda option, folder: {"env_file": [{"path": file(option, folder, "."), "format": "raw"}]},
+MADE: Mapping[str, Callable[[Option, Call], dict[str, Any]]] = {
+    "env-file": lambda option, call: {"env_file": [{"path": file(option, call, "."), "format": "raw"}]},
     "gpus": _gpus,
-    "label-file": lambda option, folder: {"label_file": [file(option, folder, ".")]},
+    "label-file": lambda option, call: {"label_file": [file(option, call, ".")]},
     "mount": _mount,
     "network": _network,
-    "stop-timeout": lambda option, folder: {"stop_grace_period": f"{option.value}s"},
+    "stop-timeout": lambda option, call: {"stop_grace_period": f"{option.value}s"},
     "ulimit": _ulimit,
     "volume": _volume,
-    "volumes-from": lambda option, folder: {"volumes_from": [f"container:{option.value}"]},
+    "volumes-from": lambda option, call: {"volumes_from": [f"container:{option.value}"]},
 }
 """Options with a form of their own in compose."""
 
@@ -237,38 +230,10 @@ def _volume_of(mount: str | Mapping[str, Any]) -> str:
     return source if colon and "/" not in source and source != "." else ""
 
 
-def _nested(path: str, found: Any) -> dict[str, Any]:
-    """`a.b` and what is in it, as `{a: {b: …}}`."""
-    first, _, rest = path.partition(".")
-    return {first: _nested(rest, found) if rest else found}
-
-
-def _merged(first: Any, second: Any) -> Any:
-    """Both; of two texts, numbers or switches the second one."""
-    if isinstance(first, dict) and isinstance(second, dict):
-        both = {key: _merged(first[key], second[key]) for key in first if key in second}
-        return {**first, **second, **both}
-    if isinstance(first, list) and isinstance(second, list):
-        return [*first, *(item for item in second if item not in first)]
-    return second
-
-
-def _escaped(found: Any) -> Any:
+def escaped(found: Any) -> Any:
     """The same with each `$` twice: compose takes one for a variable."""
     if isinstance(found, dict):
-        return {key: _escaped(value) for key, value in found.items()}
+        return {key: escaped(value) for key, value in found.items()}
     if isinstance(found, list):
-        return [*map(_escaped, found)]
+        return [*map(escaped, found)]
     return found.replace("$", "$$") if isinstance(found, str) else found
-
-
-class _Dumper(yaml.SafeDumper):
-    """Quotes each text that a reader may take for something else, such as `1e3`, which is a number in YAML 1.2."""
-
-
-def _quoted(dumper: yaml.SafeDumper, found: str) -> yaml.Node:
-    plain = re.fullmatch(r"([A-Za-z_/]|\./)[ -~]*|\.", found)
-    return dumper.represent_scalar("tag:yaml.org,2002:str", found, style=None if plain else '"')
-
-
-_Dumper.add_representer(str, _quoted)

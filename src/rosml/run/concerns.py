@@ -67,10 +67,10 @@ def name_of(line: Line, person: Person) -> str:
     if line.asks("no-name") or line.asks("new") or not person.terminal:
         return ""
     places = (person.folder, line.image.partition("@")[0])
-    return next(filter(None, (_as_name(place.rpartition("/")[2]) for place in places)), "")
+    return next(filter(None, (as_name(place.rpartition("/")[2]) for place in places)), "")
 
 
-def _as_name(text: str) -> str:
+def as_name(text: str) -> str:
     """Text with only the characters of a container's name; empty if fewer than two are left."""
     name = re.sub(r"[^A-Za-z0-9_.-]+", "-", text).strip("-_.")
     return name if len(name) > 1 else ""

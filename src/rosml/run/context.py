@@ -60,6 +60,23 @@ class Person:
 
 
 @dataclass(frozen=True)
+class Health:
+    """The HEALTHCHECK of an image.
+
+    Attributes:
+        command: empty if it has none.
+        interval, timeout, start_period: seconds; 0 for the engine's default.
+        retries: failures until the container is unhealthy; 0 for the engine's default.
+    """
+
+    command: tuple[str, ...] = ()
+    interval: float = 0
+    timeout: float = 0
+    start_period: float = 0
+    retries: int = 0
+
+
+@dataclass(frozen=True)
 class Image:
     """An image of the engine.
 
@@ -68,6 +85,9 @@ class Image:
         environment, labels, entrypoint: from its build.
         command: its `CMD`.
         user: the user as whom it starts.
+        digest: that of its manifest for this architecture, if the engine names one.
+        digests: its names in registries by digest, such as `ghcr.io/me/ros@sha256:…`.
+        health: its HEALTHCHECK.
     """
 
     id: str = ""
@@ -76,6 +96,9 @@ class Image:
     entrypoint: tuple[str, ...] = ()
     command: tuple[str, ...] = ()
     user: str = ""
+    digest: str = ""
+    digests: tuple[str, ...] = ()
+    health: Health = field(default_factory=Health)
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,6 @@ An editor replaces the image's entrypoint by a command that waits, then enters t
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -59,14 +58,14 @@ def content(call: Call) -> dict[str, Any]:
     if call.command:
         text = f"a dev container has no command of yours, such as {call.command[0]}: its editor keeps it open"
         raise RosmlError(text, "leave the command out, and call it on the editor's terminal", exit_code=2)
-    if _values(call, "entrypoint"):
+    if call.values("entrypoint"):
         raise RosmlError("a dev container has its editor's entrypoint", "leave out --entrypoint", exit_code=2)
-    opened = next((option for option in call.options if _target(option, call.folder)), None)
+    opened = next((option for option in call.options if _target(option, call)), None)
     others = [option for option in call.options if option is not opened]
-    user = (_values(call, "user") or [""])[-1]
+    user = (call.values("user") or [""])[-1]
     found: dict[str, Any] = {"name": call.name, "image": call.image}
     if opened:
-        target = _target(opened, call.folder)
+        target = _target(opened, call)
         found |= {
             "workspaceMount": joined(["type=bind", f"source={FOLDER}", f"target={target}"]),
             "workspaceFolder": target,
@@ -75,17 +74,13 @@ def content(call: Call) -> dict[str, Any]:
         found["containerUser"] = "root" if user == "0:0" else user
     found |= {
         "updateRemoteUserUID": False,
-        "containerEnv": dict(map(_variable, _values(call, "env"))),
-        "mounts": [_mount(option, call.folder) for option in others if option.name == "mount"],
+        "containerEnv": dict(map(_variable, call.values("env"))),
+        "mounts": [_mount(option, call) for option in others if option.name == "mount"],
         **{option.name: option.is_on for option in others if option.name in SWITCHES},
-        **{key: [*dict.fromkeys(_values(call, name))] for name, key in LISTS.items()},
-        "runArgs": [_word(option, call.folder) for option in others if option.name not in (*ELSEWHERE, *DROPPED)],
+        **{key: [*dict.fromkeys(call.values(name))] for name, key in LISTS.items()},
+        "runArgs": [_word(option, call) for option in others if option.name not in (*ELSEWHERE, *DROPPED)],
     }
     return {key: value for key, value in found.items() if value not in ([], {})}
-
-
-def _values(call: Call, name: str) -> Sequence[str]:
-    return [option.value or "" for option in call.options if option.name == name]
 
 
 def _variable(value: str) -> tuple[str, str]:
@@ -94,35 +89,35 @@ def _variable(value: str) -> tuple[str, str]:
     return name, said if equals else f"${{localEnv:{name}}}"
 
 
-def _target(option: Option, folder: str) -> str:
+def _target(option: Option, call: Call) -> str:
     """The path at which an option mounts the current folder; empty if it mounts something else, or in another way."""
     if option.name == "volume":
         source, _, target = (option.value or "").partition(":")
-        return target if source == folder and ":" not in target else ""
+        return target if source == call.place and ":" not in target else ""
     if option.name != "mount":
         return ""
     found = dict(fields(option))
     target = found.pop("target", "")
-    return target if found == {"type": "bind", "source": folder} else ""
+    return target if found == {"type": "bind", "source": call.place} else ""
 
 
-def _mount(option: Option, folder: str) -> str:
+def _mount(option: Option, call: Call) -> str:
     """The value of `--mount`."""
     found = dict(fields(option))
     if "source" in found:
-        found["source"] = placed(found["source"], folder, FOLDER)
+        found["source"] = placed(found["source"], call, FOLDER)
     return joined([f"{key}={value}" if value else key for key, value in found.items()])
 
 
-def _word(option: Option, folder: str) -> str:
+def _word(option: Option, call: Call) -> str:
     """An option of the engine, as one word."""
     value = option.value
     if value is None:
         return f"--{option.name}"
     if option.name in FILES:
-        value = file(option, folder, FOLDER)
+        value = file(option, call, FOLDER)
     elif option.name == "volume":
-        value = volume(option, folder, FOLDER)
-    elif value == f"{LABEL}={folder}":
+        value = volume(option, call, FOLDER)
+    elif value == f"{LABEL}={call.folder}":
         value = f"{LABEL}={FOLDER}"
     return f"--{option.name}={value}"

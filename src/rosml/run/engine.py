@@ -14,7 +14,7 @@ from typing import Any, TypeVar
 
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
-from rosml.run.context import Container, Engine, Image
+from rosml.run.context import Container, Engine, Health, Image
 from rosml.run.words import Line
 
 T = TypeVar("T")
@@ -72,6 +72,9 @@ CDI = ("/etc/cdi", "/var/run/cdi")
 
 IMAGE = "{{json .}}"
 """The template for an image: all facts. docker and podman name its id differently in a template, and alike in JSON."""
+
+NAMED = re.compile(r"[A-Za-z0-9][A-Za-z0-9._:/-]*@sha256:[0-9a-f]{64}")
+"""The name of an image in a registry by its digest."""
 
 CONTAINER = (
     "{{json .Name}} {{json .State.Status}} {{json .Image}} {{json .Config}} {{json .Mounts}} {{json .HostConfig}}"
@@ -400,8 +403,31 @@ def _image(command: str, answer: _Answer, name: str) -> Image | None:
         (found,) = said if isinstance(said, list) else [said]  # podman writes a list
         found = _kind(dict, found)
         config = _kind(dict, found.get("Config"))
-        user = _kind(str, config.get("User") or "")
-        return Image(_bare(found.get("Id")), *_described(config), _words(config.get("Cmd")), user)
+        user, default = _kind(str, config.get("User") or ""), _words(config.get("Cmd"))
+        digest, digests = (
+            str(found.get("Digest") or ""),
+            tuple(filter(NAMED.fullmatch, _texts(found.get("RepoDigests")))),
+        )
+        health = _health(config.get("Healthcheck") or found.get("HealthCheck"))  # docker's place, podman's place
+        return Image(_bare(found.get("Id")), *_described(config), default, user, digest, digests, health)
+
+
+def _health(found: object) -> Health:
+    """The HEALTHCHECK of an image. Durations are in nanoseconds.
+
+    Raises:
+        ValueError: it has another form.
+    """
+    said = _kind(dict, found or {})
+    kind, *command = [*_texts(said.get("Test")), ""]
+    words = (*(["/bin/sh", "-c"] if kind == "CMD-SHELL" else []), *command[:-1])
+    numbers = [_kind(int, said.get(name) or 0) for name in ("Interval", "Timeout", "StartPeriod", "Retries")]
+    if not all(0 <= number < 2**63 for number in numbers):
+        raise ValueError(numbers)
+    if kind not in ("CMD", "CMD-SHELL") or len(command) < 2:
+        return Health()
+    interval, timeout, start, retries = numbers
+    return Health(words, interval / 1e9, timeout / 1e9, start / 1e9, min(retries, 2**31 - 1))
 
 
 def _containers(command: str, answer: _Answer, *names: str) -> list[Container]:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 from rosml.base.errors import RosmlError
-from rosml.run import concerns, sockets
-from rosml.run.context import Context
+from rosml.run import attach, concerns, sockets
+from rosml.run.context import Context, Engine, Image
 from rosml.run.words import Given, Line, split
 
 OF_A_CALL = ("attach", "detach", "detach-keys", "quiet", "replace", "rm", "rmi", "sig-proxy")
@@ -44,12 +46,15 @@ class Option:
 
 @dataclass(frozen=True)
 class Call:
-    """A call.
+    """A call: the one description from which all files are written.
 
     Attributes:
-        name: its name for people, from the folder.
+        name: its name for people: that of --name, or from the folder.
         options: the engine's options. If two set the same thing, the last one counts.
-        folder: the current folder, for the file.
+        folder: the current folder.
+        place: the folder for which the file is; paths in it are relative there.
+        engine: the engine that would run it.
+        about: the engine's facts about the image.
     """
 
     name: str
@@ -57,6 +62,13 @@ class Call:
     image: str
     command: tuple[str, ...]
     folder: str
+    place: str
+    engine: Engine = field(default_factory=Engine)
+    about: Image = field(default_factory=Image)
+
+    def values(self, name: str) -> list[str]:
+        """The values of an option, in their order."""
+        return [option.value or "" for option in self.options if option.name == name]
 
 
 def lasting(context: Context) -> Context:
@@ -74,6 +86,30 @@ def lasting(context: Context) -> Context:
     return replace(context, line=kept, person=replace(context.person, terminal=True, reads=True))
 
 
+def sessionless(context: Context, kind: str) -> Context:
+    """The context of a service, which starts before anybody logs in: no terminal, no windows, no sockets of a session.
+
+    Args:
+        kind: the kind of file, for messages.
+
+    Raises:
+        RosmlError: the user asks for one of these sockets.
+    """
+    if asked := next((name for name in ("ssh-agent", "sound", "wayland") if context.line.asks(name)), ""):
+        text = f"--{asked} does not go with --export {kind}: its socket is there while you are logged in"
+        raise RosmlError(text, "leave it out, or mount a socket that lasts with -v", exit_code=2)
+    own = (*context.line.own, "--no-name", "--no-x11", "--no-it")
+    return replace(context, line=replace(context.line, own=own))
+
+
+def lacking_command(call: Call) -> list[tuple[str, str]]:
+    """A warning if a service would start a shell, which ends at once because it has no terminal; with its remedy."""
+    if call.command or call.values("entrypoint") or not attach.is_shell(call.about.command):
+        return []
+    text = f"no command is written, and {call.image} starts {call.about.command[0]!a}, which ends at once without a terminal"
+    return [(text, "write the command after the image, such as ros2 launch PACKAGE FILE")]
+
+
 def preceded(line: Line, *words: str) -> Line:
     """The line with more options of the engine before the typed ones."""
     return replace(line, engine=(*split([*words, line.image], ()).engine, *line.engine))
@@ -88,11 +124,12 @@ def _has_windows(context: Context) -> bool:
     return named["machine"] in ("", "unix") and host.has(f"/tmp/.X11-unix/X{named['number']}")
 
 
-def call(context: Context, argv: Sequence[str]) -> Call:
+def call(context: Context, argv: Sequence[str], place: str = "") -> Call:
     """The call.
 
     Args:
         argv: the engine's command, from the plugins.
+        place: the folder for which the file is; by default the current one.
 
     Raises:
         RosmlError: a word of the command is no text.
@@ -104,8 +141,10 @@ def call(context: Context, argv: Sequence[str]) -> Call:
     options = [Option(SYNONYMS.get(name, name), value) for given in line.engine for name, value in _pairs(given)]
     kept = tuple(option for option in options if option.name not in OF_A_CALL)
     folder = context.person.folder
-    name = concerns.name_of(Line((), (), line.image, ()), context.person) or "container"
-    return Call(name, kept, line.image, line.command, folder)
+    seen = replace(context.person, terminal=True)
+    named = concerns.as_name(context.line.value("name"))
+    name = named or concerns.name_of(Line((), (), line.image, ()), seen) or "container"
+    return Call(name, kept, line.image, line.command, folder, place or folder, context.engine, context.image)
 
 
 def _is_text(word: str) -> bool:
@@ -139,19 +178,82 @@ def fields(option: Option) -> list[tuple[str, str]]:
     return [(FIELDS.get(key, key), value) for key, _, value in (field.partition("=") for field in found)]
 
 
-def placed(path: str, folder: str, start: str) -> str:
-    """A path. If it lies in the current folder, it begins with `start` instead, so that the file works elsewhere."""
-    if folder == "/" or not f"{path}/".startswith(f"{folder}/"):
+def placed(path: str, call: Call, start: str) -> str:
+    """A path. If it lies in the folder of the file, it begins with `start` instead, so that the file works elsewhere."""
+    if call.place == "/" or not f"{path}/".startswith(f"{call.place}/"):
         return path
-    return start + path[len(folder) :]
+    return start + path[len(call.place) :]
 
 
-def file(option: Option, folder: str, start: str) -> str:
+def file(option: Option, call: Call, start: str) -> str:
     """The value of an option that is a file of this machine; a relative path begins at the current folder."""
-    return placed(os.path.normpath(os.path.join(folder, option.value or "")), folder, start)
+    return placed(os.path.normpath(os.path.join(call.folder, option.value or "")), call, start)
 
 
-def volume(option: Option, folder: str, start: str) -> str:
+def volume(option: Option, call: Call, start: str) -> str:
     """The value of `-v`, with its folder as `placed` has it. Without a colon it is a place in the container."""
     source, colon, rest = (option.value or "").partition(":")
-    return placed(source, folder, start) + colon + rest if colon else source
+    return placed(source, call, start) + colon + rest if colon else source
+
+
+# ---- GPUs ------------------------------------------------------------------------------------------------------------
+
+COUNT = re.compile("[0-9]{1,18}")
+"""A number of GPUs, or of a GPU."""
+
+
+@dataclass(frozen=True)
+class Gpus:
+    """The GPUs of `--gpus`.
+
+    Attributes:
+        count: `all`, a number, or another text, which the engine refuses; empty if there are ids.
+        ids: the wanted ones.
+        driver: empty if none is named.
+        capabilities: those that are named.
+    """
+
+    count: str
+    ids: tuple[str, ...]
+    driver: str
+    capabilities: tuple[str, ...]
+
+
+def gpus(option: Option) -> Gpus:
+    """GPUs, from `all`, `2`, `device=0`, `"device=0,1"`, or more fields.
+
+    Raises:
+        RosmlError: it has other fields, or several numbers. Docker takes the last number of `0,1`, which nobody means.
+    """
+    found: dict[str, str] = {}
+    for key, value in fields(option):
+        name, said = ("count", value or key) if key in ("all", "count") or COUNT.fullmatch(key) else (key, value)
+        if name not in ("count", "device", "driver", "capabilities"):
+            remedy = f"leave out {name}: write all, a number, or device= with ids"
+            raise RosmlError(f"{name} of --gpus has no counterpart in such a file", remedy, exit_code=2)
+        if name in found:
+            text = f"--gpus {option.value} says {name} twice"
+            raise RosmlError(text, "for certain GPUs: --gpus '\"device=0,1\"'", exit_code=2)
+        found[name] = said
+    ids = tuple(filter(None, found.get("device", "").split(",")))
+    count = found.get("count", "" if ids else "1")
+    return Gpus(count, ids, found.get("driver", ""), tuple(filter(None, found.get("capabilities", "").split(","))))
+
+
+# ---- Content ---------------------------------------------------------------------------------------------------------
+
+
+def nested(path: str, found: Any) -> dict[str, Any]:
+    """`a.b` and what is in it, as `{a: {b: …}}`."""
+    first, _, rest = path.partition(".")
+    return {first: nested(rest, found) if rest else found}
+
+
+def merged(first: Any, second: Any) -> Any:
+    """Both; of two texts, numbers or switches the second one."""
+    if isinstance(first, dict) and isinstance(second, dict):
+        both = {key: merged(first[key], second[key]) for key in first if key in second}
+        return {**first, **second, **both}
+    if isinstance(first, list) and isinstance(second, list):
+        return [*first, *(item for item in second if item not in first)]
+    return second

@@ -33,7 +33,7 @@ def gpu(context: Context) -> Added:
         RosmlError: the machine's driver is too old for the image.
     """
     line, host = context.line, context.host
-    if line.asks("no-gpu") or not context.is_here or _is_theirs(line):
+    if line.asks("no-gpu") or not context.is_here or is_theirs(line):
         return NOTHING
     if not is_nvidia(host):
         return Added(_rendering(context))
@@ -49,7 +49,7 @@ def is_nvidia(host: Host) -> bool:
     return host.has(*JETSON) or host.has(*WSL) or host.has("/dev/nvidiactl")
 
 
-def _is_theirs(line: Line) -> bool:
+def is_theirs(line: Line) -> bool:
     """Whether the user chooses the GPUs."""
     devices = any(x.startswith(("nvidia.com/", "/dev/nvidia", "/dev/dri", "/dev/dxg")) for x in line.values("device"))
     return devices or line.has("gpus", "runtime") or line.sets("NVIDIA_VISIBLE_DEVICES")

@@ -5,48 +5,23 @@ from __future__ import annotations
 import json
 import os
 import shlex
-from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import click
 import pytest
 import yaml
-from desks import BARE, OTHER, OURS, Desk
+from desks import Desk
+from exports import PODMAN, ROOTLESS, call
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from rosml.base.errors import RosmlError
-from rosml.cli.run import run
-from rosml.run import compose, devcontainer, export, plugins, words
-from rosml.run.context import Context, Engine, Host, Image, Person
+from rosml.run import compose, devcontainer, export, words
+from rosml.run.context import Host
 from rosml.run.words import split
 
-ME = Person(1234, 5678, "jo", "/home/jo/robot", "Europe/Berlin")
-OWN = [name for option in run.main.get_params(click.Context(run.main)) for name in option.opts if name.startswith("--")]
 QUIET = ("--no-tz", "--no-it", "--no-user")
-DOCKER, ROOTLESS = Engine(), Engine(rootless=True)
-PODMAN = Engine("podman", podman=True, rootless=True)
-
-
-def call(
-    *line: str,
-    kind: str = "compose",
-    ours: bool = True,
-    engine: Engine = DOCKER,
-    host: Host = BARE,
-    trusted: bool = True,
-    labels: Mapping[str, str] = {},
-) -> export.Call:
-    """What would run of a command line that has an image."""
-    variables = dict(entry.partition("=")[::2] for entry in (OURS if ours else OTHER))
-    context = export.lasting(
-        Context(split(line, OWN), engine, ME, Image(environment=variables, labels=labels), host, trusted)
-    )
-    if kind == "devcontainer":
-        context = devcontainer.bare(context)
-    return export.call(context, plugins.plan(context).argv)
 
 
 def service(*line: str, **facts: Any) -> dict[str, Any]:
@@ -195,7 +170,7 @@ def test_what_is_of_one_call(name: str) -> None:
     ],
 )
 def test_an_option_that_compose_does_not_have(written: list[str], named: str) -> None:
-    with pytest.raises(RosmlError, match="has no counterpart in a file of compose") as caught:
+    with pytest.raises(RosmlError, match="has no counterpart in") as caught:
         compose.text(call(*written, "x"))
     assert caught.value.message.startswith(named) and "leave out" in caught.value.remedy
 
@@ -383,6 +358,59 @@ def test_a_file_is_printed_and_nothing_runs(desk: Desk, option: list[str]) -> No
     assert {call[1] for call in desk.calls} == {"info", "image"}
 
 
+@pytest.mark.parametrize("kind", ["quadlet", "kubernetes"])
+def test_a_service_that_would_end_at_once(desk: Desk, kind: str) -> None:
+    """The image starts a shell. And podman makes no folder that is mounted."""
+    desk.engine(
+        configs={"ours": {"Cmd": ["bash"], "Healthcheck": {"Test": ["CMD", "check"], "Interval": 5_000_000_000}}}
+    )
+    done = desk.call("--export", kind, "-v", "./missing:/bags", "ours")
+    assert done.returncode == 0 and "starts 'bash', which ends at once without a terminal" in done.stderr, done.stderr
+    assert ("missing is missing here" in done.stderr) == (kind == "quadlet")
+    assert ("\n          periodSeconds: 5\n" in done.stdout) == (kind == "kubernetes")
+    done = desk.call("--export", kind, "ours", "sleep", "1")
+    assert (done.returncode, done.stderr) == (0, "") and done.stdout.startswith("# dr ")
+
+
+def test_a_service_is_added(desk: Desk) -> None:
+    (desk.folder / "compose.yaml").write_text("# mine\nservices:\n  a:\n    image: x\n")
+    done = desk.call("--export", "compose", "--add", "compose.yaml", "--name", "arm", "ours", "ls")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "compose.yaml: added the service arm\n")
+    found = (desk.folder / "compose.yaml").read_text()
+    assert found.startswith("# mine\nservices:\n  a:\n    image: x\n  arm:\n") and not desk.called("run")
+    assert (
+        "has the service arm already"
+        in desk.call("--export=compose", "--add=compose.yaml", "--name=arm", "ours", "ls").stderr
+    )
+    again = desk.call("--export=compose", "--add=compose.yaml", "--name=arm", "ours", "pwd")
+    assert again.returncode == 125 and "a service arm already, with other content" in again.stderr
+    assert (desk.folder / "compose.yaml").read_text() == found
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        {"Test": "CMD x"},
+        {"Test": [1]},
+        {"Test": ["CMD", "x"], "Interval": -1},
+        {"Test": ["CMD", "x"], "Retries": "3"},
+        {"Test": ["CMD", "x"], "Timeout": 2**64},
+        ["CMD"],
+    ],
+)
+def test_a_healthcheck_that_is_none(desk: Desk, said: object) -> None:
+    desk.engine(configs={"ours": {"Healthcheck": said}})
+    done = desk.call("--export", "kubernetes", "ours", "ls")
+    assert done.returncode == 125 and "answers with something that rosml does not understand" in done.stderr
+
+
+@pytest.mark.parametrize("said", [None, {}, {"Test": []}, {"Test": ["NONE"]}, {"Test": ["CMD-SHELL"]}, {"Interval": 5}])
+def test_an_image_without_a_healthcheck(desk: Desk, said: object) -> None:
+    desk.engine(configs={"ours": {"Healthcheck": said}})
+    done = desk.call("--export", "kubernetes", "ours", "ls")
+    assert done.returncode == 0 and "livenessProbe" not in done.stdout
+
+
 def test_it_says_what_a_dry_run_says(desk: Desk) -> None:
     code, told = desk.on_a_terminal("--dry-run", "--no-name", "--mws", "--mwd", "-e", "A=b c", "ours", "ls", "-l")
     exported = yaml.safe_load(desk.call("--export=compose", "--mws", "--mwd", "-e", "A=b c", "ours", "ls", "-l").stdout)
@@ -404,7 +432,13 @@ def test_it_says_what_a_dry_run_says(desk: Desk) -> None:
     [
         (["--export", "compose"], "--export needs an image"),
         (["--export"], "the option --export lacks its value"),
-        (["--export", "helm", "ours"], "'helm' is not one of 'devcontainer', 'compose'"),
+        (["--export", "helm", "ours"], "'helm' is not one of 'devcontainer', 'compose', 'quadlet', 'kubernetes'"),
+        (["--add", "compose.yaml", "ours"], "--add goes with --export compose"),
+        (["--export", "quadlet", "--add", "compose.yaml", "ours"], "--add goes with --export compose"),
+        (["--export", "compose", "--add", "compose.yaml", "ours"], "there is no such file"),
+        (["--export", "compose", "--add", "", "ours"], "it is no file"),
+        (["--export", "quadlet", "ours", "a", ""], "the word '' does not go with --export quadlet"),
+        (["--export", "kubernetes", "-v", "data:/d", "ours"], "-v data:/d has no counterpart"),
         (["--export", "compose", "--check", "ours"], "--export does not go with --check"),
         (["--export", "compose", "no/such:image"], "no image no/such:image here"),
         (["--export", "compose", "--blkio-weight=5", "ours"], "--blkio-weight has no counterpart"),

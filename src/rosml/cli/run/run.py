@@ -17,7 +17,7 @@ from rosml.run import plugins, words
 from rosml.run.context import Context, Person
 from rosml.run.defaults import HERE, Files
 
-RESERVED = ("new", "no-defaults", trust.OPTION, "check", "verbose", "dry-run", "json", "export", "help")
+RESERVED = ("new", "no-defaults", trust.OPTION, "check", "verbose", "dry-run", "json", "export", "add", "help")
 """The command's own options: no plugin may have one of these names, and no file with defaults may set one."""
 
 IMAGE = 'write image = "…" into .rosml.toml'
@@ -69,13 +69,14 @@ class Run(container.Words):
 @click.option(
     "--export",
     metavar="FORMAT",
-    type=click.Choice(["devcontainer", "compose"]),
-    help="print a file for editors (devcontainer) or for docker compose (compose), and run nothing",
+    type=click.Choice(["devcontainer", "compose", "quadlet", "kubernetes"]),
+    help="print a file for editors, for docker compose, for podman and systemd, or for a cluster, and run nothing",
 )
+@click.option("--add", metavar="FILE", help="with --export compose: add the service to this file, and print nothing")
 @click.argument("image", required=False, expose_value=False)
 @click.argument("command", nargs=-1, type=click.UNPROCESSED, expose_value=False)
 @click.pass_context
-def main(context: click.Context, /, export: str | None) -> None:
+def main(context: click.Context, /, export: str | None, add: str | None) -> None:
     """Starts a container of an image: as you, on your terminal, with your time zone, your GPUs and your display. It is removed
     when it ends.
 
@@ -98,6 +99,7 @@ def main(context: click.Context, /, export: str | None) -> None:
       rosml run --check --ros-network IMAGE
       rosml run --dry-run IMAGE
       rosml run --export compose IMAGE >compose.yaml
+      rosml run --export quadlet IMAGE ros2 launch PACKAGE FILE
       rosml run
       rosml run . colcon build
     """
@@ -129,9 +131,11 @@ def main(context: click.Context, /, export: str | None) -> None:
         except attach.NoContainer:
             if not image:
                 raise
+    if add is not None and export != "compose":
+        raise RosmlError("--add goes with --export compose", "write both, or leave out --add", exit_code=2)
     program = engine.program(os.environ)
     if export:
-        show(program, line, caller, files, export)
+        exported(program, line, caller, files, export, add)
     elif line.asks("check"):
         check_ros(program, line, caller, files)
     else:
@@ -254,33 +258,27 @@ def check_ros(program: str, line: words.Line, caller: Person, files: Files) -> N
     check.show(context, plugins.plan(context, found().plugins).argv, into=typed or allowed)
 
 
-def show(program: str, line: words.Line, caller: Person, files: Files, kind: str) -> None:
-    """Shows what would run, as a file.
+def exported(program: str, line: words.Line, caller: Person, files: Files, kind: str, add: str | None) -> None:
+    """Shows what would run, as a file; or adds it to one.
 
     Args:
         program, line, files: as in `start`.
         kind: the kind of file.
+        add: the file to which the service is added.
 
     Raises:
         RosmlError: the engine does not have the image, or such a file cannot express the call, or another option shows
             something else.
     """
-    from rosml.run import compose, devcontainer, export
+    from rosml.cli.run import export
 
     if other := next((x for x in ("check", "dry-run", "json") if line.asks(x)), ""):
         raise RosmlError(f"--export does not go with --{other}", "leave out one of them", exit_code=2)
     whole = files.under(line)
     if kind == "devcontainer":
         whole = replace(whole, command=line.command)  # an editor has its own instead of a default
-    context = export.lasting(looked_at(program, whole, caller))
+    context = looked_at(program, whole, caller)
+    context = export.KINDS[kind].seen(context)
     defaults.require(line, files.project)
     context = trust.settled(context)
-    if kind == "devcontainer":
-        context = devcontainer.bare(context)
-    plan = planned(context)
-    for file in plan.files:
-        command.warn(f"the export does not make {file}", "rosml run makes it whenever it starts a container")
-    call = export.call(context, plan.argv)
-    text = devcontainer.text(call) if kind == "devcontainer" else compose.text(call)
-    with container.printing():
-        terminal.echo(text, nl=False)
+    export.write(context, planned, kind, add)

@@ -1,0 +1,73 @@
+"""`rosml run --export`: prints what would run as a file, or adds it to one."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from rosml.base import terminal
+from rosml.cli import command
+from rosml.cli.run.container import printing
+from rosml.run import compose, compose_file, devcontainer, export, kubernetes, quadlet
+from rosml.run.context import Context
+from rosml.run.export import Call
+from rosml.run.plugins import Plan
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of file.
+
+    Attributes:
+        seen: the context there, such as of a machine on which nobody logs in.
+        text: the file.
+        settled: the context once we know whether the image may start as root.
+        service: it starts without a terminal.
+    """
+
+    seen: Callable[[Context], Context]
+    text: Callable[[Call], str]
+    settled: Callable[[Context], Context] = lambda context: context
+    service: bool = False
+
+
+KINDS = {
+    "devcontainer": Kind(export.lasting, devcontainer.text, devcontainer.bare),
+    "compose": Kind(export.lasting, compose.text),
+    "quadlet": Kind(quadlet.service, quadlet.text, service=True),
+    "kubernetes": Kind(kubernetes.cluster, kubernetes.text, service=True),
+}
+
+
+def write(context: Context, planned: Callable[[Context], Plan], kind: str, add: str | None) -> None:
+    """Prints a file, or adds the service to one.
+
+    Args:
+        context: as `Kind.seen` has it, with the user's trust.
+        planned: gives the plan of the plugins.
+        add: the file of compose to which the service is added.
+
+    Raises:
+        RosmlError: such a file cannot express the call, or the file to which it is added has something else.
+    """
+    form = KINDS[kind]
+    context = form.settled(context)
+    plan = planned(context)
+    for made in plan.files:
+        command.warn(f"the export does not make {made}", "rosml run makes it whenever it starts a container")
+    place = os.path.dirname(os.path.abspath(add)) if add is not None else ""
+    call = export.call(context, plan.argv, place)
+    if form.service:
+        missing = [folder for folder in plan.folders if not context.host.has(folder)]
+        notes = [(f"{folder} is missing here, and podman makes no folder", f"mkdir -p {folder}") for folder in missing]
+        for text, remedy in (*export.lacking_command(call), *notes):
+            command.warn(text, remedy)
+    if add is not None:
+        said = compose_file.add(Path(add), call)
+        terminal.echo(said, err=True)
+        return
+    found = form.text(call)
+    with printing():
+        terminal.echo(found, nl=False)

@@ -1,0 +1,319 @@
+"""`rosml run --export kubernetes`: a cluster starts what `rosml run` would, and nothing is invented."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import kubernetes_validate
+import pytest
+import yaml
+from exports import call, text
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from rosml.base.errors import RosmlError
+from rosml.run import export, kubernetes, words
+from rosml.run.context import Health
+
+RELEASES = ("1.30", "1.37")
+"""Releases of Kubernetes whose schemas take the files."""
+
+QUIET = ("--no-tz", "--no-user")
+CUDA = {"io.rosml.gpu.driver": "580"}
+DIGEST, OTHER = f"sha256:{'a' * 64}", f"sha256:{'b' * 64}"
+
+
+def file(*line: str, **facts: Any) -> dict[str, Any]:
+    """The file, which the schemas take."""
+    found = yaml.safe_load(text(*line, kind="kubernetes", **facts))
+    for release in RELEASES:
+        kubernetes_validate.validate(found, release, strict=True)
+    return dict(found)
+
+
+def pod(*line: str, **facts: Any) -> dict[str, Any]:
+    """What a pod has beside its container."""
+    found = dict(file(*line, **facts)["spec"]["template"]["spec"])
+    del found["containers"]
+    return found
+
+
+def container(*line: str, **facts: Any) -> dict[str, Any]:
+    """What the container has."""
+    (found,) = file(*line, **facts)["spec"]["template"]["spec"]["containers"]
+    return dict(found)
+
+
+def test_a_whole_file() -> None:
+    """The user's ids, what is mounted, this machine's network, and a GPU since the image was made for one."""
+    line = [
+        "--ros-network",
+        "-v",
+        "./bags:/bags:ro",
+        "--cpus",
+        "1.5",
+        "-m",
+        "512m",
+        "ghcr.io/me/ros:jazzy",
+        "ros2",
+        "run",
+        "y",
+    ]
+    assert file(*line, labels=CUDA, digests=(f"ghcr.io/me/ros@{DIGEST}",), environment={"DOCKER_UID": ""}) == {
+        "apiVersion": "apps/v1",
+        "kind": "Deployment",
+        "metadata": {"name": "robot", "labels": {"app.kubernetes.io/name": "robot"}},
+        "spec": {
+            "strategy": {"type": "Recreate"},
+            "selector": {"matchLabels": {"app.kubernetes.io/name": "robot"}},
+            "template": {
+                "metadata": {"labels": {"app.kubernetes.io/name": "robot"}},
+                "spec": {
+                    "hostNetwork": True,
+                    "hostIPC": True,
+                    "dnsPolicy": "ClusterFirstWithHostNet",
+                    "containers": [
+                        {
+                            "name": "robot",
+                            "image": f"ghcr.io/me/ros:jazzy@{DIGEST}",
+                            "args": ["ros2", "run", "y"],
+                            "env": [
+                                {"name": "DOCKER_UID", "value": "1234"},
+                                {"name": "DOCKER_GID", "value": "5678"},
+                                {"name": "DOCKER_USER", "value": "jo"},
+                                {"name": "TZ", "value": "Europe/Berlin"},
+                            ],
+                            "resources": {"limits": {"nvidia.com/gpu": "1", "cpu": "1.5", "memory": "512Mi"}},
+                            "volumeMounts": [{"name": "volume-0", "mountPath": "/bags", "readOnly": True}],
+                        }
+                    ],
+                    "volumes": [{"name": "volume-0", "hostPath": {"path": "/home/jo/robot/bags"}}],
+                },
+            },
+        },
+    }
+
+
+@pytest.mark.parametrize(
+    ("written", "expected"),
+    [
+        (["--user", "1:2"], {"securityContext": {"runAsUser": 1, "runAsGroup": 2}}),
+        (["--privileged", "--read-only"], {"securityContext": {"privileged": True, "readOnlyRootFilesystem": True}}),
+        (["--cap-add", "cap_sys_nice", "--cap-drop=ALL"], {"securityContext": {"capabilities": {"add": ["SYS_NICE"], "drop": ["ALL"]}}}),
+        (["--security-opt", "seccomp=unconfined"], {"securityContext": {"seccompProfile": {"type": "Unconfined"}}}),
+        (["--security-opt", "no-new-privileges"], {"securityContext": {"allowPrivilegeEscalation": False}}),
+        (["--gpus", "all"], {"resources": {"limits": {"nvidia.com/gpu": "1"}}}),
+        (["--gpus", "2"], {"resources": {"limits": {"nvidia.com/gpu": "2"}}}),
+        (["--device", "nvidia.com/gpu=all"], {"resources": {"limits": {"nvidia.com/gpu": "1"}}}),
+        (["--memory-reservation", "1.5g"], {"resources": {"requests": {"memory": "1.5Gi"}}}),
+        (["-p", "127.0.0.1:80:8080/udp"], {"ports": [{"containerPort": 8080, "hostPort": 80, "hostIP": "127.0.0.1", "protocol": "UDP"}]}),
+        (["-w", "/a b"], {"workingDir": "/a b"}),
+        (["--pull", "missing"], {"imagePullPolicy": "IfNotPresent"}),
+        (["--entrypoint", "sh"], {"command": ["sh"]}),
+        (["-e", "A=1", "-e", "A=2"], {"env": [{"name": "A", "value": "2"}]}),
+        (["-it", "--init=false", "--restart=always", "--network=bridge", "--ipc=private"], {}),
+    ],
+)  # fmt: skip
+def test_an_option_of_the_container(written: list[str], expected: dict[str, Any]) -> None:
+    found = container(*QUIET, *written, "x")
+    assert found == {"name": "robot", "image": "x", **expected}
+
+
+@pytest.mark.parametrize(
+    ("written", "expected"),
+    [
+        (["--network", "host"], {"hostNetwork": True, "dnsPolicy": "ClusterFirstWithHostNet"}),
+        (["--pid", "host"], {"hostPID": True}),
+        (["--group-add", "44", "--group-add", "20"], {"securityContext": {"supplementalGroups": [44, 20]}}),
+        (["--sysctl", "net.core.somaxconn=9"], {"securityContext": {"sysctls": [{"name": "net.core.somaxconn", "value": "9"}]}}),
+        (["--shm-size=8g"], {"volumes": [{"name": "volume-0", "emptyDir": {"medium": "Memory", "sizeLimit": "8Gi"}}]}),
+        (["--tmpfs", "/t"], {"volumes": [{"name": "volume-0", "emptyDir": {"medium": "Memory"}}]}),
+        (["--mount", "type=bind,src=./a,dst=/b"], {"volumes": [{"name": "volume-0", "hostPath": {"path": "/home/jo/robot/a"}}]}),
+        (["--add-host", "arm:10.0.0.1"], {"hostAliases": [{"ip": "10.0.0.1", "hostnames": ["arm"]}]}),
+        (["--hostname", "arm"], {"hostname": "arm"}),
+        (["--platform", "linux/arm64"], {"nodeSelector": {"kubernetes.io/arch": "arm64"}}),
+        (["--runtime", "nvidia"], {"runtimeClassName": "nvidia"}),
+        (["--stop-timeout", "30"], {"terminationGracePeriodSeconds": 30}),
+    ],
+)  # fmt: skip
+def test_an_option_of_the_pod(written: list[str], expected: dict[str, Any]) -> None:
+    assert pod(*QUIET, *written, "x") == expected
+
+
+@pytest.mark.parametrize("name", sorted(words.table().names - {*export.OF_A_CALL}))
+def test_no_option_gets_lost(name: str) -> None:
+    """It is in the file, or an error names it."""
+    values = {
+        "gpus": "78",
+        "mount": "type=bind,source=/78,target=/x",
+        "user": "78",
+        "group-add": "78",
+        "stop-timeout": "78",
+    }
+    values |= {
+        "cpus": "78",
+        "memory": "78",
+        "memory-reservation": "78",
+        "shm-size": "78",
+        "publish": "78:78",
+        "hostname": "78",
+    }
+    values |= {
+        "runtime": "78",
+        "platform": "linux/78",
+        "volume": "/78:/78",
+        "tmpfs": "/78",
+        "add-host": "a:78",
+        "health-interval": "78s",
+    }
+    values |= {
+        "env": "A=78",
+        "restart": "always",
+        "health-retries": "78",
+        "health-timeout": "78s",
+        "health-start-period": "78s",
+    }
+    value = values.get(name, "78=9") if name in words.table().values else ""
+    option = f"--{name}={value}" if value else f"--{name}"
+    health = [] if name == "health-cmd" or not name.startswith("health-") else ["--health-cmd=x"]
+    try:
+        found = text(*QUIET, *health, option, "x", kind="kubernetes")
+    except RosmlError as error:
+        assert export.SYNONYMS.get(name, name) in error.message or f"-{name[0]} " in error.message, error.message
+        assert error.remedy and error.exit_code == 2
+        return
+    quiet = (*kubernetes.DROPPED, "init", "no-healthcheck", "restart")
+    assert name in quiet or found != text(*QUIET, *health, "x", kind="kubernetes")
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        (["-v", "data:/d", "x"], "-v data:/d has no counterpart"),
+        (["-v", "/d", "x"], "-v /d has no counterpart"),
+        (["-v", "/a:/b:Z", "x"], "Z of -v"),
+        (["-v", "/a/../b:/b", "x"], "the mount of /a/../b"),
+        (["--mount", "type=bind,src=/a,dst=/b:c", "x"], "the mount of /a at '/b:c'"),
+        (["--env-file", "e", "x"], "--env-file has no counterpart"),
+        (["-e", "A", "x"], "-e A without a value"),
+        (["-e", "A B=1", "x"], "the variable 'A B'"),
+        (["-l", "a=b c", "x"], "--label 'a=b c'"),
+        (["-l", "app.kubernetes.io/name=x", "x"], "--label"),
+        (["--user", "jo", "x"], "--user jo"),
+        (["--gpus", '"device=0,1"', "x"], "--gpus"),
+        (["--gpus", "0,1", "x"], "says count twice"),
+        (["--device", "/dev/video0", "x"], "--device /dev/video0"),
+        (["--restart=no", "x"], "--restart=no"),
+        (["--network=robots", "x"], "--network=robots"),
+        (["--ulimit", "rtprio=99", "x"], "--ulimit has no counterpart"),
+        (["-p", "80", "x"], "-p 80"),
+        (["--memory=0", "x"], "--memory=0"),
+        (["--cpus=0", "x"], "--cpus=0"),
+        (["--network=host", "--hostname=a", "x"], "--hostname does not go with"),
+        (["--privileged", "--security-opt=no-new-privileges", "x"], "refuses no-new-privileges together with"),
+        (["--entrypoint", "", "x"], "nothing to start"),
+        (["--health-cmd=x", "--health-interval=5", "x"], "--health-interval=5 is no duration"),
+        (["dir:/a", "x"], "no name of an image"),
+    ],
+)
+def test_what_cannot_be_said(line: list[str], says: str) -> None:
+    with pytest.raises(RosmlError) as caught:
+        text(*line, kind="kubernetes")
+    assert says in caught.value.message and caught.value.remedy and caught.value.exit_code == 2
+
+
+# ---- The image -------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("health", "written", "expected"),
+    [
+        (Health(), [], None),
+        (Health(("a", "b"), 5, 0.5, 10, 2), [], {"command": ["a", "b"], "periodSeconds": 5, "timeoutSeconds": 1, "failureThreshold": 2, "initialDelaySeconds": 10}),
+        (Health(("a",)), [], {"command": ["a"], "periodSeconds": 30, "timeoutSeconds": 30, "failureThreshold": 3}),
+        (Health(("a",), 5), ["--no-healthcheck"], None),
+        (Health(("a",), 5), ["--health-cmd=none"], None),
+        (Health(("a",), 5), ["--health-cmd", "b $X", "--health-interval", "1m30s"], {"command": ["/bin/sh", "-c", "b $X"], "periodSeconds": 90, "timeoutSeconds": 30, "failureThreshold": 3}),
+    ],
+)  # fmt: skip
+def test_the_probe_is_the_images(health: Health, written: list[str], expected: dict[str, Any] | None) -> None:
+    found = container(*written, "x", health=health).get("livenessProbe")
+    if found:
+        found |= found.pop("exec")
+    assert found == expected
+
+
+@pytest.mark.parametrize(
+    ("image", "digests", "expected"),
+    [
+        ("ros:jazzy", (f"ros@{DIGEST}",), f"ros:jazzy@{DIGEST}"),
+        ("ros:jazzy", (f"docker.io/library/ros@{DIGEST}",), f"ros:jazzy@{DIGEST}"),
+        ("ros:jazzy", (f"evil/ros@{DIGEST}",), "ros:jazzy"),
+        (f"ros@{OTHER}", (f"ros@{DIGEST}",), f"ros@{OTHER}"),
+        ("ros", (f"ros@{OTHER}", f"ros@{DIGEST}"), f"ros@{DIGEST}"),
+        ("ros", (), "ros"),
+    ],
+)
+def test_the_digest_is_that_of_the_images_own_repository(image: str, digests: tuple[str, ...], expected: str) -> None:
+    """podman also names that of this machine's architecture, which is not the one over all."""
+    assert container(image, digests=digests, digest=OTHER)["image"] == expected
+    said = "has no digest" in text(image, kind="kubernetes", digests=digests, digest=OTHER)
+    assert said == ("@" not in expected)
+
+
+@pytest.mark.parametrize(
+    ("labels", "written", "count", "comment"),
+    [
+        (CUDA, [], "1", "--no-gpu leaves it out"),
+        (CUDA, ["--no-gpu"], None, "--gpus 1 asks for it"),
+        (CUDA, ["--gpus=2"], "2", "--no-gpu leaves it out"),
+        ({"io.rosml.gpu.driver": "580\nspec: {}"}, [], None, ""),
+        ({}, [], None, ""),
+    ],
+)
+def test_a_gpu_for_an_image_that_was_made_for_one(
+    labels: dict[str, str], written: list[str], count: str | None, comment: str
+) -> None:
+    found = container(*written, "x", labels=labels).get("resources", {}).get("limits", {})
+    assert found.get("nvidia.com/gpu") == count
+    assert ("made for a GPU" in text(*written, "x", kind="kubernetes", labels=labels)) == bool(comment)
+    assert comment in text(*written, "x", kind="kubernetes", labels=labels)
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"), [("Robot_1", "robot-1"), ("a" * 80, "a" * 63), ("..", "robot"), ("1.2", "1-2")]
+)
+def test_names_are_those_of_a_cluster(name: str, expected: str) -> None:
+    assert file("--name", name, "x")["metadata"]["name"] == expected
+
+
+TEXT = st.text(st.characters(exclude_categories=["Cs"], exclude_characters="\0"))
+
+
+def read(found: str) -> str:
+    """A text as Kubernetes reads it: https://kubernetes.io/docs/tasks/inject-data-application/define-interdependent-environment-variables/."""
+    assert "$" not in found.replace("$$", "")
+    return found.replace("$$", "$")
+
+
+@settings(max_examples=100, deadline=None)
+@given(st.lists(TEXT), TEXT)
+@example(["y", "on", "0x1", "1e3", "1:30", "$(HOME)", "", "~", "null", "- a", "#"], "a: b\n$$(X)")
+def test_words_are_the_same_in_the_file(command: list[str], value: str) -> None:
+    found = text("-e", f"A={value}", "--annotation", f"a={value}", "x", *command, kind="kubernetes")
+    spec = yaml.safe_load(found)["spec"]["template"]
+    (only,) = spec["spec"]["containers"]
+    assert [read(word) for word in only.get("args", [])] == command
+    assert read(only["env"][-1]["value"]) == value and spec["metadata"]["annotations"] == {"a": value}
+
+
+def test_what_a_reader_in_go_takes_for_a_switch_has_quotes() -> None:
+    found = text("x", "y", "N", "on", "Off", "null", kind="kubernetes")
+    assert all(f'- "{word}"\n' in found for word in ("y", "N", "on", "Off", "null"))
+
+
+def test_a_shell_ends_at_once() -> None:
+    assert export.lacking_command(call("x", kind="kubernetes"))
+    assert not export.lacking_command(call("x", "sleep", "1", kind="kubernetes"))
+    assert not export.lacking_command(call("x", kind="kubernetes", command=("ros2", "launch")))
+    assert not export.lacking_command(call("--entrypoint", "/start", "x", kind="kubernetes"))

@@ -1,0 +1,244 @@
+"""`rosml run --export quadlet`: podman and systemd start what `rosml run` would, whatever is in its words."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+import units
+from exports import ME, PODMAN, text
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from rosml.base.errors import RosmlError
+from rosml.run import export, quadlet, words
+from rosml.run.context import Engine, Host
+
+QUIET = ("--no-tz", "--no-user")
+GENERATOR = shutil.which("quadlet", path=f"/usr/libexec/podman:/usr/lib/podman:{os.environ['PATH']}")
+
+
+def unit(*line: str, **facts: Any) -> str:
+    """The file."""
+    return text(*line, kind="quadlet", **facts)
+
+
+def options(*line: str, **facts: Any) -> list[str]:
+    """The options that systemd hands to podman because of a line, without those that rosml always adds."""
+    always = units.argv(unit(*QUIET, "x", **facts))
+    return [word for word in units.argv(unit(*QUIET, *line, "x", **facts)) if word not in always]
+
+
+def keys(*line: str, **facts: Any) -> dict[str, str]:
+    """The keys outside of the container's part."""
+    return {key: value for part, key, value in units.values(unit(*line, **facts)) if part != "[Container]"}
+
+
+def test_a_whole_file() -> None:
+    """It says where it belongs, and starts as its user at boot, with the paths of this machine."""
+    assert (
+        unit("--mws", "-v", "./bags:/bags", "--gpus", "all", "me/ros:jazzy", "ros2", "launch", "a b", "$X")
+        == """\
+# robot at boot, by podman 4.9 or newer. Written by rosml run --export quadlet.
+#   mkdir -p ~/.config/containers/systemd, and put this file there as robot.container
+#   systemctl --user daemon-reload && systemctl --user start robot
+#   loginctl enable-linger, so that it starts at boot and not when you log in
+
+[Unit]
+Description=robot
+
+[Container]
+Image=docker.io/me/ros:jazzy
+Label="io.rosml.run.folder=/home/jo/robot"
+UserNS=keep-id
+User=0
+Group=0
+Environment="DOCKER_UID=1234"
+Environment="DOCKER_GID=5678"
+Environment="DOCKER_USER=jo"
+Environment="TZ=Europe/Berlin"
+PodmanArgs=--mount=type=bind,source=/home/jo/robot,target=/docker-ros/ws/src/target
+Volume=/home/jo/robot/bags:/bags
+AddDevice=nvidia.com/gpu=all
+Exec=ros2 launch "a b" "$$X"
+
+[Service]
+Restart=always
+RestartSec=5
+TimeoutStartSec=900
+
+[Install]
+WantedBy=default.target
+"""
+    )
+
+
+def test_a_unit_of_the_system() -> None:
+    """root's, which waits for the network."""
+    found = unit("x", person=replace(ME, uid=0, gid=0, name="root"))
+    assert "/etc/containers/systemd" in found and "sudo systemctl start robot" in found and "linger" not in found
+    assert keys("x", person=replace(ME, uid=0))["WantedBy"] == "multi-user.target"
+    assert keys("x", person=replace(ME, uid=0))["After"] == "network-online.target"
+
+
+@pytest.mark.parametrize(
+    ("written", "expected"),
+    [
+        (["-e", "A=1", "-e", "A=2"], ["--env=A=2"]),
+        (["-e", "A", "-e", "A=1"], ["--env=A=1"]),
+        (["-e", "A=1", "-e", "A"], ["--env=A"]),
+        (["-l", "a", "--annotation", "b=c d"], ["--label=a=", "--annotation=b=c d"]),
+        (["-v", "/a:/b:ro", "-v", "data:/d", "-v", "./x y:/z"], ["--volume=/a:/b:ro", "--volume=data:/d", "--volume=/home/jo/robot/x y:/z"]),
+        (["-u", "1", "--user=2:3"], ["--user=2:3"]),
+        (["--user", "jo"], ["--user=jo"]),
+        (["-w", "/a b", "-w", "/c"], ["--workdir=/c"]),
+        (["--device", "/dev/video0", "--device=/dev/a b"], ["--device=/dev/video0", "--device=/dev/a b"]),
+        (["-p", "80:80", "-p", "[::1]:1:1"], ["--publish=80:80", "--publish=[::1]:1:1"]),
+        (["--net=host", "--ipc", "host"], ["--network=host", "--ipc=host"]),
+        (["--security-opt", "seccomp=./p.json"], ["--security-opt=seccomp=/home/jo/robot/p.json"]),
+        (["--security-opt", "label=disable"], ["--security-opt=label=disable"]),
+        (["--env-file", "../e"], ["--env-file=/home/jo/e"]),
+        (["--gpus", '"device=0,GPU-1"'], ["--device=nvidia.com/gpu=0", "--device=nvidia.com/gpu=GPU-1"]),
+        (["--gpus", "2"], ["--device=nvidia.com/gpu=0", "--device=nvidia.com/gpu=1"]),
+        (["--dns-option", "a"], ["--dns-option=a"]),
+        (["--entrypoint", ""], ["--entrypoint="]),
+        (["--init=false", "--read-only"], ["--init=false", "--read-only"]),
+        (["-it", "--rm", "-d", "--restart", "no"], []),
+    ],
+)  # fmt: skip
+def test_an_option_as_podman_gets_it(written: list[str], expected: list[str]) -> None:
+    assert sorted(options(*written)) == sorted(expected)
+
+
+@pytest.mark.parametrize("name", ["volume", "network"])
+def test_a_name_is_no_other_file_of_the_generator(name: str) -> None:
+    """`x.volume:/d` would be the volume of x.volume beside it; as a word of podman it is a name."""
+    found = unit(f"--{name}=x.{name}{':/d' if name == 'volume' else ''}", "me/x.image")
+    assert f"PodmanArgs=--{name}=x.{name}" in found and "Image=docker.io/me/x.image:latest\n" in found
+
+
+@pytest.mark.parametrize(
+    ("engine", "image", "named"),
+    [
+        (Engine(), "ros:jazzy", "docker.io/library/ros:jazzy"),
+        (Engine(), "localhost:5000/a/b@sha256:" + "0" * 64, "localhost:5000/a/b@sha256:" + "0" * 64),
+        (PODMAN, "ros:jazzy", "ros:jazzy"),
+    ],
+)
+def test_the_image_has_the_name_that_the_engine_means(engine: Engine, image: str, named: str) -> None:
+    assert f"\nImage={named}\n" in unit(image, engine=engine)
+
+
+@pytest.mark.parametrize(
+    ("written", "expected"),
+    [
+        ([], {"Restart": "always"}),
+        (["--restart", "unless-stopped"], {"Restart": "always"}),
+        (["--restart=on-failure"], {"Restart": "on-failure"}),
+        (["--stop-timeout", "30"], {}),
+        (["--stop-timeout", "120"], {"TimeoutStopSec": "180"}),
+        (["--stop-timeout=-1"], {"TimeoutStopSec": "infinity"}),
+    ],
+)
+def test_what_systemd_does(written: list[str], expected: dict[str, str]) -> None:
+    found = keys(*written, "x")
+    assert found.items() >= expected.items() and ("TimeoutStopSec" in found) == ("TimeoutStopSec" in expected)
+
+
+@pytest.mark.parametrize("name", sorted(words.table().names - {*export.OF_A_CALL, *quadlet.DROPPED, "restart"}))
+def test_no_option_gets_lost(name: str) -> None:
+    """podman gets it with its whole value, or an error names it."""
+    values = {"gpus": "device=78", "mount": "type=tmpfs,target=/a b/%h"}
+    value = values.get(name, "78=%h $HOME") if name in words.table().values else ""
+    try:
+        found = options(f"--{name}={value}" if value else f"--{name}")
+    except RosmlError as error:
+        assert (
+            error.message.startswith(f"--{name} ")
+            and error.remedy
+            and name in (*quadlet.OF_DOCKER, *quadlet.OF_THE_GENERATOR)
+        )
+        return
+    assert any(value.replace("device=", "gpu=") in word for word in found) and found, found
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        (["--restart=on-failure:3", "x"], "--restart on-failure:3 does not go with"),
+        (["--gpus=0,1", "x"], "says count twice"),
+        (["--gpus=0", "x"], "asks for no GPU"),
+        (["--gpus=99999", "x"], "asks for no GPU"),
+        (["--gpus=all,capabilities=utility", "x"], "whole GPUs"),
+        (["--gpus=device=a b", "x"], "is no id of a GPU"),
+        (["-e", "A\nExec b", "x"], "is no name of a variable"),
+        (["--sound", "x"], "--sound does not go with --export quadlet"),
+        (["--ssh-agent", "x"], "--ssh-agent does not go with --export quadlet"),
+        (["dir:/a b", "ls"], "is no name of an image in a unit"),
+        (["x", "a", "", "b"], "the word '' does not go with"),
+        (["x", "find", ".", "-exec", "rm", "{}", ";"], "the word ';' does not go with"),
+        (["x", "a\x80"], "U+0080"),
+    ],
+)
+def test_what_cannot_be_said(line: list[str], says: str) -> None:
+    with pytest.raises(RosmlError) as caught:
+        unit(*line)
+    assert says in caught.value.message and caught.value.remedy and caught.value.exit_code == 2
+
+
+TEXT = st.text(st.characters(exclude_categories=["Cs"], exclude_characters="\0"))
+HARD = st.text(
+    st.sampled_from("$%\\\"'; \n\t\r{}()hn0xa:,=#[]é\x7f\x01\x80\x85\xa0\u2028\ufeff\ufffe~`@!+-"), max_size=8
+)
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.lists(HARD | TEXT, max_size=5), HARD | TEXT)
+@example(["$HOME", "$$", "%h%%", "a;", "-x", "#", "\\", "'", '"', "${X}"], "a ${b}\n[Service]\nExecStart=/bin/sh %n \\")
+def test_words_arrive_or_are_refused(command: list[str], value: str) -> None:
+    try:
+        found = units.argv(unit("-e", f"A={value}", "-l", f"l={value}", "--log-opt", f"tag={value}", "x", *command))
+    except RosmlError as error:
+        assert {"", ";"} & {*command} or any(map(quadlet.is_lost, "".join([*command, value]))), error
+        return
+    assert found[len(found) - len(command) :] == command
+    assert {f"--env=A={value}", f"--label=l={value}", f"--log-opt=tag={value}"} <= {*found}
+
+
+def test_a_service_has_no_windows(tmp_path: Path) -> None:
+    """No display is there at boot."""
+    (tmp_path / "tmp/.X11-unix").mkdir(parents=True)
+    (tmp_path / "tmp/.X11-unix/X1").touch()
+    host = Host(tmp_path, {"DISPLAY": ":1"}, connects=lambda address: True)
+    assert "X11" not in unit("x", host=host) and "DISPLAY" not in unit("x", host=host)
+
+
+@pytest.mark.skipif(not GENERATOR, reason="no podman with a generator of units is here")
+def test_podmans_own_generator_takes_it(tmp_path: Path) -> None:
+    (tmp_path / "in").mkdir()
+    (tmp_path / "out").mkdir()
+    line = [
+        "--mws",
+        "-v",
+        "./a b:/b",
+        "--gpus=2",
+        "-e",
+        "A=%h $X\n",
+        "--ulimit",
+        "rtprio=99",
+        "--cap-add=SYS_NICE",
+        "x",
+        "a b",
+    ]
+    (tmp_path / "in/robot.container").write_text(unit(*line))
+    environment = {**os.environ, "QUADLET_UNIT_DIRS": str(tmp_path / "in")}
+    done = subprocess.run([str(GENERATOR), "-user", "-no-kmsg-log", str(tmp_path / "out")], env=environment, check=True, capture_output=True, text=True)  # fmt: skip
+    found = (tmp_path / "out/robot.service").read_text()
+    (started,) = [line for line in found.split("\n") if line.startswith("ExecStart=")]
+    for word in ("A=%%h", "$$X", "--ulimit=rtprio=99", "nvidia.com/gpu=1", "sys_nice"):
+        assert word in started, (done.stderr, started)
