@@ -9,10 +9,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+import exports
 import pytest
 
 from rosml.containerize.init import contents
 from rosml.images.image_set import load, own_set
+from rosml.run import compose_file
 from tests.pages import blocks
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -117,6 +119,62 @@ def test_actionlint_of_the_documentation(page: str, tmp_path: Path) -> None:
     for block in shown:
         (tmp_path / Path(block.title).name).write_text(block.text)
     actionlint(*tmp_path.iterdir())
+
+
+EXPORTS = {
+    "usual": [
+        "--mws",
+        "-v",
+        "data:/data",
+        "--gpus",
+        '"device=0,1"',
+        "-e",
+        "A=$HOME 'y' \n",
+        "x",
+        "ros2",
+        "launch",
+        "$X",
+    ],
+    "network": [
+        "--ros-network",
+        "--cap-add",
+        "SYS_NICE",
+        "--ulimit",
+        "rtprio=99",
+        "--health-cmd",
+        "true",
+        "x",
+        "y",
+        "1e3",
+    ],
+    "networks": [
+        "--network",
+        "lan",
+        "-p",
+        "80:80",
+        "--mount",
+        "type=tmpfs,dst=/t,tmpfs-mode=1777",
+        "--cpus=1.5",
+        "-m=1g",
+        "x",
+    ],
+}
+"""Calls of `rosml run`."""
+
+
+@pytest.mark.parametrize("line", EXPORTS.values(), ids=EXPORTS)
+def test_compose_takes_what_run_exports(line: list[str], tmp_path: Path) -> None:
+    """Also what --add makes of a file with others; a file with a wrong word is refused."""
+    program = shutil.which("composecheck", path=ROOT / ".state/bin")
+    assert program, "composecheck is not there: make lint builds it"
+    file = tmp_path / "compose.yaml"
+    file.write_text(exports.text(*line, kind="compose"))
+    check(program, file)
+    file.write_text("# mine\nservices:\n  other:\n    image: y\n    # ports: [1]\nvolumes:\n  mine:\n")
+    compose_file.add(file, exports.call(*line))
+    check(program, file)
+    file.write_text(file.read_text().replace("image: x", "images: x"))
+    assert subprocess.run([program, file], capture_output=True, check=False).returncode == 1
 
 
 @pytest.mark.parametrize("place", ["", "ghcr.io/me/rosml"])

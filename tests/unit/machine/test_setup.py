@@ -66,7 +66,8 @@ def test_every_go_program_is_pinned(name: str) -> None:
     module = ROOT / "tools" / "go" / name
     pin = programs.parse_pin((module / "go.mod").read_text())
     assert re.fullmatch(r"v\d+\.\d+\.\d+", pin.version)
-    root = "github.com/distribution/distribution/v3" if pin.package == "." else pin.package.split("/cmd/")[0]
+    direct = re.search(r"^require (\S+) v", (module / "go.mod").read_text(), re.MULTILINE)
+    root = direct[1] if direct and pin.package == "." else pin.package.split("/cmd/")[0]
     assert f"{root} {pin.version} h1:" in (module / "go.sum").read_text()
 
 
@@ -170,7 +171,7 @@ def test_set_up_does_not_build_the_scanner_and_the_signer(state: State, bare: Pa
     tools.install(state, hub=True)
     built = {line.split()[1] for line in bare.read_text().splitlines() if line.startswith("build ")}
     assert "regctl" in built
-    assert not {"trivy", "cosign", "actionlint"} & built
+    assert not {"trivy", "cosign", "actionlint", "composecheck"} & built
 
 
 @pytest.fixture
@@ -205,7 +206,7 @@ def test_set_up_of_a_bare_machine(state: State, bare: Path, capsys: pytest.Captu
     them: otherwise the standard library would be compiled twice."""
     found = tools.install(state, hub=False, tests=tests)
     calls = bare.read_text().splitlines()
-    names = ["actionlint"] * tests + ["buildkitd", "buildx", "regctl", "registry"]
+    names = sorted(["actionlint", "composecheck"] * tests + ["buildkitd", "buildx", "regctl", "registry"])
     assert sorted(call for call in calls if call.startswith("build ")) == [f"build {name}" for name in names]
     for_tests = " docker.io chromium" if tests else ""
     assert [call for call in calls if call.startswith("apt ")] == [f"apt runc mmdebstrap{for_tests}"]

@@ -143,7 +143,7 @@ def up() -> None:
 
 @main.command(hidden=True)
 def suite() -> None:
-    """Does what `up` does, for `make test`: also installs Docker, Chromium and actionlint if they are missing."""
+    """Does what `up` does, for `make test`: also installs Docker, Chromium, actionlint and composecheck if they are missing."""
     state = state_of_checkout()
     _up(state, _docker_hub(state), tests=True)
 
@@ -162,11 +162,12 @@ def client() -> None:
 
 @main.command(hidden=True)
 def linters() -> None:
-    """Installs the Python packages for linters, and builds actionlint in some seconds."""
+    """Installs the Python packages for linters, and builds actionlint and composecheck in some seconds."""
     installer = _installer(state_of_checkout())
     if not installer.found("actionlint", "--version"):
         installer.go_program("actionlint")
-        installer.drop_go_caches()
+    installer.go_program("composecheck")
+    installer.drop_go_caches()
 
 
 @main.command(short_help="Lets this machine build for the other architecture.")

@@ -28,7 +28,7 @@ OLDEST_GO: Version = (1, 21)
 """From this release on, Go itself fetches the newer toolchain that a go.mod requires."""
 
 
-GO_PROGRAMS = ("regctl", "registry", "buildx", "buildkitd", "trivy", "cosign", "actionlint")
+GO_PROGRAMS = ("regctl", "registry", "buildx", "buildkitd", "trivy", "cosign", "actionlint", "composecheck")
 """Programs that are built from Go modules; `tools/go/<name>` pins each, with all dependencies by hash."""
 
 

@@ -131,6 +131,7 @@ def install(state: State, hub: bool, tests: bool = False) -> Services:
     buildx = buildx_of(installer)
     linter = not tests or installer.found("actionlint", "--version")
     there = {"regctl": regctl, "buildx": buildx, "actionlint": linter, "registry": "", "buildkitd": kind != "buildkitd"}
+    there["composecheck"] = not tests
     wanted = [name for name, found in there.items() if not found]
     with ThreadPoolExecutor(1) as pool, installer.fetching(wanted):
         others = pool.submit(_debian_packages, installer, packages, kind)
