@@ -133,7 +133,7 @@ def _events(text: str, what: str) -> list[Any]:
             if mark
             else "it has a character that YAML does not allow"
         )
-        raise RosmlError(f"{what} is no YAML: {why}", "mend it", exit_code=2) from None
+        raise RosmlError(f"{what} is no YAML: {why}", "correct it", exit_code=2) from None
     starts = [event for event in found if isinstance(event, yaml.DocumentStartEvent)]
     if not starts:
         return []
