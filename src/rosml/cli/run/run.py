@@ -6,6 +6,7 @@ import os
 from contextlib import suppress
 from dataclasses import replace
 from functools import cache
+from typing import TYPE_CHECKING
 
 import click
 
@@ -16,6 +17,9 @@ from rosml.cli.run import container, defaults, trust
 from rosml.run import plugins, words
 from rosml.run.context import Context, Person
 from rosml.run.defaults import HERE, Files
+
+if TYPE_CHECKING:
+    from rosml.run import engine
 
 RESERVED = ("new", "no-defaults", trust.OPTION, "check", "verbose", "dry-run", "json", "export", "add", "help")
 """The command's own options: no plugin may have one of these names, and no file with defaults may set one."""
@@ -186,16 +190,21 @@ def start(program: str, line: words.Line, caller: Person, files: Files) -> None:
         for text in files.said(line):
             terminal.echo(text, err=True)
     typed, line = line, files.under(line)
+    named = line.image
     name = "" if line.has("replace") else concerns.name_of(line, caller)
     facts = engine.ask(program, line.image, name)
+    line, facts = of_machine(program, line, caller, facts, name)
     if facts.taken:
         attach.check_same(program, line, caller, facts.taken, facts.image)
         container.enter(program, typed, caller, facts.taken)
         return
     defaults.require(typed, files.project)
-    if facts.image is None:
-        if container.only_shown(line):
-            raise engine.lacking(program, line.image)
+    if facts.image is None and container.only_shown(line):
+        raise engine.lacking(program, line.image)
+    if facts.image is None and line.image == named:
+        engine.pull(program, line)
+        line, facts = of_machine(program, line, caller, engine.ask(program, line.image, ""), "")
+    if facts.image is None and line.image != named:
         engine.pull(program, line)
         facts = engine.ask(program, line.image, "")
     if facts.image is None:
@@ -212,6 +221,30 @@ def start(program: str, line: words.Line, caller: Person, files: Files) -> None:
             write(machine.path(file), content)
 
     container.perform(line, plan.argv, prepare)
+
+
+def of_machine(
+    program: str, line: words.Line, caller: Person, facts: engine.Facts, name: str
+) -> tuple[words.Line, engine.Facts]:
+    """The command line with the image for this machine, if the named one is there for several accelerators, and the facts about it.
+
+    Args:
+        facts: about the named image.
+        name: the wanted name of a container, or an empty text.
+    """
+    from rosml.run import engine, variants
+    from rosml.run.host import host
+
+    if facts.image is None or variants.LABEL not in facts.image.labels:
+        return line, facts
+    other = variants.chosen(Context(line, facts.engine, caller, facts.image, host(os.environ)))
+    if not other:
+        return line, facts
+    terminal.echo(
+        f"rosml: {line.image} is there for several accelerators; {other} is the one for this machine", err=True
+    )
+    line = replace(line, image=other)
+    return line, engine.ask(program, other, name)
 
 
 def planned(context: Context) -> plugins.Plan:
@@ -234,7 +267,7 @@ def looked_at(program: str, line: words.Line, caller: Person) -> Context:
     from rosml.run import engine
     from rosml.run.host import host
 
-    facts = engine.ask(program, line.image, "")
+    line, facts = of_machine(program, line, caller, engine.ask(program, line.image, ""), "")
     if facts.image is None:
         raise engine.lacking(program, line.image)
     return Context(line, facts.engine, caller, facts.image, host(os.environ))

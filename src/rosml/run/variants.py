@@ -1,0 +1,64 @@
+"""Apps that are there for several accelerators: takes the image for this machine's GPU and driver.
+
+`rosml rebase --variants` makes them. Each has a label with all of them, and a tag that ends in its own stack.
+"""
+
+from __future__ import annotations
+
+import re
+
+from rosml.run import gpu
+from rosml.run.context import Context
+
+LABEL = "io.rosml.variants"
+"""The label with the stacks, each with the oldest driver that it needs: `cpu cu130:580`."""
+
+STACK = "io.rosml.stack"
+
+MOST = 10
+"""More in a label is nobody's app."""
+
+_ENTRY = re.compile(r"([a-z][a-z0-9]{0,15})(?::([0-9]{1,5}(?:\.[0-9]{1,5}){0,3}))?")
+
+
+def chosen(context: Context) -> str:
+    """The image for this machine; empty if it is the named one, or if nobody knows: of another machine, or by a full name."""
+    known, own = _known(context), context.image.labels.get(STACK, "")
+    name, tag = _split(context.line.image)
+    if own not in known or not tag or any(tag.endswith(f"-{stack}") for stack in known) or not context.is_here:
+        return ""
+    best = _best(context, known)
+    return f"{name}:{tag}-{best}" if best and best != own else ""
+
+
+def _known(context: Context) -> dict[str, str]:
+    """The stacks with their drivers; none if the label says something else."""
+    entries = [_ENTRY.fullmatch(text) for text in context.image.labels.get(LABEL, "").split()]
+    if len(entries) > MOST or not all(entries):
+        return {}
+    return {entry[1]: entry[2] or "" for entry in entries if entry}
+
+
+def _best(context: Context, known: dict[str, str]) -> str:
+    """The stack with the newest CUDA that the driver can run; without a GPU, one that needs none. Empty if no one fits."""
+    host, line = context.host, context.line
+    found = gpu.numbers(gpu.driver(host)) if gpu.is_nvidia(host) and not line.asks("no-gpu") else ()
+    hands = line.has("gpus", "runtime") or bool(gpu.handed_in(context.engine, host))
+    if gpu.is_nvidia(host) and not found and not line.asks("no-gpu"):
+        return ""  # a Jetson, whose driver has another name
+    fitting = {name: driver for name, driver in known.items() if driver and hands and gpu.numbers(driver) <= found}
+    if found and fitting:
+        return max(fitting, key=lambda name: (gpu.numbers(fitting[name]), _digits(name)))
+    return next((name for name, driver in known.items() if not driver), "")
+
+
+def _digits(name: str) -> int:
+    return int("".join(character for character in name if character in "0123456789") or 0)
+
+
+def _split(image: str) -> tuple[str, str]:
+    """The name and the tag of an image; no tag if it is named by its digest."""
+    name, _, tag = image.rpartition(":")
+    if "@" in image:
+        return image, ""
+    return (name, tag) if name and "/" not in tag else (image, "latest")
