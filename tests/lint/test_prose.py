@@ -21,16 +21,13 @@ WORDS = [
 LONGEST = 35
 """Words in a sentence. A span of code is one."""
 
-LATER = {"docs/catalogue.md"}
-"""Pages whose long sentences nobody has cut yet."""
-
 
 def faults(sentence: Sentence) -> Iterator[str]:
     """What is wrong with a sentence."""
     for pattern, instead, _ in WORDS:
         if found := re.search(rf"(?<![\w-])(?:{pattern})(?![\w-])", sentence.text, re.IGNORECASE):
             yield f"{found[0]!r}: write {instead}"
-    if (count := len(sentence.text.split())) > LONGEST and sentence.file not in LATER:
+    if (count := len(sentence.text.split())) > LONGEST:
         yield f"{count} words: a sentence has at most {LONGEST}"
 
 
