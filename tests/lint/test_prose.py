@@ -46,7 +46,7 @@ def test_pages() -> None:
 
 
 def test_help_and_messages() -> None:
-    files = sorted((ROOT / "src/rosml").rglob("*.py"))
+    files = [file for folder in ("src/rosml", "scripts", "bench") for file in sorted((ROOT / folder).rglob("*.py"))]
     report([s for file in files for s in messages(str(file.relative_to(ROOT)), file.read_text())])
 
 
