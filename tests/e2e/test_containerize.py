@@ -10,6 +10,7 @@ import os
 import random
 import re
 import secrets
+import shlex
 import shutil
 import signal
 import socket
@@ -29,9 +30,11 @@ from rosml.machine import regctl
 from rosml.machine.services import Services
 from rosml.registry import oci, references
 from rosml.registry.client import Registry
+from tests import recording
 from tests.e2e.conftest import NAMESPACE, Run, run
 from tests.e2e.images import Publish
 from tests.e2e.images import build as build_folder
+from tests.recording import COMMANDS
 
 BASE = "ros1-bookworm-core"
 RUNTIME = "ros1-bookworm-core-run"
@@ -187,6 +190,27 @@ COPY --from=dev /tini /
 
     again = made(folder, *options)
     assert (again["run"]["digest"], ran(services, name)) == (found["run"]["digest"], set()), "nothing runs twice"
+
+
+def test_what_the_readme_shows_is_what_is_said(published: Publish, services: Services, tmp_path: Path) -> None:
+    """The recording's build and its container; unit/project/test_recording.py has its other command. An image's own name is
+    another one here."""
+    recording.package(tmp_path, fresh=False)
+    published(BASE)
+    cast, base = recording.read(), f"{services.registry}/{NAMESPACE}/ros:{BASE}"
+    typed = COMMANDS["containerize"].replace(f"ros:{BASE}", base).replace("./rosml", f"{sys.executable} {ROOT / 'src'}")
+    now = recording.recorded(f"{typed} --image-name {NAMESPACE}/compass", tmp_path, {})
+    said = now.output.replace(f"{NAMESPACE}/ros", "rosml/ros").replace(f"{NAMESPACE}/", "").replace(f"{NAMESPACE}+", "")
+    assert recording.stable(said) == recording.stable(cast["containerize"].output)
+    log = recording.steps((services.state / f"log/containerize-{NAMESPACE}+compass@latest.log").read_text())
+    shown = recording.steps(cast["containerize"].output)
+    assert [step for step in shown if not any(known.startswith(step) for known in log)] == []
+
+    (tmp_path / "Dockerfile").write_text(
+        f"FROM {recording.image(now)}\nRUN echo {shlex.quote(cast['run'].output.strip())} >/wanted && "
+        f"/entrypoint.sh {COMMANDS['run']} | diff /wanted -\n"
+    )
+    build_folder(services, tmp_path)
 
 
 def test_a_machine_that_has_nothing_builds_nothing_twice(

@@ -136,7 +136,7 @@ class Built:
                     f"{which}: {'; '.join(found[:3])}" + (f"; and {len(found) - 3} more" if len(found) > 3 else ""),
                 )
         tests = self.tests
-        where = f"reports: {self.reports}" if self.reports else "in an earlier build from the same"
+        where = f"reports: {files.shown(Path(self.reports))}" if self.reports else "in an earlier build from the same"
         passed = f"{tests.count - tests.skipped} passed, {tests.skipped} skipped; {where}"
         yield "tests", passed if tests.count else "none ran"
         for where, tests, ran in (

@@ -10,6 +10,7 @@ import base64
 import binascii
 import json
 import re
+import shutil
 import sys
 import threading
 import time
@@ -27,6 +28,9 @@ _MOUNT = re.compile(r"--mount=\S+\s*")
 
 HEARTBEAT_SECONDS = 20.0
 """If a step is silent for so long, its name is printed again as a sign of life."""
+
+WIDEST = 150
+"""The most characters of a line that is shown; fewer on a terminal that has fewer columns."""
 
 TAIL_LINES = 20
 """How many of a step's last lines are shown if it fails."""
@@ -207,7 +211,8 @@ class BuildProgress:
         self._spoke = self._clock()
         elapsed = int(self._clock() - self._begin)
         line = f"  {elapsed // 60:3d}:{elapsed % 60:02d}  {shown(text)}"
-        self._out.write((line if len(line) <= 150 else line[:149] + "…") + "\n")
+        wide = min(WIDEST, shutil.get_terminal_size((WIDEST, 0)).columns) if self._out.isatty() else WIDEST
+        self._out.write((line if len(line) <= wide else line[: wide - 1] + "…") + "\n")
         self._out.flush()
 
     def _write_log(self, text: str) -> None:

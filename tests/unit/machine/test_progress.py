@@ -168,6 +168,15 @@ def test_long_lines_are_cut(build: Build) -> None:
     assert "x" * 500 in build.log.getvalue()
 
 
+@pytest.mark.parametrize(("columns", "length"), [("80", 80), ("200", 150)])
+def test_long_lines_fit_the_terminal(build: Build, monkeypatch: pytest.MonkeyPatch, columns: str, length: int) -> None:
+    monkeypatch.setattr(build.out, "isatty", lambda: True)
+    monkeypatch.setenv("COLUMNS", columns)
+    build.vertex("[a ros 1/1] RUN " + "x" * 500, started=f"{DAY}10Z", completed=f"{DAY}12Z")
+    assert len(build.shown) == length + 1
+    assert build.shown.endswith("x…\n")
+
+
 # ---- Heartbeat -------------------------------------------------------------------------------------------------------
 
 
