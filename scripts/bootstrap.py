@@ -52,7 +52,7 @@ Examples:
 """
 
 
-UNREACHED = "check the network and proxies (HTTPS_PROXY); a company's certificates go into ROSML_CA_BUNDLE; docs/registry.md has more"
+UNREACHED = "check the network and proxies (HTTPS_PROXY); a company's certificates go into ROSML_CA_BUNDLE; docs/registry/networks.md has more"
 """The remedy if packages cannot be fetched."""
 
 

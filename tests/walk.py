@@ -12,7 +12,7 @@ from pathlib import Path
 
 from tests.pages import ROOT, Block, blocks, commands
 
-EXTEND = ROOT / "docs/extend.md"
+EXTEND = (ROOT / "docs/extend.md", *sorted((ROOT / "docs/extend").glob("*.md")))
 OWN_SET = ROOT / "docs/own-set.md"
 NEEDS_NETWORK = ("./rosml locks", "./rosml image", "make image", "gpg ")
 """Steps of the page that are not walked: tests run them with local replacements."""
@@ -40,8 +40,8 @@ def git(folder: Path, *arguments: str) -> str:
 
 
 def section(name: str) -> Iterator[Block]:
-    """The fenced blocks of a section of docs/extend.md."""
-    return (block for block in blocks(EXTEND) if block.section == name)
+    """The fenced blocks of a section of docs/extend.md, or of a page below it."""
+    return (block for page in EXTEND for block in blocks(page) if block.section == name)
 
 
 def insert(project: Path, block: Block) -> None:
@@ -69,7 +69,7 @@ def run(project: Path, command: str) -> str:
 
 
 def follow(project: Path, name: str) -> str:
-    """Follows a section of docs/extend.md, block by block; gives what the commands printed."""
+    """Follows a section of docs/extend.md, or of a page below it, block by block; gives what the commands printed."""
     said = ""
     for block in section(name):
         if block.title:

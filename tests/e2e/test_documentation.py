@@ -22,6 +22,7 @@ from tests.pages import SHELLS, Block, blocks, commands
 
 TENSORFLOW = "ros1-bookworm-core-tensorflow-cpu"
 CPP = ROOT / "docs/cpp.md"
+NODES = ROOT / "docs/cpp/nodes.md"
 
 
 def section(page: Path, name: str) -> Iterator[Block]:
@@ -74,7 +75,7 @@ project(detector)
 
 def node(services: Services, image: Published, folder: Path) -> None:
     """Builds the page's lines for catkin, in a project that has nothing else, and runs what comes of it."""
-    snippet = next(block for block in section(CPP, "A ROS 1 node") if "catkin" in block.text)
+    snippet = next(block for block in section(NODES, "A ROS 1 node") if "catkin" in block.text)
     (folder / "src").mkdir(parents=True)
     (folder / "CMakeLists.txt").write_text(NODE + snippet.text)
     (folder / "src/detector.cpp").write_text(DETECTOR)
@@ -128,7 +129,7 @@ assert rospy.Duration(2).to_sec() == 2
 @pytest.mark.parametrize("name", [".github/workflows/test.yml", ".gitlab-ci.yml"])
 def test_ci_of_a_package(services: Services, published: Publish, tmp_path: Path, name: str) -> None:
     """The commands that the page gives a runner, in a plain shell, with a package that has a test."""
-    [block] = [block for block in blocks(ROOT / "docs/use.md") if block.title == name]
+    [block] = [block for block in blocks(ROOT / "docs/use/ci.md") if block.title == name]
     job = yaml.safe_load(block.text)
     if "jobs" in job:
         job = job["jobs"]
@@ -170,10 +171,12 @@ catkin_install_python(PROGRAMS detector.py DESTINATION ${CATKIN_PACKAGE_BIN_DEST
 
 
 def test_dockerfiles_of_users(services: Services, published: Publish, tmp_path: Path) -> None:
-    """Both of the page, line by line as they stand there, but for the image: ros1-bookworm-core, which has no framework."""
+    """Both of the pages, line by line as they stand there, but for the image: ros1-bookworm-core, which has no framework."""
     image = published("ros1-bookworm-core").result["reference"]
-    page = ROOT / "docs/use.md"
-    plain = next(block.text for block in section(page, "In a Dockerfile") if "catkin_make" in block.text)
+    plain = next(
+        block.text for block in section(ROOT / "docs/use.md", "In a Dockerfile") if "catkin_make" in block.text
+    )
+    page = ROOT / "docs/use/dev-container.md"
     [container] = [block.text for block in blocks(page) if block.title == ".devcontainer/Dockerfile"]
     for name, text in (("plain", plain), ("container", container)):
         context = tmp_path / name
@@ -233,7 +236,9 @@ def test_parts_are_compared(services: Services) -> None:
 def test_an_image_is_carried_over(services: Services, published: Publish, tmp_path: Path) -> None:
     """Out of a registry into a file, and out of the file into another repository: the same digest."""
     image = published("ros1-bookworm-core")
-    found = [command for block in section(ROOT / "docs/registry.md", "Air-gapped") for command in commands(block)]
+    found = [
+        command for block in section(ROOT / "docs/registry/networks.md", "Air-gapped") for command in commands(block)
+    ]
     assert [command.split()[:3] for command in found] == [["regctl", "image", "export"], ["regctl", "image", "import"]]
     moved = f"{services.registry}/{NAMESPACE}/carried:over"
     places = (image.result["reference"], moved)

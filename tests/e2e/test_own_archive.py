@@ -1,4 +1,4 @@
-"""A row whose ROS comes from an apt archive of somebody's own, as docs/extend.md has it: the entry of the page, the key, a build.
+"""A row whose ROS comes from an apt archive of somebody's own, as docs/extend/archive.md has it: the entry of the page, the key, a build.
 The archive is one that the test signs; the address of the page is answered by a mirror on this machine."""
 
 from __future__ import annotations

@@ -350,8 +350,8 @@ def used(page: Any, way: str) -> list[str]:
 
 
 def test_an_image_is_used_in_the_ways_of_the_docs(window: Windows) -> None:
-    """One source of words: what the page says of an image is what docs/use.md says."""
-    told = (ROOT / "docs/use.md").read_text()
+    """One source of words: what the page says of an image is what docs/use.md and the page below it say."""
+    told = "".join((ROOT / "docs" / name).read_text() for name in ("use.md", "use/dev-container.md"))
     fences = dict(re.findall(r'```\w+ title="([^"]+)"\n(.*?)```', told, re.DOTALL))
     call = r"rosml.usage[name](rosml.byTarget.get('jazzy-base-torch-cu128'), what)"
     page = window().open()

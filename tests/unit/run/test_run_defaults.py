@@ -227,12 +227,12 @@ def test_relative_paths_are_meant_from_the_files_folder(
 
 def test_the_page_shows_what_is_there(tmp_path: Path) -> None:
     """Its example can be read, what it says of it is what would be asked about, and its list is the list."""
-    page = (ROOT / "docs/run.md").read_text()
-    (example,) = [block.text for block in blocks(ROOT / "docs/run.md") if block.title == ".rosml.toml"]
+    page = (ROOT / "docs/run/defaults.md").read_text()
+    (example,) = [block.text for block in blocks(ROOT / "docs/run/defaults.md") if block.title == ".rosml.toml"]
     (tmp_path / ".rosml.toml").write_text(example)
     file = defaults.files({}, str(tmp_path), ["--mws"], ()).project
     assert file
-    (question,) = [block.text for block in blocks(ROOT / "docs/run.md") if " wants:" in block.text]
+    (question,) = [block.text for block in blocks(ROOT / "docs/run/defaults.md") if " wants:" in block.text]
     items = [item.replace(str(tmp_path), "/home/me/robot") for item in consent.wanted(file.line, trusted=True)]
     assert question.splitlines()[1:-1] == [f"  {item}" for item in items]
     table = page.partition("Only these need no question:")[2].partition("Everything else")[0]

@@ -681,7 +681,7 @@ def test_rosmls_own_plugins() -> None:
 
 def test_the_plugin_that_the_docs_show() -> None:
     """It works as it stands there, and the names to put in `before` and `after` are all of them."""
-    page = (ROOT / "docs/run.md").read_text()
+    page = (ROOT / "docs/run/plugins.md").read_text()
     (code,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
     names: dict[str, Any] = {}
     exec(code, names)

@@ -207,7 +207,7 @@ def network() -> Iterator[Finding]:
     if len(silent) < len(asked):
         yield Finding("network", "ok", f"{', '.join(name for name in asked if name not in silent)}: answers")
     if silent:
-        remedy = "set HTTPS_PROXY and SSL_CERT_FILE if a proxy is between; mirrors are in docs/registry.md"
+        remedy = "set HTTPS_PROXY and SSL_CERT_FILE if a proxy is between; mirrors are in docs/registry/networks.md"
         yield Finding("network", "note", f"{', '.join(silent)}: no answer", remedy)
 
 

@@ -142,7 +142,7 @@ def assigned(name: str, value: str) -> str:
 
 
 def _defaults(project: Project) -> Iterator[str]:
-    yield "# Defaults of rosml run in this folder (docs/run.md): it enters the image to work in, with the folder as"
+    yield "# Defaults of rosml run in this folder (docs/run/defaults.md): it enters the image to work in, with the folder as"
     yield "# /docker-ros/ws/src/target. rosml containerize makes that image. rosml asks you once whether to allow this file."
     yield f"image = {json.dumps(project.dev_image)}"
     yield 'options = ["--mws"]'

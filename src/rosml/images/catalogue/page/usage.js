@@ -1,4 +1,4 @@
-// The lines and files by which an image is used. docs/use.md has the same ones; a test compares them.
+// The lines and files by which an image is used. docs/use.md and docs/use/dev-container.md have the same ones; a test compares them.
 "use strict";
 
 (() => {
