@@ -21,6 +21,9 @@ WORDS = [
 LONGEST = 35
 """Words in a sentence. A span of code is one."""
 
+TALLEST = {"README.md": 120, "CHANGELOG.md": 100_000}
+"""Lines of a page; others have at most 200."""
+
 
 def faults(sentence: Sentence) -> Iterator[str]:
     """What is wrong with a sentence."""
@@ -43,6 +46,12 @@ def report(read: list[Sentence]) -> None:
 
 def test_pages() -> None:
     report([s for page in pages() for s in sentences(str(page.relative_to(ROOT)), page.read_text())])
+
+
+def test_a_page_answers_one_need() -> None:
+    lines = {str(page.relative_to(ROOT)): len(page.read_text().splitlines()) for page in pages()}
+    too_long = {name: count for name, count in lines.items() if count > TALLEST.get(name, 200)}
+    assert too_long == {}, "cut them by what a reader needs: docs/style.md"
 
 
 def test_help_and_messages() -> None:
