@@ -164,10 +164,6 @@ def test_every_page_is_in_the_navigation() -> None:
 # ---- What pages say --------------------------------------------------------------------------------------------------
 
 
-def test_the_readme_fits_on_two_screens() -> None:
-    assert (ROOT / "README.md").read_text().count("\n") <= 120
-
-
 def test_the_status_page_has_a_line_for_each_thing() -> None:
     """What was tried with it is folded away: a reader sees what it is, its state, and a few words."""
     page = (ROOT / "docs/status.md").read_text()
