@@ -141,6 +141,8 @@ def recorded(typed: str, home: Path, environment: Mapping[str, str]) -> Command:
         whole, newline, rest = (rest + data).rpartition(b"\n")
         if newline:
             events.append(Event(round(time.monotonic() - begin, 2), "o", (whole + newline).decode()))
+    if rest:
+        events.append(Event(round(time.monotonic() - begin, 2), "o", rest.decode()))
     os.close(terminal)
     code = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
     command = Command(typed, tuple(events))
@@ -216,8 +218,10 @@ def steps(output: str) -> set[str]:
 
 _CHANGES = re.compile(
     r"127\.0\.0\.1:\d+|sha256:[0-9a-f]+|(?:\d+ min )?\b\d+(?:\.\d+)? (?:s|[kMG]?B)\b|\b\d+\.\d(?= +(?:amd|arm)64)"
+    r"|(?<=linux/)(?:amd|arm)64$",
+    re.MULTILINE,
 )
-"""Addresses, digests, times, sizes with their unit, and the column of sizes."""
+"""Addresses, digests, times, sizes with their unit, the column of sizes, and this machine's architecture."""
 
 
 def stable(output: str) -> list[str]:
@@ -243,7 +247,7 @@ STYLE = """\
 
 def rows(commands: Mapping[str, Command]) -> Iterator[tuple[float, bool, str]]:
     """The lines of the picture: when each appears, whether it is bold, and what it says."""
-    now = 0.0
+    now = -THINKING
     for command in commands.values():
         now += THINKING
         before = 0.0

@@ -54,6 +54,7 @@ def test_a_cast_is_read_as_it_was_written(tmp_path: Path) -> None:
         ("ros:jazzy  1.3  amd64", "ros:jazzy  10.6  amd64"),
         ("made sha256:0a1b", "made sha256:ffff"),
         ("kept 3.1 kB", "kept 12 MB"),
+        ("==> 1 package for linux/amd64", "==> 1 package for linux/arm64"),
         ("==> a\n    0:01     1.3 s  [x y 1/2] z", "==> a"),
     ],
 )
