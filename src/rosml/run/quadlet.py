@@ -156,7 +156,6 @@ def _last(options: Sequence[Option]) -> list[Option]:
             key = option.name
         elif option.name in PAIRS:
             key = option.name, (option.value or "").partition("=")[0]
-        kept.pop(key, None)
         kept[key] = option
     return [*kept.values()]
 

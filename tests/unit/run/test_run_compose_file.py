@@ -80,6 +80,7 @@ def test_the_same_service_is_there() -> None:
         ("services:\n\trobot: x\n", "is no YAML: line 2"),
         ("volumes:\n  data:\n", "has a volume data already, with other content"),
         ("services: &a\n  b:\n    image: y\nx: *a\n", "services has the anchor a"),
+        ("services:\n  a:\n    command: |\n      x", "the addition would change what is there"),
         ("services: {}\n", "services has no line for each key"),
         ("services: !reset null\n", "services has no line for each key"),
         ("services: [a]\n", "services has no line for each key"),
