@@ -452,7 +452,7 @@ def test_an_image_shows_what_is_inside(window: Windows, published: Published) ->
         parts = section.locator(".scroll").first.locator("tbody th").all_text_contents()
         assert parts == list(platform.parts)
         assert platform.tests and f"{platform.tests.passed} passed" in (section.text_content() or "")
-        known = "scan passed2 high, 7 medium known, none of which the policy stops; 525 packages"
+        known = "scan passed2 high, 27 medium known, none of which the policy stops; 525 packages"
         assert known in (section.text_content() or "")
 
 
@@ -477,6 +477,40 @@ def test_packages_come_from_the_sboms(window: Windows) -> None:
     page.get_by_label("Search packages").fill("debian 1.2")
     page.get_by_text("1 of 6 packages").wait_for()
     assert texts(page, "[aria-label='Packages for linux/amd64'] tbody th") == ["ros-base"]
+
+
+def test_the_worst_vulnerabilities_are_named_with_the_policys_verdict(
+    browser: Any, window: Windows, published: Published, tmp_path: Path
+) -> None:
+    page = window().open(f"#/image/{TORCH}")
+    page.get_by_text("The worst 20 of 29 vulnerabilities").click()
+    named = rows(page, "Vulnerabilities for linux/amd64")
+    assert len(named) == 20
+    where = ["libexample1", "1:1.0-1+deb12u1"]
+    accepted = "accepted until 2027-03-31: it is compiled out"
+    assert named[:3] == [
+        ["CVE-2026-1000", "high", *where, "1:1.0-1+deb12u2", "ros1-bookworm-base", accepted],
+        ["CVE-2026-1001", "high", *where, "1:1.1~rc1", "ros1-bookworm-base", "listed only"],
+        ["CVE-2026-1002", "medium", *where, "nowhere", "ros1-bookworm-base", "listed only"],
+    ]
+    assert page.get_by_text("9 others not shown").is_visible()
+    address = "https://www.cve.org/CVERecord?id=CVE-2026-1000"
+    assert page.get_by_role("link", name="CVE-2026-1000").get_attribute("href") == address
+    page = window().open("#/image/ros1-bookworm-core")
+    page.get_by_text("Vulnerabilities by name").first.click()
+    assert len(rows(page, "Vulnerabilities for linux/amd64")) == 3
+    content = published.model_dump()
+    of_torch = next(item for item in content["images"] if item["target"] == TORCH)
+    scan = of_torch["builds"][0]["platforms"][0]["scan"]
+    stops = {**scan["named"][0], "id": "X-1", "fails": True, "ignored": "", "until": ""}
+    of_torch["builds"][0]["platforms"][0]["scan"] = {**scan, "outcome": "policy failed", "named": [stops]}
+    site.write(tmp_path / "page", Published.model_validate(content))
+    windows = Windows(browser, tmp_path / "page")
+    page = windows().open(f"#/image/{TORCH}")
+    page.get_by_text("The worst 1 of 29 vulnerabilities").click()
+    (stopping,) = rows(page, "Vulnerabilities for linux/amd64")
+    assert (stopping[0], stopping[-1]) == ("X-1", "stops the image")
+    windows.opened[0][0].close()
 
 
 def test_an_image_says_what_changed_since_the_build_before(window: Windows) -> None:

@@ -6,8 +6,9 @@ from __future__ import annotations
 import hashlib
 import json
 import zlib
-from collections.abc import Collection
-from dataclasses import dataclass, field
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 from memory_registry import IMAGE, INDEX, LAYER, PREFIX, MemoryRegistry
 
@@ -19,6 +20,7 @@ from rosml.images.records import tag_moves
 from rosml.images.records.store import ANNOTATION, DATE, Entry, Records
 from rosml.images.records.store import INDEX as INDEX_ENTRY
 from rosml.images.scan import packages, sbom
+from rosml.images.scan.judge import Finding, Outcome, Scanned
 from rosml.registry import oci
 from rosml.registry.place import Place
 
@@ -194,8 +196,9 @@ class Shelf:
         unpacked = sum(
             part.disk.unpacked for part in (self.image_set.part_by_name[name] for name in thing.parts)
         ) + self._ros_unpacked(thing)
-        findings = {"high": 2, "medium": 7} if thing.stack else {"medium": 3}
+        findings = {"high": 2, "medium": 27} if thing.stack else {"medium": 3}
         scan = {"updated": "2026-11-22T00:10:00Z", "packages": 525, "findings": findings, "failing": []}
+        scan["named"] = self._named(thing, findings)
         return Entry(
             **{
                 **vars(facts),
@@ -207,6 +210,17 @@ class Shelf:
                 "scan": scan,
             }
         )
+
+    def _named(self, image: sets.Image, findings: Mapping[str, int]) -> list[dict[str, Any]]:
+        """What the records name of findings: the first one is accepted, a newer package mends the second."""
+        severities = [severity for severity, number in findings.items() for _ in range(number)]
+        found = [
+            Finding(f"CVE-2026-{1000 + number}", severity, "libexample1", "1:1.0-1+deb12u1", "", image.parent or "")
+            for number, severity in enumerate(severities)
+        ]
+        found[0] = replace(found[0], fixed="1:1.0-1+deb12u2", ignored="it is compiled out", until="2027-03-31")
+        found[1] = replace(found[1], fixed="1:1.1~rc1")
+        return Scanned(image.target, "amd64", Outcome.CLEAN, "", tuple(found)).named
 
     def _ros_unpacked(self, image: sets.Image) -> int:
         ros = self.image_set.by_target[image.parent] if image.stack else image

@@ -212,6 +212,33 @@ def test_packages_are_read_from_the_sboms_that_an_index_names(shelf: Shelf, foun
     assert bases[1] in read and bases[2] not in read, "of the newest two builds alone"
 
 
+def test_vulnerabilities_have_names_and_what_is_none_is_left_out(real: ImageSet) -> None:
+    """Whoever may write records may write anything: what is no advisory counts, and has no name."""
+    shelf = Shelf(real)
+    shelf.night(FIRST, ["ros1-bookworm"])
+    records = store.Records(Place(shelf.registry, PREFIX))
+    entry = records.read("ros1-bookworm-core", "amd64")
+    assert entry
+    (good, *_) = entry.scan["named"]
+    assert (good["id"], good["until"]) == ("CVE-2026-1000", "2027-03-31")
+    bad = [
+        good | {"id": "<script>"},
+        good | {"severity": "mild"},
+        good | {"package": "a\u202eb"},
+        good | {"installed": "1" * 129},
+        good | {"until": "tomorrow"},
+        good | {"x": 1},
+        {},
+        "CVE-2026-1",
+    ]
+    for named, expected in (([*bad, good], 1), ([good] * 30, 20), (bad, 0)):
+        records.write(dataclasses.replace(entry, scan={**entry.scan, "named": named}))
+        item = image(gather(shelf.registry, real, "ros1-bookworm-core"), "ros1-bookworm-core")
+        scan = next(p.scan for p in item.builds[0].platforms if p.platform == "linux/amd64")
+        assert scan and scan.findings == {"medium": 3}
+        assert [found.id for found in scan.named] == ["CVE-2026-1000"] * expected
+
+
 def test_an_sbom_that_is_none_is_left_out(real: ImageSet) -> None:
     """Anybody who may push can write any annotation, and attach anything."""
     shelf = Shelf(real)

@@ -80,6 +80,8 @@ def test_what_the_policy_stops_gets_no_tag(
     assert any("scan: policy failed" in reason for reason in waiting(run, BASE))
     entry = run.state.known[BASE, "amd64"]
     assert entry.scan["failing"] == ["CVE-2026-2"] and entry.scan["findings"] == {"critical": 1}
+    (named,) = entry.scan["named"]
+    assert (named["id"], named["package"], named["fixed"], named["fails"]) == ("CVE-2026-2", "torch", "3.0", True)
     calls = world.calls("sbom")
     parts = {item.key for item in run.state.items if item.kind != "joined"}
     assert len(calls) == len(parts), "a part that images share is scanned once"

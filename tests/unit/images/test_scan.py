@@ -473,11 +473,21 @@ def test_a_registry_that_fails(world: World) -> None:
     assert found.reason.endswith("the registry answers 503")
 
 
+def test_records_name_what_stops_an_image_first_and_not_everything(world: World) -> None:
+    world.advisories = {"libc6": [advisory(f"CVE-2026-{number}", "CRITICAL", "") for number in range(100, 130)]}
+    world.advisories["libc6"].append(advisory("CVE-2026-9", "HIGH", "2" * 200))
+    found = scanned(world, image("alpha-base", base(world))).images[0]
+    assert len(found.findings) == 31 and len(found.named) == 20
+    assert [it["id"] for it in found.named][:2] == ["CVE-2026-9", "CVE-2026-100"], "though others are critical"
+    assert (found.named[0]["fails"], found.named[0]["fixed"]) == (True, "2" * 128)
+
+
 # ---- ignore entries -------------------------------------------------------------------------------------------------
 def test_an_entry_ignores(world: World) -> None:
     run = scanned(world, image("alpha-base", base(world)), rules=rules(IGNORE))
     assert run.outcome is Outcome.CLEAN
-    assert run.images[0].findings[0].ignored == "not reachable"
+    finding = run.images[0].findings[0]
+    assert (finding.ignored, finding.until) == ("not reachable", "2027-01-31")
     assert run.images[0].matched == (0,)
 
 

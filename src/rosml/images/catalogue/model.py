@@ -13,6 +13,8 @@ from pydantic import BaseModel, ConfigDict, Field
 from rosml.images.image_set import missing
 from rosml.images.image_set.model import Image as Wanted
 from rosml.images.matrix.model import DIGEST
+from rosml.images.scan.judge import LONGEST
+from rosml.images.scan.policy import ADVISORY, Severity
 
 FORMAT = 1
 
@@ -78,6 +80,28 @@ class Tests(Fact):
     failures: tuple[str, ...] = Field(description="those that did not pass")
 
 
+Word = Annotated[str, Field(pattern=r"^[!-~]*$", max_length=LONGEST)]
+"""A name or a version of a package: printable ASCII without a space."""
+
+
+class Vulnerability(Fact):
+    """A known vulnerability in a package of an image, and what the policy says about it."""
+
+    id: Annotated[str, Field(pattern=ADVISORY, max_length=64)] = Field(description="advisory, such as CVE-2026-12345")
+    severity: Severity
+    package: Word
+    installed: Word = Field(description="version in the image")
+    fixed: Word = Field(description="version that fixes it; empty if none does")
+    part: Word = Field(description="the ROS image or part that has the package")
+    fails: bool = Field(description="whether the policy stops the image because of it")
+    ignored: Annotated[str, Field(max_length=400)] = Field(
+        description="why the policy accepts it; empty if no entry of the policy names it"
+    )
+    until: Annotated[str, Field(pattern=r"^([0-9]{4}-[0-9]{2}-[0-9]{2})?$")] = Field(
+        description="the last day on which the policy accepts it; empty if no entry of the policy names it"
+    )
+
+
 class Scan(Fact):
     """The result of a scan for known vulnerabilities."""
 
@@ -86,6 +110,9 @@ class Scan(Fact):
     packages: Count = Field(description="how many packages were held against it")
     findings: dict[str, Count] = Field(description="number of findings by severity, those that are ignored among them")
     failing: tuple[str, ...] = Field(description="advisories that stop the image")
+    named: tuple[Vulnerability, ...] = Field(
+        description="at most 20 of the findings: those that stop the image, then the worst; none of older scans"
+    )
 
 
 class Platform(Fact):

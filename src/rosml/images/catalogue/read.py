@@ -33,6 +33,7 @@ from rosml.images.catalogue.model import (
     Size,
     Tag,
     Tests,
+    Vulnerability,
     status,
 )
 from rosml.images.catalogue.words import words
@@ -44,6 +45,7 @@ from rosml.images.matrix import rules
 from rosml.images.matrix.names import DATED
 from rosml.images.records import tag_moves
 from rosml.images.records.store import INDEX, Entry, Records, date_of
+from rosml.images.scan.judge import NAMED
 from rosml.registry import documents
 from rosml.registry.place import Place
 
@@ -422,6 +424,7 @@ class _Scanned(BaseModel):
     packages: int = 0
     findings: dict[str, int] = {}
     failing: list[str] = []
+    named: list[Any] = []
 
 
 def scan_of(entry: Entry) -> Scan | None:
@@ -434,7 +437,16 @@ def scan_of(entry: Entry) -> Scan | None:
             packages=found.packages,
             findings=found.findings,
             failing=tuple(found.failing),
+            named=tuple(filter(None, map(_vulnerability, found.named[:NAMED]))),
         )
+    except ValidationError:
+        return None
+
+
+def _vulnerability(content: Any) -> Vulnerability | None:
+    """A vulnerability of the records; None if it is damaged: then it counts, and has no name."""
+    try:
+        return Vulnerability.model_validate(content)
     except ValidationError:
         return None
 

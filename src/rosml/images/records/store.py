@@ -61,7 +61,8 @@ class Entry:
         sbom: for a ROS image or part, digest of the artifact with its SBOM.
         described: for a ROS image or part, `contents.FORMAT` of what is attached to it.
         scanned: outcome of the scan; empty before.
-        scan: findings by severity, the digest and date of the database, and the digest of the policy.
+        scan: findings by severity, the worst of them by name, the digest and date of the database, and the digest of the
+            policy.
         versions: of packages and programs found in the image.
         seconds: wall time by step.
         date: of the run that made it.

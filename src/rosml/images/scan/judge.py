@@ -23,6 +23,12 @@ from rosml.images.scan.trivy import ANOTHER, SCANNER_FAILED, Database, Report, S
 
 Known = TypeVar("Known")
 
+NAMED = 20
+"""The most findings of an image that the records name: they are read at every plan. All are in the reports of a run."""
+
+LONGEST = 128
+"""The most characters of each thing that the records say about a finding; the policy's reasons may be longer."""
+
 POLICY_FAILED = 3
 """The exit code if the policy stops an image."""
 
@@ -92,6 +98,7 @@ class Finding:
         title: its title.
         url: a page about it.
         ignored: the reason why the policy ignores it; empty if it does not.
+        until: the last day on which it does, such as 2027-05-31; empty if it does not.
         fails: whether it stops the image.
     """
 
@@ -105,6 +112,7 @@ class Finding:
     title: str = ""
     url: str = ""
     ignored: str = ""
+    until: str = ""
     fails: bool = False
 
     @property
@@ -160,8 +168,18 @@ class Scanned:
         """The findings that stop the image."""
         return tuple(finding for finding in self.findings if finding.fails)
 
+    @property
+    def named(self) -> list[dict[str, Any]]:
+        """The findings that the records name: those that stop the image, then the worst of the others."""
+        names = ("id", "severity", "package", "installed", "fixed", "part")
+        return [
+            {name: getattr(finding, name)[:LONGEST] for name in names}
+            | {"fails": finding.fails, "ignored": finding.ignored, "until": finding.until}
+            for finding in sorted(self.findings, key=lambda finding: not finding.fails)[:NAMED]
+        ]
+
     def to_json(self) -> dict[str, Any]:
-        """For `--json` and for the records."""
+        """For `--json`."""
         return {**asdict(self), "outcome": self.outcome.value, "exit_code": self.outcome.exit_code}
 
 
@@ -318,7 +336,8 @@ def scan(image: Image, rules: Rules, scanner: Scanner, today: date) -> Scanned:
 def _judged(finding: Finding, rules: Rules, entry: Ignored | None) -> Finding:
     policy = rules.policy
     fails = entry is None and policy.stops(finding.severity) and (bool(finding.fixed) or not policy.fixable_only)
-    return replace(finding, ignored=entry.reason if entry else "", fails=fails)
+    ignored, until = (entry.reason, str(entry.expires)) if entry else ("", "")
+    return replace(finding, ignored=ignored, until=until, fails=fails)
 
 
 def _outcome(findings: Sequence[Finding], reasons: Sequence[str], parts: Sequence[Part]) -> tuple[Outcome, str]:

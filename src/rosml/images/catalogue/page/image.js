@@ -126,6 +126,52 @@
     return `${known}; ${r.count(scan.packages, "package")}${day}`;
   }
 
+  /** A page about an advisory, by its name: no address comes out of a registry. */
+  const ADVISORIES = { CVE: "https://www.cve.org/CVERecord?id=", GHSA: "https://github.com/advisories/" };
+
+  function advisory(id) {
+    const address = ADVISORIES[id.split("-")[0]];
+    return address ? el("a", { href: address + id }, id) : id;
+  }
+
+  function verdict(item) {
+    if (item.fails) return el("span", { class: "bad" }, "stops the image");
+    return item.ignored ? `accepted until ${item.until}: ${item.ignored}` : "listed only";
+  }
+
+  /** The worst vulnerabilities by name, folded, and how many there are beside them. */
+  function vulnerabilities(platform) {
+    const { scan } = platform;
+    if (!scan || !scan.named.length) return null;
+    const all = Object.values(scan.findings).reduce((sum, number) => sum + number, 0);
+    const rest = all - scan.named.length;
+    const rows = scan.named.map((item) =>
+      el(
+        "tr",
+        { class: item.fails ? "differs" : null },
+        el("th", { scope: "row" }, advisory(item.id)),
+        el("td", null, item.severity),
+        el("td", { class: "mono" }, item.package),
+        el("td", { class: "mono" }, item.installed),
+        el("td", { class: "mono" }, item.fixed || "nowhere"),
+        el("td", null, item.part.replace(/^part-/, "")),
+        el("td", null, verdict(item)),
+      ),
+    );
+    const title = rest > 0 ? `The worst ${rows.length} of ${r.count(all, "vulnerability", "vulnerabilities")}` : "Vulnerabilities by name";
+    return el(
+      "details",
+      null,
+      el("summary", null, title),
+      r.table(
+        `Vulnerabilities for ${platform.platform}`,
+        ["Advisory", "Severity", "Package", "Installed", "Fixed in", "Part", "Policy"],
+        rows,
+      ),
+      rest > 0 ? el("p", { class: "sub" }, `${r.count(rest, "other")} not shown; the reports of the scan have all of them.`) : null,
+    );
+  }
+
   function checks(platform) {
     const { tests, scan } = platform;
     return [
@@ -188,6 +234,7 @@
             r.table(`Versions for ${platform.platform}`, ["Name", "Version"], rows),
           )
         : null,
+      vulnerabilities(platform),
       r.packages(platform),
     );
   }

@@ -46,8 +46,8 @@ window.rosml = {};
     return bytes === 0 ? "±0 B" : `${bytes > 0 ? "+" : "−"}${size(Math.abs(bytes))}`;
   }
 
-  function count(number, noun) {
-    return `${number.toLocaleString("en")} ${noun}${number === 1 ? "" : "s"}`;
+  function count(number, noun, several = `${noun}s`) {
+    return `${number.toLocaleString("en")} ${number === 1 ? noun : several}`;
   }
 
   /** The day of a date; all of it is its title. */

@@ -50,6 +50,7 @@ def scan(
             "packages": found.packages,
             "findings": dict(Counter(finding.severity for finding in found.findings)),
             "failing": sorted({finding.id for finding in found.failing}),
+            "named": found.named,
         }
         key = found.target, found.architecture
         entry = replace(state.known[key], scanned=found.outcome.value, scan=facts, changed=state.date)
