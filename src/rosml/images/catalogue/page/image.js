@@ -153,7 +153,7 @@
         el("td", null, item.severity),
         el("td", { class: "mono" }, item.package),
         el("td", { class: "mono" }, item.installed),
-        el("td", { class: "mono" }, item.fixed || "nowhere"),
+        el("td", { class: "mono" }, item.fixed || "none"),
         el("td", null, item.part.replace(/^part-/, "")),
         el("td", null, verdict(item)),
       ),
@@ -167,6 +167,7 @@
         `Vulnerabilities for ${platform.platform}`,
         ["Advisory", "Severity", "Package", "Installed", "Fixed in", "Part", "Policy"],
         rows,
+        { class: "broad" },
       ),
       rest > 0 ? el("p", { class: "sub" }, `${r.count(rest, "other")} not shown; the reports of the scan have all of them.`) : null,
     );
@@ -239,6 +240,10 @@
     );
   }
 
+  function grown(bytes) {
+    return bytes ? `${bytes > 0 ? "grows" : "shrinks"} by ${r.size(Math.abs(bytes))}` : "keeps its size";
+  }
+
   function describe(change) {
     const parts = change.parts.map((name) => name || "other").join(", ");
     const versions = change.versions.map((item) => `${item.name} ${item.left || "none"} → ${item.right || "none"}`);
@@ -248,7 +253,7 @@
       el("strong", null, change.platform),
       ": ",
       change.pulled || change.kept < change.all
-        ? `${parts} ${change.parts.length === 1 ? "is" : "are"} new; an update pulls ${r.size(change.pulled)} and keeps ${change.kept} of ${change.all} layers (${r.change(change.growth)})`
+        ? `${parts} changed; an update pulls ${r.size(change.pulled)} and keeps ${change.kept} of ${change.all} layers; the image ${grown(change.growth)}`
         : "the same layers; only the configuration differs",
       change.sync ? `; ROS's packages moved from ${change.sync[0].slice(0, 20)} to ${change.sync[1].slice(0, 20)}` : "",
       versions.length ? `; ${versions.join(", ")}` : "",

@@ -41,11 +41,6 @@ window.rosml = {};
     return `${value.toFixed(digits)} ${units[unit]}`;
   }
 
-  /** A difference of bytes with its sign: +2.1 MB. */
-  function change(bytes) {
-    return bytes === 0 ? "±0 B" : `${bytes > 0 ? "+" : "−"}${size(Math.abs(bytes))}`;
-  }
-
   function count(number, noun, several = `${noun}s`) {
     return `${number.toLocaleString("en")} ${number === 1 ? noun : several}`;
   }
@@ -214,7 +209,6 @@ window.rosml = {};
     snippet,
     svg,
     size,
-    change,
     count,
     day,
     days,
