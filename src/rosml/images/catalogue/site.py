@@ -1,4 +1,4 @@
-"""Writes the catalogue: catalogue.json for programs, and a page for people that needs no server.
+"""Writes the catalogue: catalogue.json for programs, feed.xml for readers of feeds, and a page for people that needs no server.
 
 The page's own files are copied from the folder `page`. Its data is a script beside them: from a file, a browser lets a page load a
 script, but no JSON.
@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from rosml.base import files
+from rosml.images.catalogue import feed
 from rosml.images.catalogue.model import Published
 from rosml.images.catalogue.packages import Package
 
@@ -33,7 +34,7 @@ PACKAGES = "packages"
 
 
 def write(folder: Path, published: Published, packages: Mapping[str, Sequence[Package]] | None = None) -> list[Path]:
-    """Writes catalogue.json and the page into a folder, all or nothing. Returns the files.
+    """Writes catalogue.json, the feed and the page into a folder, all or nothing. Returns the files.
 
     Args:
         packages: the packages in SBOMs, by the digests of these.
@@ -45,6 +46,7 @@ def write(folder: Path, published: Published, packages: Mapping[str, Sequence[Pa
     known = {digest.removeprefix("sha256:"): found for digest, found in (packages or {}).items()}
     wanted = {
         "catalogue.json": content,
+        "feed.xml": feed.render(published),
         "data.js": f"{script(content)}window.packaged = {json.dumps(sorted(known))};\n",
     }
     for source in sorted(SOURCES.iterdir()):
