@@ -47,6 +47,12 @@ def matrix_of(root: Path) -> Path:
     return own.resolve() if own.is_file() else root / "matrix.yaml"
 
 
+def own_of(root: Path) -> Path:
+    """The folder of the files that somebody keeps: that of a set's `set.yaml`, which has its rosml in a folder below it and fetches it
+    anew; or the root."""
+    return matrix_of(root).parent
+
+
 MATRIX = ROOT / os.environ["ROSML_MATRIX"] if os.environ.get("ROSML_MATRIX") else matrix_of(ROOT)
 """What commands read if no option names another one. The variable ROSML_MATRIX names one for all of them, from the root on."""
 

@@ -697,6 +697,30 @@ def test_locks_that_nothing_needs(checkout: Path, capsys: pytest.CaptureFixture[
     assert (checkout / "locks/old.txt").exists()
 
 
+def test_a_set_keeps_its_own_locks(checkout: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """In its own folder, which has rosml in one that is fetched anew; those that are as in rosml are none of its own."""
+    assert run(checkout) == 0
+    rosml, kept = checkout / ".rosml", "locks/cpu/arm64/3.12/common.txt"
+    (checkout / "matrix.yaml").rename(checkout / "set.yaml")
+    rosml.mkdir()
+    (checkout / "locks").rename(rosml / "locks")
+    (rosml / "locks/old.txt").write_text("")
+    (rosml / "set.yaml").symlink_to("../set.yaml")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(script, "ROOT", rosml)
+        arguments = ["--matrix", str(checkout / "set.yaml")]
+        assert command.run(script.main, arguments=arguments) == 0
+        assert not (checkout / "locks").exists()
+        before = (rosml / kept).read_text()
+        fake_uv(checkout, resolved=RESOLVED.replace("numpy==1.26.4", "numpy==1.26.5"))
+        capsys.readouterr()
+        assert command.run(script.main, arguments=[*arguments, "--stack", "cpu"]) == 0
+    said = capsys.readouterr().out
+    assert f"{kept}: written\n" in said and "old.txt" not in said, "rosml's, and no business of the set"
+    assert "numpy==1.26.5" in (checkout / kept).read_text() and (rosml / kept).read_text() == before
+    assert not (checkout / "locks/cu1").exists()
+
+
 def test_upgrade_forgets_earlier_versions(checkout: Path) -> None:
     run(checkout)
     assert run(checkout) == 0

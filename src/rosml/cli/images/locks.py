@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from rosml import ROOT
+from rosml import ROOT, own_of
 from rosml.base import files, github, terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import options
@@ -71,7 +71,8 @@ def main(
     report: Path | None,
     as_json: bool,
 ) -> None:
-    """Resolves every stack for every Python version and architecture, and writes the locks that changed.
+    """Resolves every stack for every Python version and architecture, and writes the locks that changed. In a set, these are locks that
+    differ from rosml's: they go into the set's own folder.
 
     --upgrade and --bases also update the digests of base images in matrix.yaml; run 'rosml generate' afterwards.
     If you have the scanner ('rosml setup scanner'), the command lists the versions that the scan will stop, by
@@ -108,9 +109,10 @@ def main(
     there = {path for path in locked.locks(ROOT) if not stacks or path.split("/")[1] in stacks}
     earlier = {path: (ROOT / path).read_text(errors="replace") for path in there & locks.texts.keys()}
     stale = [path for path, text in sorted(locks.texts.items()) if earlier.get(path) != text]
+    own = own_of(ROOT)
     for path in () if check else stale:
-        (ROOT / path).parent.mkdir(parents=True, exist_ok=True)
-        files.write(ROOT / path, locks.texts[path], within=ROOT)
+        (own / path).parent.mkdir(parents=True, exist_ok=True)
+        files.write(own / path, locks.texts[path], within=own)
     for path in stale:  # after all is written: the reader of a pipe may stop reading
         terminal.echo(f"{path}: {'would change' if check else 'written'}", err=as_json)
     moved = moves(earlier, {path: locks.texts[path] for path in stale if path in earlier})
@@ -122,7 +124,7 @@ def main(
         text = markdown(moved, fresh, locks.left_out) + (base_table(pinned) if pinned else "")
         text += refused_table(stopped, unknown)
         files.write(report, text + (upstream_table(image_set, stacks) if upgrade else ""))
-    for path in sorted(there - locks.texts.keys()):
+    for path in sorted(locked.locks(own) & there - locks.texts.keys()):
         terminal.echo(f"{path}: belongs to nothing in {matrix.name}; delete it", err=as_json)
     for request, reason in locks.left_out.items():
         terminal.echo(f"{request}: locks stay as they are: {reason}", err=True)
