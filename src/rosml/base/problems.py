@@ -47,9 +47,13 @@ class InputError(RosmlError):
         super().__init__("\n".join(lines), exit_code=2)
 
 
-def dotted(path: KeyPath) -> str:
-    """A path for people: `distributions.jazzy.components[2]`."""
-    text = ""
+def dotted(path: KeyPath, start: str = "") -> str:
+    """A path for people: `distributions.jazzy.components[2]`.
+
+    Args:
+        start: what stands before it.
+    """
+    text = start
     for step in path:
         if isinstance(step, int):
             text += f"[{step}]"

@@ -14,7 +14,7 @@ from rosml.base.problems import InputError
 from rosml.cli import options
 from rosml.images.builds import disk
 from rosml.images.catalogue import layers_picture
-from rosml.images.image_set import load, own_set
+from rosml.images.image_set import explain, load, own_set
 from rosml.images.image_set.model import ImageSet
 from rosml.images.image_set.own_set import Upstream
 from tests import walk
@@ -88,8 +88,46 @@ disk: {parts: {cu130: {einops: {unpacked: 1, compressed: 1}}}}
     torch = made.image("jazzy-base-torch-cu130")
     assert torch.parts[-1].startswith("einops") and torch.versions["torch"]
     assert problems(tmp_path, text.replace("slot: 16", "slot: 1")) == [
-        "14: parts[3].slot: slot 1 is that of common; free is 3"
+        "14: parts[einops].slot: slot 1 is that of common; free is 3"
     ]
+    nameless = problems(tmp_path, text.replace("{name: einops, title", "{title: none}\n  - {name: einops, title"))
+    assert nameless[0].startswith("14: parts[0]: 'name' is missing"), "by its own index"
+    changed = problems(tmp_path, text.replace("- {name: einops", "- {name: torch, slot: x}\n  - {name: einops"))
+    assert changed[0].startswith("14: parts[torch].slot: expected a whole number")
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("humble-desktop", "which does not choose the component desktop of humble; rosml has it: name it in set.yaml."),
+        ("noetic-core", "which does not choose the distribution noetic; rosml has it"),
+        ("ros:noetic", "which does not choose the distribution noetic; rosml has it"),
+        (
+            "noetic-base-tensorflow-cpu38",
+            "which does not choose the distribution noetic, the framework tensorflow and the stack cpu38; rosml has it",
+        ),
+        ("jazzy-base-tf-cu128", "which does not choose the framework tensorflow and the stack cu128; rosml has it"),
+        ("ros-torch:jazzy-base-cu128", "which does not choose the stack cu128; rosml has it"),
+        (
+            "foxy-core-torch-cu130",
+            "which does not choose the distribution foxy, and rosml does not have it either: torch ",
+        ),
+    ],
+)
+def test_what_a_set_leaves_out_is_no_fact_about_ros(name: str, said: str, tmp_path: Path) -> None:
+    reason = explain.why_not(loaded(tmp_path, SET), name) or ""
+    assert f" does not exist in this set, {said}" in reason
+
+
+def test_what_neither_has_is_told_as_it_is(tmp_path: Path, real: ImageSet) -> None:
+    made = loaded(tmp_path, SET)
+    for name in ("humble-robot", "jazzy-robot"):
+        reason = explain.why_not(made, name)
+        assert reason == explain.why_not(real, name) and reason and "no robot metapackage" in reason
+    assert (
+        explain.why_not(made, "jazzy-base-torch") == "jazzy-base-torch names no stack; there is jazzy-base-torch-cu130."
+    )
+    assert explain.why_not(made, "jazzy-nothing") is None
 
 
 def test_one_architecture_and_one_accelerator(tmp_path: Path, real: ImageSet) -> None:

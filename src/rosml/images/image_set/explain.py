@@ -101,13 +101,51 @@ def why_not(image_set: ImageSet, name: str) -> str | None:
     for row, facts in image_set.matrix.distributions.items():
         if name in facts.aliases:
             return f"{name} is called {row}."
+    if image_set.base and (sentence := _not_chosen(image_set.matrix, image_set.base, name)):
+        return sentence
     for wanted in _readings(image_set.matrix, name):
         if sentence := _reason(image_set, name, wanted):
             return sentence
-    meant = _in_our_words(image_set.matrix, name)
-    if meant != name and (image_set.by_target.get(meant) or image_set.by_tag(meant)):
-        return f"{name} is called {meant}."
-    return why_not(image_set, meant) if meant != name else None
+    for matrix in filter(None, (image_set.matrix, image_set.base)):
+        meant = _in_our_words(matrix, name)
+        if meant != name and (image_set.by_target.get(meant) or image_set.by_tag(meant)):
+            return f"{name} is called {meant}."
+        if meant != name and (sentence := why_not(image_set, meant)):
+            return sentence
+    return None
+
+
+def _not_chosen(matrix: Matrix, base: Matrix, name: str) -> str | None:
+    """What a set does not choose of the matrix that it extends, and an image needs; None if that is nothing.
+
+    Args:
+        matrix: the set's.
+        base: the matrix that it extends.
+    """
+    for wanted in _readings(base, name):
+        row, component, stack = wanted.distribution, wanted.component, wanted.stack
+        there = matrix.distributions.get(row)
+        left_out = [
+            *(() if there else [f"the distribution {row}"]),
+            *([f"the component {component} of {row}"] if there and component not in there.components else ()),
+            *(() if wanted.framework in matrix.frameworks else [f"the framework {wanted.framework}"]),
+            *([f"the stack {stack}"] if stack and stack not in matrix.stacks else ()),
+        ]
+        reason = rules.component_reason(base, row, component) or _stack_reason(base, wanted)
+        if left_out and not rules.component_reason(base, row, component):
+            end = (
+                f", and rosml does not have it either: {reason}." if reason else "; rosml has it: name it in set.yaml."
+            )
+            return f"{name} does not exist in this set, which does not choose {listed(left_out)}{end}"
+    return None
+
+
+def _stack_reason(matrix: Matrix, wanted: Wanted) -> str | None:
+    """Why no stack that a name can mean carries the framework."""
+    several = matrix.frameworks[wanted.framework].parts and not wanted.stack
+    stacks = tuple(matrix.stacks) if several else (wanted.stack,)
+    reasons = [rules.stack_reason(matrix, wanted.distribution, wanted.framework, stack) for stack in stacks]
+    return None if None in reasons else "; ".join(dict.fromkeys(filter(None, reasons)))
 
 
 def _in_our_words(matrix: Matrix, name: str) -> str:
@@ -134,7 +172,10 @@ def image(image_set: ImageSet, name: str) -> Image:
 def _reason(image_set: ImageSet, name: str, wanted: Wanted) -> str | None:
     matrix = image_set.matrix
     if reason := rules.component_reason(matrix, wanted.distribution, wanted.component):
-        return f"{name} does not exist: {reason}."
+        base = image_set.base if image_set.base and wanted.distribution in image_set.base.distributions else matrix
+        return (
+            f"{name} does not exist: {rules.component_reason(base, wanted.distribution, wanted.component) or reason}."
+        )
     row, facts = wanted.distribution, matrix.frameworks[wanted.framework]
     if wanted.stack or not facts.parts:
         if reason := rules.stack_reason(matrix, row, wanted.framework, wanted.stack):

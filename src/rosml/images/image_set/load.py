@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 from rosml import ROOT
@@ -58,4 +59,4 @@ def image_set(document: Document) -> ImageSet:
     result = expand(validate(document))
     if found := [document.problem(path, text) for path, text in collisions(result)]:
         raise InputError(document.name, found)
-    return result
+    return replace(result, base=validate(document.base)) if document.base else result

@@ -159,12 +159,17 @@ class Image:
 
 @dataclass(frozen=True)
 class ImageSet:
-    """All images and parts of a matrix, in the order of the file."""
+    """All images and parts of a matrix, in the order of the file.
+
+    Attributes:
+        base: of a set of somebody's own, the matrix that it extends.
+    """
 
     matrix: Matrix
     images: tuple[Image, ...]
     parts: tuple[Part, ...]
     wheels: tuple[Wheels, ...] = ()
+    base: Matrix | None = None
 
     @property
     def locks(self) -> set[str]:

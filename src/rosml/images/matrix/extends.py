@@ -11,7 +11,7 @@ the rosml that reads it, so a newer rosml brings newer releases, digests and loc
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -91,7 +91,14 @@ def extended(own: Document, base: Document) -> Document:
         for part in set(_lost(data, base.data)).intersection(_names(facts))
     ]:
         raise InputError(own.name, [*own.problems, *torn])
-    return replace(own, data=data, places=_places(own, data))
+    items = data["parts"] if isinstance(data["parts"], tuple) else ()
+    numbers = _numbers(own, items)
+    own_numbers = {number: place for place, number in numbers.items()}
+    called: dict[KeyPath, str] = {
+        ("parts", number): f"parts[{_name(part) or own_numbers.get(number, number)}]"
+        for number, part in enumerate(items)
+    }
+    return replace(own, data=data, places=_places(own, numbers), called=called, base=base)
 
 
 def _mapping(value: Any) -> Mapping[str, Any]:
@@ -118,21 +125,43 @@ def _parts(base: Any, own: Any) -> Any:
     """The base's parts, changed by name, and the set's own after them: in this order they are joined."""
     if not isinstance(own, tuple) or not all(isinstance(part, Mapping) for part in own):
         return own
-    changes = {part.get("name"): part for part in own}
-    kept = [_merged(part, changes.pop(part["name"], {})) for part in base]
-    return (*kept, *changes.values())
+    known = {part["name"] for part in base}
+    changes = {_name(part): part for part in own}
+    return (
+        *(_merged(part, changes.get(part["name"], {})) for part in base),
+        *(part for part in own if _name(part) not in known),
+    )
 
 
-def _places(own: Document, data: Mapping[str, Any]) -> dict[KeyPath, Place]:
-    """The places of the set's values in the whole matrix: parts have other indexes in it."""
-    parts = data["parts"] if isinstance(data["parts"], tuple) else ()
-    index = {part.get("name"): number for number, part in enumerate(parts) if isinstance(part, Mapping)}
-    named = own.data.get("parts")
+def _name(part: Any) -> str:
+    """The name of a part; empty if it has none."""
+    name = _mapping(part).get("name")
+    return name if isinstance(name, str) else ""
+
+
+def _numbers(own: Document, parts: Sequence[Any]) -> dict[int, int]:
+    """The indexes of the set's own parts, and those that they have in the whole matrix."""
+    by_name = {_name(part): number for number, part in enumerate(parts)}
+    by_identity = {id(part): number for number, part in enumerate(parts)}
+    listed = own.data.get("parts")
+    found = {
+        place: by_identity.get(id(part), by_name.get(_name(part)))
+        for place, part in enumerate(listed if isinstance(listed, tuple) else ())
+    }
+    return {place: number for place, number in found.items() if number is not None}
+
+
+def _places(own: Document, numbers: Mapping[int, int]) -> dict[KeyPath, Place]:
+    """The places of the set's values in the whole matrix.
+
+    Args:
+        numbers: as `_numbers` gives them.
+    """
     places: dict[KeyPath, Place] = {}
     for path, place in own.places.items():
-        if path[:1] == ("parts",) and len(path) > 1 and isinstance(named, tuple) and isinstance(path[1], int):
-            if (part := named[path[1]]) and isinstance(part, Mapping) and part.get("name") in index:
-                places["parts", index[part["name"]], *path[2:]] = place
+        if path[:1] == ("parts",) and len(path) > 1 and isinstance(path[1], int):
+            if path[1] in numbers:
+                places["parts", numbers[path[1]], *path[2:]] = place
         else:
             places[path] = place
     return places

@@ -35,12 +35,19 @@ class Place:
 
 @dataclass
 class Document:
-    """A parsed file: `data`, and a place for every path in it."""
+    """A parsed file: `data`, and a place for every path in it.
+
+    Attributes:
+        called: what messages call items of lists that have another index in the file, or are not in it: `parts[torch]`.
+        base: the file that this one extends, if any.
+    """
 
     name: str
     data: Any = None
     places: dict[KeyPath, Place] = field(default_factory=dict)
     problems: list[Problem] = field(default_factory=list)
+    called: dict[KeyPath, str] = field(default_factory=dict)
+    base: Document | None = None
 
     def place(self, path: KeyPath) -> Place:
         """The place of a value, or of the nearest thing around it."""
@@ -51,7 +58,8 @@ class Document:
     def problem(self, path: KeyPath, text: str) -> Problem:
         """A problem with the value at `path`."""
         place = self.place(path)
-        return Problem(place.line, place.column, dotted(path), text)
+        called = self.called.get(path[:2])
+        return Problem(place.line, place.column, dotted(path[2:], called) if called else dotted(path), text)
 
 
 def read(file: Path, option: str = "--matrix") -> Document:
