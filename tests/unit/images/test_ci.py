@@ -109,7 +109,9 @@ def test_a_plan_names_what_changed_when_asked(
         report.print_plan(run.state, why)
         said = capsys.readouterr().out
         assert ("changed: components/torch/files.sh" in said) == why
-        counts = f"{len(named)} to do, {len(run.state.items) - len(named)} up to date\n"
+        parts = sum(name.startswith("part-") for name in named)
+        kinds = f"{len(named) - parts} images and {parts} parts, each counted by architecture"
+        counts = f"{len(named)} to do ({kinds}), {len(run.state.items) - len(named)} up to date\n"
         assert said.endswith(counts) and "its inputs changed" in said
 
 
@@ -133,6 +135,9 @@ def test_people_see_which_machine_builds_what(
         ["amd64-2", "amd", "omega"],
         ["arm64-1", "arm", "alpha,"],
     ]
+    images = sum(int(row[-5]) for row in rows)
+    said = f"({images} images and 13 parts, each counted by architecture)"
+    assert said in done.output, "two machines build one of the parts"
 
 
 def test_a_plan_for_this_machine_needs_no_machines_in_ci(

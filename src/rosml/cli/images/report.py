@@ -9,7 +9,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from rosml.base import github, terminal
-from rosml.base.problems import counted, some
+from rosml.base.problems import counted, listed, some
 from rosml.base.units import duration, size
 from rosml.cli.images import tables
 from rosml.images.builds import disk
@@ -50,7 +50,10 @@ def print_plan(state: State, why: bool) -> None:
     unchanged = len(found) - len(todo) - sum(hindered.values())
     unlocked = {task.item.target: task.item.thing for task in found if task.hindered.startswith(UNLOCKED)}
     rest = "".join(f", {number} {reason}" for reason, number in hindered.items() if reason != UNLOCKED)
-    terminal.console().print(f"{len(todo)} to do, {unchanged} up to date{rest}", style="dim")
+    kinds = Counter("part" if task.item.kind == "part" else "image" for task in todo)
+    each = ", each counted by architecture" if len({task.item.architecture for task in todo}) > 1 else ""
+    what = f" ({listed([counted(number, kind) for kind, number in sorted(kinds.items())])}{each})" if todo else ""
+    terminal.console().print(f"{len(todo)} to do{what}, {unchanged} up to date{rest}", style="dim")
     tables.print_unlocked([thing for thing in unlocked.values() if isinstance(thing, Image)])
 
 
