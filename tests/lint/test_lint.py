@@ -212,6 +212,7 @@ def test_what_init_writes_for_a_set(registry: str, tmp_path: Path) -> None:
             (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
             (tmp_path / name).write_text(text)
         check(shellcheck(), tmp_path / own_set.COMMAND)
+    check(shellcheck(), tmp_path / own_set.NIGHT)
     actionlint(tmp_path / own_set.WORKFLOW)
     zizmor(tmp_path)
 

@@ -17,6 +17,7 @@ from bench import cli as bench
 from rosml.base.errors import RosmlError
 from rosml.cli import main
 from rosml.cli.images import generate
+from rosml.images.image_set import own_set
 from rosml.images.image_set.explain import explained
 from rosml.images.image_set.model import ImageSet
 from tests.pages import SHELLS, blocks, commands, pages
@@ -93,13 +94,18 @@ def made(given: list[str], image_set: ImageSet | None) -> None:
     ("failing", "code"),
     [({}, 0), ({"all": 1}, 1), ({"scan": 3, "all": 1}, 3), ({"scan": 4}, 4), ({"prune": 1}, 1), ({"setup": 2}, 2)],
 )
-def test_a_night_without_github(tmp_path: Path, failing: dict[str, int], code: int) -> None:
-    """The script of docs/registry.md, with a local replacement for rosml of which some steps fail: it ends there while it sets
+@pytest.mark.parametrize("whose", ["the page's", "a set's"])
+def test_a_night_without_github(tmp_path: Path, real: ImageSet, whose: str, failing: dict[str, int], code: int) -> None:
+    """The script of docs/registry.md, and that of a set, with a local replacement for rosml of which some steps fail: it ends there while it sets
     up, and goes on later; its code is the first failure's. What it calls is what the nightly workflow calls, or `all` in the
     place of steps."""
-    page = ROOT / "docs/registry.md"
-    (script,) = [block for block in blocks(page) if block.title == "night.sh"]
-    (tmp_path / "night.sh").write_text(script.text)
+    (script,) = [block.text for block in blocks(ROOT / "docs/registry.md") if block.title == "night.sh"]
+    if whose == "a set's":
+        found = own_set.chosen(real, [], [], "registry.example.com/robots", "")
+        script = own_set.files(real, found, own_set.Upstream("https://git.example.com/me/rosml", "0" * 40))[
+            own_set.NIGHT
+        ]
+    (tmp_path / "night.sh").write_text(script)
     cases = "".join(f"{step}) exit {failed} ;; " for step, failed in failing.items())
     text = f'#!/bin/sh\necho "$@" >>calls\n[ "$1" != publish ] || shift\ncase "$1" in {cases}esac\n'
     (tmp_path / "rosml").write_text(text)

@@ -351,7 +351,7 @@ def test_a_new_set_is_what_it_says(tmp_path: Path, real: ImageSet, upstream: Ups
     assert {image.stack for image in made.images} == {None, "cu130", "cpu"}
     assert made.matrix.default.targets == ("jazzy-base-torch-cu130",)
     assert made.matrix.source == "https://github.com/robots/images"
-    assert not (folder / own_set.WORKFLOW).exists(), "rosml is not on GitHub"
+    assert not (folder / own_set.WORKFLOW).exists() and (folder / own_set.NIGHT).exists(), "rosml is not on GitHub"
 
 
 def test_every_distribution_and_framework_can_begin_a_set(tmp_path: Path, real: ImageSet) -> None:

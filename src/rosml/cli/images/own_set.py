@@ -59,10 +59,11 @@ def begin(
     if not dry_run:
         folder.mkdir(parents=True, exist_ok=True)
         folders.write(folder, wanted)
-        if any(file.path == own_set.COMMAND and not file.there for file in wanted):
-            (folder / own_set.COMMAND).chmod(0o755)
+        for file in wanted:
+            if file.path in own_set.PROGRAMS and not file.there:
+                (folder / file.path).chmod(0o755)
     where = f"cd {shlex.quote(str(folder))} && " if folder != Path.cwd() else ""
-    nightly = "rosml is not on GitHub: call ./rosml publish all --registry by cron or CI"
+    nightly = f"rosml is not on GitHub: call ./{own_set.NIGHT} every night, by cron or CI"
     nightly = "the workflow publishes the set every night" if upstream.on_github else nightly
     calls = [
         (f"{where}./rosml list", "all images of the set; the first call fetches rosml"),

@@ -11,7 +11,10 @@ from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix import rules
 from rosml.images.matrix.model import Matrix
 
-SET, COMMAND, WORKFLOW = "set.yaml", "rosml", ".github/workflows/images.yml"
+SET, COMMAND, WORKFLOW, NIGHT = "set.yaml", "rosml", ".github/workflows/images.yml", "night.sh"
+
+PROGRAMS = (COMMAND, NIGHT)
+"""Those of the files that people call."""
 
 GITHUB = "https://github.com/"
 
@@ -132,14 +135,18 @@ def _stacks(matrix: Matrix, distributions: Sequence[str], frameworks: Sequence[s
 
 
 def files(image_set: ImageSet, found: Chosen, upstream: Upstream) -> dict[str, str]:
-    """The texts of the set's files by their paths. Those on GitHub get the workflow; others call the same commands by cron or CI."""
-    texts = {
+    """The texts of the set's files by their paths. Those on GitHub get the workflow; others a script for cron or CI."""
+    native = next(iter(image_set.matrix.architectures))
+    nightly = (
+        {WORKFLOW: _workflow(found, upstream)} if upstream.on_github else {NIGHT: _NIGHT.replace("@native@", native)}
+    )
+    return {
         SET: _set(image_set, found),
         COMMAND: _command(upstream),
-        "README.md": _readme(found, upstream, next(iter(image_set.matrix.architectures))),
-        ".gitignore": "/.rosml/\n",
+        "README.md": _readme(found, upstream, native),
+        ".gitignore": "/.rosml/\n/night.log\n",
+        **nightly,
     }
-    return {**texts, WORKFLOW: _workflow(found, upstream)} if upstream.on_github else texts
 
 
 def _set(image_set: ImageSet, found: Chosen) -> str:
@@ -215,6 +222,25 @@ exec "$rosml/rosml" "$@"
 """
 
 
+_NIGHT = """\
+#!/usr/bin/env bash
+# Scans, builds, tests and publishes what is missing or outdated in the set, for cron or CI. By cron, at 02:17; flock lets one run begin
+# at a time: 17 2 * * * cd "$HOME/images" && flock --nonblock night.sh bash -c './night.sh >>night.log 2>&1'
+set -e
+cd "$(dirname "$0")"
+./rosml setup
+./rosml setup scanner # builds trivy in the first night: 10 minutes
+set +e # from here on the night goes on, and ends with the code of the first command that failed
+code=0 last=0
+trap 'last=$?; test $code -ne 0 || code=$last' ERR
+./rosml publish scan --fetch
+./rosml publish all --require-scan --serve @native@
+./rosml status
+./rosml publish prune # says what could go; --apply removes it
+exit $code
+"""
+
+
 def _command(upstream: Upstream) -> str:
     """The set's own `rosml`. On GitHub, the workflow alone names the commit, so that programs that update actions update it."""
     read = r"""$(sed -n 's|^ *uses: .*/nightly\.yml@\([0-9a-f]*\).*|\1|p' "$here/.github/workflows/images.yml" 2>/dev/null || :)"""
@@ -278,7 +304,7 @@ def _readme(found: Chosen, upstream: Upstream, native: str) -> str:
         f"Every night, `{WORKFLOW}` builds, tests and publishes what is missing or outdated. Start it by hand at first, with one image:"
         f' Actions, `images`, "Run workflow", with `only` = `{found.image.target}`.\n'
         if upstream.on_github
-        else "Call the last command every night, by cron or CI.\n"
+        else f"Call `{NIGHT}` every night, by cron or CI. It also scans for known vulnerabilities; the line for cron is in it.\n"
     )
     updated = (
         f"Take a newer commit of rosml in `{WORKFLOW}`; Renovate and Dependabot propose those of releases."
