@@ -6,14 +6,19 @@ A fork says so itself: its `source:` in matrix.yaml is another address than ours
 from __future__ import annotations
 
 import re
+import tomllib
 from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
-HOME = ""
-"""What our own matrix.yaml has as `source:`; empty while it has none."""
+HOME: str = (
+    tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    .get("urls", {})
+    .get("Repository", "")
+)
+"""The project's public address, which our own matrix.yaml has as `source:`; empty before there is one."""
 
 
 def source(matrix: str) -> str:

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from rosml import IN_CHECKOUT, MATRIX, ROOT
 from rosml.base import terminal, untrusted
+from rosml.base.addresses import addresses
 from rosml.base.errors import RosmlError
 from rosml.cli import first_files
 from rosml.images.image_set import load, own_set
@@ -83,6 +84,7 @@ def _upstream(named: str) -> Upstream:
     if IN_CHECKOUT:
         found = git.commit(ROOT)
         address, commit = _address(ROOT), found.hash if found else ""
+    address = address or _project()
     if named and not re.match(r"(https?|ssh|git|file)://|git@", named) and not Path(named).exists():
         remedy = "write it as git takes it, such as https://github.com/me/rosml"
         raise RosmlError(f"{named} is no address of a repository, and no folder", remedy, exit_code=2)
@@ -99,8 +101,14 @@ def _upstream(named: str) -> Upstream:
 
 
 def address_of_rosml(named: str) -> str:
-    """The public address of rosml: the one that the user names, or that of this checkout or installation; empty if unknown."""
-    return _public(named) or (_address(ROOT) if IN_CHECKOUT else _installed_from()[0])
+    """The public address of rosml: the one that the user names, that of this checkout or installation, or the project's own; empty if
+    unknown."""
+    return _public(named) or (_address(ROOT) if IN_CHECKOUT else _installed_from()[0]) or _project()
+
+
+def _project() -> str:
+    """The public address of the project's repository; empty before it has one."""
+    return _public(addresses().get("Repository", ""))
 
 
 def _installed_from() -> tuple[str, str]:
