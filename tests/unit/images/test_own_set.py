@@ -99,18 +99,21 @@ disk: {parts: {cu130: {einops: {unpacked: 1, compressed: 1}}}}
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("humble-desktop", "which does not choose the component desktop of humble; rosml has it: name it in set.yaml."),
-        ("noetic-core", "which does not choose the distribution noetic; rosml has it"),
-        ("ros:noetic", "which does not choose the distribution noetic; rosml has it"),
+        (
+            "humble-desktop",
+            "which does not choose the component desktop of humble; it is in rosml: name it in set.yaml.",
+        ),
+        ("noetic-core", "which does not choose the distribution noetic; it is in rosml"),
+        ("ros:noetic", "which does not choose the distribution noetic; it is in rosml"),
         (
             "noetic-base-tensorflow-cpu38",
-            "which does not choose the distribution noetic, the framework tensorflow and the stack cpu38; rosml has it",
+            "which does not choose the distribution noetic, the framework tensorflow and the stack cpu38; it is in rosml",
         ),
-        ("jazzy-base-tf-cu128", "which does not choose the framework tensorflow and the stack cu128; rosml has it"),
-        ("ros-torch:jazzy-base-cu128", "which does not choose the stack cu128; rosml has it"),
+        ("jazzy-base-tf-cu128", "which does not choose the framework tensorflow and the stack cu128; it is in rosml"),
+        ("ros-torch:jazzy-base-cu128", "which does not choose the stack cu128; it is in rosml"),
         (
             "foxy-core-torch-cu130",
-            "which does not choose the distribution foxy, and rosml does not have it either: torch ",
+            "which does not choose the distribution foxy, and is not in rosml either: torch ",
         ),
     ],
 )

@@ -133,9 +133,7 @@ def _not_chosen(matrix: Matrix, base: Matrix, name: str) -> str | None:
         ]
         reason = rules.component_reason(base, row, component) or _stack_reason(base, wanted)
         if left_out and not rules.component_reason(base, row, component):
-            end = (
-                f", and rosml does not have it either: {reason}." if reason else "; rosml has it: name it in set.yaml."
-            )
+            end = f", and is not in rosml either: {reason}." if reason else "; it is in rosml: name it in set.yaml."
             return f"{name} does not exist in this set, which does not choose {listed(left_out)}{end}"
     return None
 
