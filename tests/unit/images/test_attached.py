@@ -16,6 +16,7 @@ from stubs import services
 from rosml.base.errors import RosmlError
 from rosml.images.image_set.labels import REVISION, SOURCE
 from rosml.images.image_set.model import ImageSet
+from rosml.images.join import facts
 from rosml.images.publish import provenance
 from rosml.images.publish.provenance import MEDIA_TYPE
 from rosml.images.publish.prune import Pruner
@@ -315,3 +316,18 @@ def test_what_has_no_facts_is_described_again_and_not_built(registry: Publisher,
     assert {key: entry.digest for key, entry in again.state.known.items()} == digests
     assert all(again.state.known[item.key].described for item in items)
     assert registry.publish(image_set, only=ONLY, date=LATER).made == []
+
+
+def test_an_index_leads_from_a_joined_image_to_its_parts(registry: Publisher, image_set: ImageSet) -> None:
+    """On each platform to the manifests of that platform; whoever reads facts needs nothing else."""
+    run = registry.publish(image_set, only=ONLY)
+    entry = run.state.known[TARGET, INDEX]
+    path = run.state.place.path(entry.repository)
+    found = registry.registry.manifest(path, entry.digest)
+    assert found and found.members
+    for member in found.members:
+        assert member.platform and member.platform.architecture
+        parts = run.state.known[TARGET, member.platform.architecture].parts
+        places = facts.components(registry.registry, path, member.digest, member.annotations)
+        assert {digest for _, digest in places} == {*parts.values()} and len(parts) > 2
+        assert all(registry.registry.manifest(*place) for place in places)

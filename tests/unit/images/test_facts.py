@@ -15,8 +15,8 @@ from rosml.images.join.facts import Facts, Library
 from rosml.registry import oci
 from rosml.registry.client import Registry
 
-DIGEST = f"sha256:{'1' * 64}"
-ROS, TORCH = "me/rosml/ros", "me/rosml/ros-torch"
+ROS, TORCH, PART = "me/rosml/ros", "me/rosml/ros-torch", "me/rosml/part"
+LAYER = "application/vnd.oci.image.layer.v1.tar+gzip"
 LIBRARY = {"id": "0" * 40, "path": "a.so", "soname": "", "machine": [2, 1, 62], "needed": [], "symbols": "AAAABBBB"}
 
 
@@ -53,19 +53,30 @@ def test_a_symbol_stands_only_at_its_place() -> None:
         assert facts.exports(library, "it") is found and facts.lacking(["it"], [library]) == ([] if found else ["it"])
 
 
-def attached(client: Registry, repository: str, number: int, **more: object) -> tuple[str, str]:
-    """An image with facts that name its number, and an artifact that has the place of its SBOM; the digests of both."""
-    config = oci.encoded({"os": "linux", "architecture": "amd64", "created": str(number)})
-    client.put_blob(repository, config)
-    content = {"schemaVersion": 2, "mediaType": oci.IMAGE, "config": oci.descriptor(oci.CONFIG, config), "layers": []}
-    digest = client.put_manifest(repository, "", content)
-    subject = oci.descriptor(oci.IMAGE, oci.encoded(content))
-    package = {"name": f"p{number}", "architecture": "all", "version": "1"}
-    said = {"packages": [package], "libraries": [LIBRARY], **more}
-    client.attach(
-        repository, subject, facts.ARTIFACT, gzip.compress(json.dumps(said).encode(), mtime=0), facts.MEDIA_TYPE
-    )
-    return digest, client.attach(repository, subject, "application/vnd.cyclonedx+json", b"{}", "application/json")
+def put(client: Registry, repository: str, *layers: bytes) -> dict[str, Any]:
+    """Puts an image of some layers into a registry; gives its descriptor."""
+    config = oci.encoded({"os": "linux", "architecture": "amd64"})
+    for data in (config, *layers):
+        client.put_blob(repository, data)
+    entries = [oci.descriptor(LAYER, data) for data in layers]
+    content = {"mediaType": oci.IMAGE, "config": oci.descriptor(oci.CONFIG, config), "layers": entries}
+    document = oci.encoded({"schemaVersion": 2, **content})
+    client.put_manifest(repository, "", document, oci.IMAGE)
+    return oci.descriptor(oci.IMAGE, document)
+
+
+def attached(client: Registry, repository: str, name: str, has_facts: bool = True) -> tuple[str, str]:
+    """An image whose layer, package and file have a name, and what stands for its SBOM; the digests of both."""
+    subject = put(client, repository, name.encode())
+    said = {
+        "packages": [{"name": name, "architecture": "all", "version": "1"}],
+        "libraries": [LIBRARY],
+        "files": [name],
+    }
+    if has_facts:
+        data = gzip.compress(json.dumps(said).encode(), mtime=0)
+        client.attach(repository, subject, facts.ARTIFACT, data, facts.MEDIA_TYPE)
+    return subject["digest"], client.attach(repository, subject, "application/x", name.encode(), "application/x")
 
 
 def names(found: Facts | None) -> list[str]:
@@ -74,49 +85,48 @@ def names(found: Facts | None) -> list[str]:
 
 def test_the_facts_of_an_image_and_of_a_joined_one(stand_in: StandIn) -> None:
     with Registry(stand_in.address) as client:
-        ros, ros_sbom = attached(client, ROS, 1)
-        torch, torch_sbom = attached(client, "me/rosml/part", 2, files=["a"])
-        config = oci.encoded({"os": "linux", "architecture": "amd64"})
-        client.put_blob(TORCH, config)
-        joined = client.put_manifest(
-            TORCH,
-            "",
-            {"schemaVersion": 2, "mediaType": oci.IMAGE, "config": oci.descriptor(oci.CONFIG, config), "layers": []},
-        )
-        said = {"io.rosml.sbom.alpha": f"ros@{ros_sbom}", "io.rosml.sbom.torch": f"part@{torch_sbom}", "other": "x"}
-        assert names(facts.of(client, ROS, ros)) == ["p1"] and facts.of(client, TORCH, joined) is None
-        assert facts.components(client, TORCH, said) == [(ROS, ros), ("me/rosml/part", torch)]
+        ros, ros_sbom = attached(client, ROS, "ros")
+        torch, torch_sbom = attached(client, PART, "torch")
+        _, cuda_sbom = attached(client, PART, "cuda")
+        joined = put(client, TORCH, b"ros", b"torch")["digest"]
+        by_ros = {"io.rosml.sbom.alpha": f"ros@{ros_sbom}"}
+        said = by_ros | {"io.rosml.sbom.torch": f"part@{torch_sbom}", "other": "x"}
+        assert names(facts.of(client, ROS, ros)) == ["ros"] and facts.of(client, TORCH, joined) is None
+        assert facts.components(client, TORCH, joined, said) == [(ROS, ros), (PART, torch)]
         found = facts.of_member(client, TORCH, joined, said)
-        assert names(found) == ["p1", "p2"] and found and len(found.libraries) == 1 and found.files == ["a"]
-        assert names(facts.of_member(client, ROS, ros, {"io.rosml.sbom.alpha": f"ros@{ros_sbom}"})) == ["p1"]
-        # What the annotations do not say, or say of nothing that is there, is not known.
-        for wrong in ({}, {"io.rosml.sbom.a": f"ros@sha256:{'0' * 64}"}, {"io.rosml.sbom.a": "../x@y"}):
-            assert facts.of_member(client, TORCH, joined, said | wrong if wrong else {}) is None
-        assert facts.of_member(client, ROS, f"sha256:{'0' * 64}", {}) is None
+        assert names(found) == ["ros", "torch"] and found
+        assert len(found.libraries) == 1 and found.files == ["ros", "torch"]
+        assert facts.components(client, ROS, ros, by_ros) == [(ROS, ros)]
+        assert names(facts.of_member(client, ROS, ros, by_ros)) == ["ros"]
+        # What the annotations do not say, or say of other layers or of nothing, is not known.
+        nothing = f"ros@sha256:{'0' * 64}"
+        for more in (nothing, "../x@y", f"part@{cuda_sbom}"):
+            assert facts.of_member(client, TORCH, joined, said | {"io.rosml.sbom.more": more}) is None
+        for less in ({}, by_ros):
+            assert facts.of_member(client, TORCH, joined, less) is None
+        assert facts.of_member(client, ROS, f"sha256:{'0' * 64}", said) is None
 
 
 def test_a_part_without_facts_makes_an_image_without_facts(stand_in: StandIn) -> None:
     """It would look like an image that lacks what the part has."""
     with Registry(stand_in.address) as client:
-        _, with_facts = attached(client, ROS, 1)
-        content = {"schemaVersion": 2, "mediaType": oci.IMAGE, "layers": []}
-        client.put_manifest("me/rosml/part", "", content)
-        part = oci.descriptor(oci.IMAGE, oci.encoded(content))
-        without = client.attach("me/rosml/part", part, "application/vnd.cyclonedx+json", b"{}", "application/json")
-        said = {"io.rosml.sbom.alpha": f"ros@{with_facts}", "io.rosml.sbom.torch": f"part@{without}"}
-        assert len(facts.components(client, TORCH, said)) == 2
-        assert facts.of_member(client, TORCH, DIGEST, said) is None
+        _, ros_sbom = attached(client, ROS, "ros")
+        _, torch_sbom = attached(client, PART, "torch", has_facts=False)
+        joined = put(client, TORCH, b"ros", b"torch")["digest"]
+        said = {"io.rosml.sbom.alpha": f"ros@{ros_sbom}", "io.rosml.sbom.torch": f"part@{torch_sbom}"}
+        assert len(facts.components(client, TORCH, joined, said)) == 2
+        assert facts.of_member(client, TORCH, joined, said) is None
 
 
 def test_facts_of_several_publishers_count_together(stand_in: StandIn, monkeypatch: pytest.MonkeyPatch) -> None:
     with Registry(stand_in.address) as client:
-        digest, _ = attached(client, ROS, 1)
+        digest, _ = attached(client, ROS, "ros")
         manifest = client.manifest(ROS, digest)
         assert manifest
         data = gzip.compress(json.dumps({"packages": [], "libraries": [LIBRARY | {"path": "b.so"}]}).encode())
         client.attach(ROS, manifest.descriptor, facts.ARTIFACT, data, facts.MEDIA_TYPE)
         found = facts.of(client, ROS, digest)
-        assert names(found) == ["p1"] and found and sorted(item.path for item in found.libraries) == ["a.so", "b.so"]
+        assert names(found) == ["ros"] and found and sorted(item.path for item in found.libraries) == ["a.so", "b.so"]
         monkeypatch.setattr(facts, "ATTACHED", 1)
         with pytest.raises(RosmlError, match="facts from 2 publishers"):
             facts.of(client, ROS, digest)

@@ -117,7 +117,9 @@ class Contents:
         registry, own = self._transfer.registries(source.host), Place(source.host, source.repository, source.digest)
         if self._lists.of(registry, own.repository, own.digest):
             return (own,)
-        return tuple(Place(own.host, *item) for item in facts.components(registry, own.repository, annotations))
+        return tuple(
+            Place(own.host, *item) for item in facts.components(registry, own.repository, own.digest, annotations)
+        )
 
     def _member(self, reference: str, platform: str) -> tuple[Source | None, Mapping[str, str]]:
         """An image for one platform, with the annotations of its entry in its index."""

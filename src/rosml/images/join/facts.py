@@ -175,29 +175,37 @@ def of(registry: Registry, repository: str, digest: str) -> Facts | None:
     return together(found) if len(found) > 1 else next(iter(found), None)
 
 
-def components(registry: Registry, repository: str, annotations: Mapping[str, str]) -> list[tuple[str, str]]:
-    """The ROS image and the parts of an image that a publishing run joined: repositories, and digests of their manifests. Empty if
-    the annotations name none, or if one of them is gone. Of a ROS image it is the image itself.
+def components(
+    registry: Registry, repository: str, digest: str, annotations: Mapping[str, str]
+) -> list[tuple[str, str]]:
+    """The ROS image and the parts of an image that a publishing run joined: repositories, and digests of their manifests. Of a ROS
+    image it is the image itself. Empty if the annotations do not name those whose layers the image has.
 
     Args:
         repository: of the image.
-        annotations: of the image's entry in its index. They name the SBOM of each part, which names the part.
+        digest: of its manifest.
+        annotations: of its entry in its index. They name the SBOM of each part, which is attached to the part.
 
     Raises:
         RosmlError: the registry does not answer.
     """
     named = [_SBOM.fullmatch(text) for name, text in sorted(annotations.items()) if name.startswith(COVERED)]
-    if len(named) > COMPONENTS or not all(named):
-        return []
+    image = registry.manifest(repository, digest) if named and len(named) <= COMPONENTS else None
     prefix = repository.rpartition("/")[0]
-    found = []
-    for match in filter(None, named):
+    found: list[tuple[str, str]] = []
+    layers: list[str] = []
+    for match in named:
+        if image is None or match is None:
+            return []
         path = f"{prefix}/{match[1]}" if prefix else match[1]
         artifact = registry.manifest(path, match[2])
-        if artifact is None or not artifact.subject:
+        part = registry.manifest(path, artifact.subject) if artifact and artifact.subject else None
+        if part is None:
             return []
-        found.append((path, artifact.subject))
-    return found
+        found.append((path, part.digest))
+        layers += [layer.digest for layer in part.layers]
+    # An index that was made after a part changed lacks the annotation of that part.
+    return found if image and sorted(layers) == sorted(layer.digest for layer in image.layers) else []
 
 
 def of_member(registry: Registry, repository: str, digest: str, annotations: Mapping[str, str]) -> Facts | None:
@@ -213,6 +221,7 @@ def of_member(registry: Registry, repository: str, digest: str, annotations: Map
     """
     if found := of(registry, repository, digest):
         return found
-    parts = [of(registry, *place) for place in components(registry, repository, annotations) if place[1] != digest]
+    places = components(registry, repository, digest, annotations)
+    parts = [of(registry, *place) for place in places if place[1] != digest]
     known = [facts for facts in parts if facts]
     return together(known) if known and len(known) == len(parts) else None
