@@ -102,7 +102,7 @@ class Tiny:
         digest = registry.put_manifest(repository, "", manifest)
         if not self.unlisted:
             names = sorted(self.files if self.listed is None else self.listed)
-            text = "".join(f"{name}\n" for name in names).encode()
+            text = "".join(f"{name}\n" for name in names).encode(errors="surrogateescape")
             subject = oci.descriptor(oci.IMAGE, manifest)
             registry.attach(
                 repository, subject, file_lists.ARTIFACT, gzip.compress(text, mtime=0), file_lists.MEDIA_TYPE

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -24,6 +25,7 @@ from rebasing import (
     moving,
     package,
 )
+from stubs import script_of_a_build
 
 from rosml.base.errors import RosmlError
 from rosml.containerize.app_bake_file import LOCK, REPLACED
@@ -177,6 +179,15 @@ def test_another_base_image_is_refused(place: Place, new: dict[str, Any], says: 
     old = place.base()
     app = place.app(old)
     assert says in place.refused(app, place.base("newer", **new))
+
+
+def test_a_file_whose_name_is_no_unicode_is_found_in_a_base_image(place: Place) -> None:
+    """As facts name it, which a step of the build wrote."""
+    name = os.fsdecode(b"etc/M\xfcller")
+    [shown] = script_of_a_build("containerize/facts.py").shown([name])
+    app = place.app(place.base(), facts=changed(OWN, files=[shown]))
+    says = f"the app and the base image both have /{shown}"
+    assert says in place.refused(app, place.base("newer", files=("usr/bin/env", name)))
 
 
 @pytest.mark.parametrize(

@@ -242,7 +242,7 @@ def base_of(app: Source) -> str:
 
 def _paths(files: Files) -> Iterable[str]:
     """Paths of a list, as facts have them."""
-    return (path.encode("utf-8", "surrogateescape").decode("utf-8", "backslashreplace") for path in files.entries)
+    return (path.encode("utf-8", "backslashreplace").decode() for path in files.entries)
 
 
 def _is_own(component: Mapping[str, Any], own: Facts) -> bool:
