@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import shlex
+import shutil
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -10,7 +12,7 @@ from typing import Any
 import click
 from click.core import ParameterSource
 
-from rosml import IN_CHECKOUT
+from rosml import IN_CHECKOUT, MATRIX, ROOT
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 
@@ -148,6 +150,24 @@ def _looks_like_one(folder: Path) -> bool:
 def own_command(folder: Path) -> str:
     """The remedy that names a checkout's own `rosml`."""
     return f"if you trust that checkout, call its own command: {shlex.quote(str(folder / 'rosml'))}"
+
+
+def call(folder: Path | None = None) -> str:
+    """This rosml as somebody calls it in a folder: `rosml` if it is on PATH, `./rosml` in the checkout or the set, else its path.
+
+    Args:
+        folder: the current one if left out.
+    """
+    if not IN_CHECKOUT:
+        return "rosml"
+    home = MATRIX.parent if MATRIX.name == "set.yaml" else ROOT
+    own = home / "rosml"
+    with contextlib.suppress(OSError):  # the current folder may be gone
+        if (folder or Path.cwd()).samefile(home):
+            return "./rosml"
+        if (found := shutil.which("rosml")) and Path(found).samefile(own):
+            return "rosml"
+    return shlex.quote(str(own))
 
 
 def require() -> None:

@@ -146,6 +146,26 @@ def test_shells_complete(shell: str) -> None:
     assert "publish" in asked("complete", COMP_WORDS="rosml pu", COMP_CWORD="pu" if shell == "fish" else "1")
 
 
+def test_a_command_to_try_is_one_that_its_caller_can_call(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", "/usr/bin:/bin")
+    monkeypatch.chdir(ROOT)
+    assert (checkout.call(), checkout.call(tmp_path)) == ("./rosml", f"{ROOT}/rosml")
+    monkeypatch.chdir(tmp_path)
+    assert (checkout.call(), checkout.call(ROOT)) == (f"{ROOT}/rosml", "./rosml")
+    (tmp_path / "rosml").symlink_to("/bin/true")
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert checkout.call() == f"{ROOT}/rosml", "that is another one"
+    (tmp_path / "rosml").unlink()
+    (tmp_path / "rosml").symlink_to(ROOT / "rosml")
+    assert checkout.call() == "rosml"
+    (tmp_path / "my set").mkdir()
+    monkeypatch.setattr(checkout, "MATRIX", tmp_path / "my set/set.yaml")
+    (tmp_path / "my set/rosml").touch()
+    assert checkout.call() == f"'{tmp_path}/my set/rosml'"
+    monkeypatch.setattr(checkout, "IN_CHECKOUT", False)
+    assert checkout.call() == "rosml"
+
+
 def test_where_the_matrix_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """In the checkout that the package is in, or with what came with the package; the current folder decides nothing."""
     package, project = tmp_path / "lib/site-packages/rosml", stranger(tmp_path / "project")

@@ -11,7 +11,7 @@ import click
 
 from rosml import IN_CHECKOUT, ROOT, STATE
 from rosml.base import terminal
-from rosml.cli import options
+from rosml.cli import checkout, options
 from rosml.cli.checkout import Command
 from rosml.cli.command import say
 from rosml.cli.options import Function
@@ -95,4 +95,4 @@ def main(folder: Path, lock: bool, as_json: bool, **given: str | bool | None) ->
     for name, text in built.summary():
         terminal.echo(f"{name:<5}  {text}")
     for image in built.images[:1]:
-        terminal.echo(f"try    {'./rosml' if IN_CHECKOUT else 'rosml'} run {image.reference}")
+        terminal.echo(f"try    {checkout.call()} run {image.reference}")

@@ -17,7 +17,7 @@ from click.core import ParameterSource
 from rosml import IN_CHECKOUT, ROOT
 from rosml.base import terminal
 from rosml.base.errors import RosmlError
-from rosml.cli import first_files, options
+from rosml.cli import checkout, first_files, options
 from rosml.cli.checkout import Command
 from rosml.cli.command import warn
 from rosml.cli.first_files import Calls
@@ -240,9 +240,7 @@ def _calls(folder: Path, decided: Decided, project: Project, wanted: Sequence[Fi
 
     here = Path.cwd()
     where = shlex.quote(str(folder.relative_to(here) if folder.is_relative_to(here) else folder))
-    own = "rosml"
-    if IN_CHECKOUT:
-        own = "./rosml" if here == ROOT else shlex.quote(str(ROOT / "rosml"))
+    own = checkout.call()
     calls: Calls = []
     local, has = ("", False) if project.place else _local(project.tag)
     if IN_CHECKOUT and not project.place and not has:
@@ -253,11 +251,7 @@ def _calls(folder: Path, decided: Decided, project: Project, wanted: Sequence[Fi
     calls.append(
         (f"{own} containerize{'' if where == '.' else f' {where}'}", f"builds and tests your packages: {made}")
     )
-    run = (
-        f"{own} run"
-        if where == "."
-        else f"cd {where} && {shlex.quote(str(ROOT / 'rosml')) if IN_CHECKOUT else own} run"
-    )
+    run = f"{own} run" if where == "." else f"cd {where} && {checkout.call(folder)} run"
     calls.append((run, "a shell in the image to work in, with your folder in it"))
     ours = [file.path for file in wanted if file.same or not file.there]
     if contents.DOCKERFILE in ours:

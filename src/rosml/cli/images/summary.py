@@ -7,6 +7,7 @@ from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.base.units import duration, size
+from rosml.cli import checkout
 from rosml.images.builds import base_images
 from rosml.images.image_set.model import Image, tags_of
 from rosml.images.publish.run import Run
@@ -72,7 +73,7 @@ class Summary:
         rows = [
             ("FROM", self.reference),
             *(tagged if self.tags else [("tags", "none: a tag is for all platforms of an image")]),
-            ("try it", f"./rosml run {self.reference}"),
+            ("try it", f"{checkout.call()} run {self.reference}"),
             ("build on it", self.builder),
             ("size", f"{size(self.compressed)} compressed{shared}, {size(self.unpacked)} unpacked"),
             ("new in registry", size(self.uploaded)),
