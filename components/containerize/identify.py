@@ -300,6 +300,8 @@ def explain(unknown: dict[str, set[str]], packages: Iterable[str], rosdep: Rosde
     foreign = {
         name for key, names in unknown.items() if version in OTHER and OTHER[version].fullmatch(key) for name in names
     }
+    if foreign:  # rosdep does not know their keys, as they are for the other ROS: that is all there is to say of them
+        unknown = {key: names for key, names in unknown.items() if names - foreign}
     for number, (key, names) in enumerate(unknown.items()):
         why, ruled = rosdep.why_not(key, packages)
         elsewhere += [key] if ruled else []
@@ -308,16 +310,18 @@ def explain(unknown: dict[str, set[str]], packages: Iterable[str], rosdep: Rosde
             print(f"error: rosdep {what} (asked for by {', '.join(sorted(names))}); {why}", file=sys.stderr)
     if len(unknown) > SHOWN:
         print(f"and {len(unknown) - SHOWN} keys more", file=sys.stderr)
+    if foreign:
+        other = {"1": "2", "2": "1"}[version]
+        fail(
+            f"the base image has ROS {version}, and {', '.join(sorted(foreign))} {'asks' if len(foreign) == 1 else 'ask'} for packages of ROS {other}",
+            f"name a base image with ROS {other} by --base-image; or leave them out: put COLCON_IGNORE into their folders, or name"
+            " them in docker/blacklisted-packages.txt",
+        )
     skip = f"leave out what your packages run without: --skip-keys '{' '.join(elsewhere or unknown)}'"
     if rosdep.failure:
         fail(
             f"rosdep's lists could not be fetched: {rosdep.failure}; those of the image do not know all keys",
             f"check the network; or name lists with --rosdep-index, such as a checkout of ros/rosdistro; or {skip}",
-        )
-    if foreign:
-        fail(
-            f"the base image has ROS {version}, and no package for what {', '.join(sorted(foreign))} of the other ROS asks for",
-            "leave such packages out: name them in docker/blacklisted-packages.txt, or put COLCON_IGNORE into them",
         )
     fail(
         f"rosdep knows no package for {len(unknown)} of the keys",

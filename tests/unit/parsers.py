@@ -37,8 +37,8 @@ from rosml.containerize import (
     tree,
     workspace,
 )
+from rosml.containerize.conditions import holds
 from rosml.containerize.init import packages
-from rosml.containerize.init.conditions import holds
 from rosml.containerize.rebase import fleet, trial
 from rosml.images.builds import apt_sources, package_state, structure_tests, sync
 from rosml.images.catalogue import read

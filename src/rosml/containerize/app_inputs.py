@@ -10,6 +10,7 @@ user decides what is done with their rights and secrets.
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import os
 import re
@@ -254,6 +255,15 @@ def values(given: Mapping[str, str | None], folder: Path, environment: Mapping[s
     flags = {item.name for item in TABLE if item.flag}
     said: dict[str, Any] = {name: text == "true" if name in flags else text for name, text in found.items()}
     return Values(**{name.replace("-", "_"): value for name, value in said.items()})
+
+
+def first_look(name: str, given: Mapping[str, str], folder: Path, environment: Mapping[str, str]) -> str:
+    """The text of one input before any is checked; `.env` says nothing if it cannot be read. The arguments are those of `values`."""
+    variable = next(item.variable for item in TABLE if item.name == name)
+    in_file: dict[str, str] = {}
+    with contextlib.suppress(RosmlError):
+        in_file = read_env(folder / FILE)
+    return given.get(name) or environment.get(variable) or in_file.get(variable) or default(name)
 
 
 def _said(variables: Mapping[str, str], image: bool) -> dict[str, str]:

@@ -24,6 +24,7 @@ from rosml.containerize import (
     contents,
     junit,
     lock,
+    manifest,
     report,
     rosdep_index,
     sources,
@@ -519,8 +520,7 @@ class App:
             more = f" and {counted(len(found) - 1, 'file')} more" if len(found) > 1 else ""
             self._say(f"{found[0]}{more} of Git LFS: only a pointer is there, and gets into the images: git lfs pull")
         packages = counted(counts["target"] + counts["upstream"], "package")
-        if counts["downstream"]:
-            packages += f", and {counts['downstream']} that use them,"
+        packages += f", and {counts['downstream']} that use them," if counts["downstream"] else ""
         self._say(f"{packages} for {', '.join(self._names.platforms)}")
         if additional := workspace.additional_files(values.additional_files_dir, folder):
             workspace.stage(additional, state / "additional")
@@ -539,12 +539,25 @@ class App:
                 " reaches what listens here"
             )
         hooked = (requests / "identification.sh").stat().st_size > 0
-        for warning in () if hooked else workspace.stale(requests, manifests):  # a script may make such packages
-            self._say(warning)
+        if not hooked:  # a script may make other packages
+            self._check(base, conditions, requests, manifests)
         commit = git.commit(folder, self._say) or git.Commit("", TIME)
         return app_bake_file.Inputs(
             base, distribution, values, contexts, empty, hooked, commit.hash, commit.time, slim, conditions=conditions
         )
+
+    def _check(self, base: app_base.Base, conditions: str, requests: Path, manifests: Path) -> None:
+        """Tells of names to leave out that no package has, and checks that packages are for the ROS of the base image, if it says which.
+
+        Raises:
+            RosmlError: some are for the other ROS (exit code 2).
+        """
+        for warning in workspace.stale(requests, manifests):
+            self._say(warning)
+        ros = base.environment.get("ROS_VERSION", "")
+        if ros in ("1", "2"):
+            without = {*(requests / workspace.BLACKLIST).read_text().split()}
+            manifest.require_one_ros(self._folder, base.name, int(ros), conditions, without)
 
     def _with_lists(self, inputs: app_bake_file.Inputs, locked: lock.Lock | None) -> app_bake_file.Inputs:
         """The inputs with rosdep's lists, if there are others than the image's own."""

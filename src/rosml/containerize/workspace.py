@@ -116,15 +116,19 @@ def write_manifests(
         for path in beyond:
             say(f"{path} leads to {os.readlink(path)}, out of {root}: packages there are not yours, and are not built")
     if not count["target"] + count.get("upstream", 0):
-        hides = any(path.name == MANIFEST for path in manifests(roots["target"]))
-        raise RosmlError(
-            f"there is no package.xml in {roots['target']}"
-            + (", except what .dockerignore leaves out" if hides else ""),
-            "call it in a folder with ROS packages, or name one"
-            + ("; bring packages back with lines such as !src" if hides else ""),
-            exit_code=2,
-        )
+        raise none_in(roots["target"])
     return count
+
+
+def none_in(folder: Path) -> RosmlError:
+    """The error about a folder without a package that counts (exit code 2)."""
+    hides = any(path.name == MANIFEST for path in manifests(folder))
+    return RosmlError(
+        f"there is no {MANIFEST} in {folder}" + (", except what .dockerignore leaves out" if hides else ""),
+        "call it in a folder with ROS packages, or name one"
+        + ("; bring packages back with lines such as !src" if hides else ""),
+        exit_code=2,
+    )
 
 
 def stage(folder: Path, out: Path, without: Path | None = None, left: LeftOut | None = None) -> None:

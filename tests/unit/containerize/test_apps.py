@@ -22,12 +22,15 @@ from xml.etree import ElementTree
 
 import archives
 import pytest
+from click.testing import CliRunner
 from registry_stand_in import StandIn
 from stubs import script_of_a_build
 from test_report import APP, DEPENDENCIES
 
 from rosml import ROOT
 from rosml.base.errors import RosmlError
+from rosml.cli import main
+from rosml.cli.containerize import containerize
 from rosml.containerize import (
     app_bake_file,
     app_base,
@@ -35,6 +38,7 @@ from rosml.containerize import (
     build,
     junit,
     lock,
+    manifest,
     names,
     rosdep_index,
     sources,
@@ -43,6 +47,7 @@ from rosml.containerize import (
 )
 from rosml.images.builds import variables
 from rosml.images.builds.base_images import native_architecture
+from rosml.images.image_set import load
 from rosml.machine import buildx
 from rosml.machine.services import Services
 from rosml.registry import oci
@@ -1019,6 +1024,111 @@ def test_what_is_wrong_is_said_before_anything_is_built(
         app(repository, services, **given).build()
     assert caught.value.exit_code == 2 and caught.value.remedy
     assert calls == []
+
+
+ROS_1 = "<package><name>{}</name><buildtool_depend>catkin</buildtool_depend></package>"
+ROS_2 = "<package><name>{}</name><depend>rclpy</depend><export><build_type>ament_python</build_type></export></package>"
+BOTH = (
+    "<package><name>{}</name><buildtool_depend condition='$ROS_VERSION == 1'>catkin</buildtool_depend>"
+    "<buildtool_depend condition='$ROS_VERSION == 2'>ament_cmake</buildtool_depend><depend>rclpy</depend></package>"
+)
+AMENT = "<package><name>{}</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+"""Debian's ROS 1 has ament_cmake, too."""
+
+
+@pytest.mark.parametrize(
+    ("ros", "packages", "says", "remedy"),
+    [
+        (
+            "2",
+            {"arm": ROS_1},
+            "x has ROS 2, and src/arm/package.xml is for ROS 1$",
+            "--base-image ros:ros1-bookworm-base$",
+        ),
+        ("1", {"arm": ROS_2}, "x has ROS 1, and src/arm/package.xml is for ROS 2$", "--base-image ros:jazzy-base$"),
+        (
+            "2",
+            {"arm": ROS_1, "leg": ROS_1, "hand": ROS_2},
+            "src/arm/package.xml, src/leg/package.xml are for ROS 1; src/hand/package.xml, src/robot/package.xml are not$",
+            "put a file COLCON_IGNORE into their folders",
+        ),
+        ("1", {"arm": ROS_1, "hand": BOTH, "leg": AMENT}, "", ""),
+        ("2", {"arm": ROS_2, "hand": BOTH, "leg": AMENT}, "", ""),
+        ("", {"arm": ROS_1, "hand": ROS_2}, "", ""),
+    ],
+)
+def test_packages_of_another_ros_than_the_base_images_are_named(
+    repository: Path,
+    services: Services,
+    calls: list[dict[str, Any]],
+    ros: str,
+    packages: dict[str, str],
+    says: str,
+    remedy: str,
+) -> None:
+    """Before anything is built. A list, a file or a script may leave them out."""
+    put(
+        services,
+        "rosml/ros:x",
+        f"linux/{native_architecture()}",
+        ROS_DISTRO="x",
+        ROS_VERSION=ros,
+    )
+    for name, text in packages.items():
+        (repository / "src" / name).mkdir()
+        (repository / "src" / name / "package.xml").write_text(text.format(name))
+    if "hand" not in packages and says:
+        (repository / "src/robot/COLCON_IGNORE").touch()
+
+    def built() -> None:
+        app(repository, services, base_image="ros:x", command="true").build()
+
+    if says:
+        with pytest.raises(RosmlError, match=says) as caught:
+            built()
+        assert re.search(remedy, caught.value.remedy) and caught.value.exit_code == 2 and calls == []
+        (repository / "src/hand").mkdir(exist_ok=True)
+        (repository / "src/hand/package.xml").write_text(AMENT.format("hand"))
+        (repository / "docker").mkdir()
+        (repository / "docker/blacklisted-packages.txt").write_text("arm leg\n")
+    built()
+    assert calls
+
+
+def test_examples_of_base_images_are_tags() -> None:
+    images = load.load(ROOT / "matrix.yaml")
+    assert {ros: images.image(tag).ros for ros, tag in manifest.EXAMPLES.items()} == {1: 1, 2: 2}
+
+
+@pytest.mark.parametrize(
+    ("files", "says"),
+    [
+        ({}, "there is no package.xml in"),
+        ({"src/CMakeLists.txt": "project(x)"}, "there is no package.xml in"),
+        ({"package.xml": "<package>\n<name>x</nam>"}, "package.xml:2:10: no XML: mismatched tag"),
+        (
+            {"a/package.xml": PACKAGE.format("a"), "b/package.xml": "<package/>"},
+            "no manifest of a ROS package: no <name>",
+        ),
+        ({"package.xml": "<package/>", ".env": "x y"}, "no manifest of a ROS package"),
+        (
+            {"package.xml": "<package/>", ".env": "BEFORE_DEPENDENCY_IDENTIFICATION_SCRIPT=fix\n", "fix": ""},
+            "parallel-jobs",
+        ),
+        ({"my.repos": "repositories: {}\n"}, "parallel-jobs"),
+        ({"lists/upstream": "repositories: {}\n", ".env": "VCS_IMPORT_FILE=lists/upstream\n"}, "parallel-jobs"),
+    ],
+)
+def test_a_folder_is_looked_at_before_options_and_services(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, files: dict[str, str], says: str
+) -> None:
+    """A script may mend its manifests, and a list may bring the packages."""
+    monkeypatch.setattr(containerize, "_services", lambda: pytest.fail("services were asked for"))
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    error: Any = CliRunner().invoke(main.cli, ["containerize", str(tmp_path), "--parallel-jobs", "many"]).exception
+    assert says in error.message and error.exit_code == 2 and error.remedy
 
 
 @pytest.mark.parametrize(

@@ -19,8 +19,8 @@ from desks import OURS, Desk
 from rosml.cli import main
 from rosml.cli.containerize import init
 from rosml.containerize import app_inputs, workspace
+from rosml.containerize.conditions import holds
 from rosml.containerize.init import contents, forge
-from rosml.containerize.init.conditions import holds
 from rosml.containerize.left_out import LeftOut
 from rosml.images.image_set import load
 from rosml.images.image_set.model import ImageSet

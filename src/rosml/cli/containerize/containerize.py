@@ -73,7 +73,7 @@ def main(folder: Path, lock: bool, as_json: bool, **given: str | bool | None) ->
     Example:
       rosml containerize --base-image ros-torch:jazzy-base-cu130 --command "ros2 launch my_package all.launch.py"
     """
-    from rosml.containerize import build
+    from rosml.containerize import build, manifest
 
     folder = folder.resolve()
     said = {
@@ -81,6 +81,7 @@ def main(folder: Path, lock: bool, as_json: bool, **given: str | bool | None) ->
         for item in app_inputs.TABLE
         if (value := given.get(item.variable)) is not None
     }
+    manifest.require(folder, said, os.environ)  # before anything is said of options, and any service is asked
     values = app_inputs.values(said, folder, os.environ)
     for sentence in app_inputs.answers(folder, os.environ):
         say(sentence)

@@ -11,7 +11,8 @@ from dataclasses import dataclass, field, replace
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, unknown
 from rosml.containerize import app_inputs
-from rosml.containerize.init.packages import Found, Package
+from rosml.containerize.init.packages import Found
+from rosml.containerize.manifest import Package
 from rosml.images.image_set import explain, missing
 from rosml.images.image_set.expand import FLOATING
 from rosml.images.image_set.model import Image, ImageSet

@@ -8,16 +8,14 @@ import re
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from xml.etree import ElementTree
 
 from rosml.base import files
-from rosml.base.errors import RosmlError
-from rosml.containerize import within, workspace
-from rosml.containerize.init.conditions import holds
+from rosml.containerize import manifest, within, workspace
 from rosml.containerize.left_out import LeftOut
+from rosml.containerize.manifest import Package
 
 LARGEST = 1 << 20
-"""The most bytes of a manifest, and those that are read of a source file."""
+"""The most bytes that are read of a source file."""
 
 MOST_FILES = 20_000
 """The most source files that are read."""
@@ -33,9 +31,6 @@ PIP = "requirements.txt"
 
 REPOS = ".repos"
 """The end of the names of files that list upstream repositories."""
-
-_GENERATIONS = {1: ("roscpp", "rospy", "message_generation"), 2: ("rclcpp", "rclpy", "rosidl_default_generators")}
-"""Packages by which we know the ROS of a package whose build type says nothing."""
 
 Libraries = Mapping[str, Collection[str]]
 """Names of libraries, and the words by which manifests and sources name each, in small letters."""
@@ -54,50 +49,6 @@ class Named:
     place: str
     word: str
     manifest: bool
-
-
-@dataclass(frozen=True)
-class Package:
-    """A ROS package.
-
-    Attributes:
-        name: its name.
-        folder: its folder, relative to the folder of all packages; `.` if it is that.
-        kinds: texts of its build types, each with its condition.
-        tools: its build tools, likewise.
-        needs: the keys that it depends on, without build tools.
-        languages: of LANGUAGES.
-        launches: names of its launch files.
-        scripts: names of its Python programs in `setup.py` or `setup.cfg`.
-    """
-
-    name: str
-    folder: Path
-    kinds: tuple[tuple[str, str], ...]
-    tools: tuple[tuple[str, str], ...]
-    needs: frozenset[str]
-    languages: tuple[str, ...] = ()
-    launches: tuple[str, ...] = ()
-    scripts: tuple[str, ...] = ()
-
-    @property
-    def manifest(self) -> str:
-        """Its manifest, as people find it."""
-        return str(self.folder / workspace.MANIFEST)
-
-    def fits(self, ros: int, ros_distro: str) -> bool:
-        """Whether it is for a ROS, by its build type and build tools."""
-        variables = {"ROS_VERSION": str(ros), "ROS_DISTRO": ros_distro}
-
-        def holding(texts: tuple[tuple[str, str], ...]) -> list[str]:
-            return [text for text, condition in texts if holds(condition, variables)]
-
-        words = holding(self.kinds) or holding(self.tools)
-        if not words and (self.kinds or self.tools):
-            return False
-        found = {1 for word in words if word.startswith("catkin")} | {2 for word in words if word.startswith("ament")}
-        found = found or {number for number, names in _GENERATIONS.items() if self.needs.intersection(names)}
-        return not found or ros in found
 
 
 @dataclass(frozen=True)
@@ -127,11 +78,9 @@ def find(folder: Path, libraries: Libraries) -> Found:
         RosmlError: there is no package, or a manifest cannot be read (exit code 2).
     """
     left = LeftOut(folder)
-    manifests = [path for path in workspace.manifests(folder, left=left) if path.name == workspace.MANIFEST]
-    if not manifests:
-        text = f"there is no {workspace.MANIFEST} in {folder}"
-        raise RosmlError(text, "call it in a folder with ROS packages, or name one", exit_code=2)
-    read = [_manifest(path, folder) for path in manifests]
+    read = manifest.read(folder, left)
+    if not read:
+        raise workspace.none_in(folder)
     own = {package.name for package, _ in read}
     named = dict[str, Named]()
     for package, text in read:
@@ -192,45 +141,6 @@ def _sources(file: Path, shown: str, named: dict[str, Named], libraries: Librari
                     line = text.count("\n", 0, match.start(1)) + 1
                     named[library] = Named(f"{shown}:{line}", name, manifest=False)
     return text
-
-
-def _manifest(path: Path, folder: Path) -> tuple[Package, str]:
-    """A package by its manifest, and the manifest's text.
-
-    Raises:
-        RosmlError: it cannot be read, is no XML, or has no name (exit code 2).
-    """
-    within.there(path, folder)
-    shown = path.relative_to(folder)
-    try:
-        content = files.limited(path, LARGEST)
-    except OSError as error:
-        raise RosmlError(f"{path}: cannot be read: {error.strerror}", "make it readable", exit_code=2) from None
-    if len(content) > LARGEST:
-        raise RosmlError(f"{path}: has more than {LARGEST >> 20} MiB", "check the file", exit_code=2)
-    try:
-        root = ElementTree.fromstring(content)
-    except ElementTree.ParseError as error:
-        line, column = error.position
-        text = f"{path}:{line}:{column + 1}: no XML: {str(error).partition(':')[0]}"
-        raise RosmlError(text, "correct that line", exit_code=2) from None
-    except (LookupError, ValueError) as error:  # an encoding that Python does not know
-        raise RosmlError(f"{path}:1: no XML: {error}", "save it as UTF-8", exit_code=2) from None
-    name = (root.findtext("name") or "").strip()
-    if root.tag != "package" or not name:
-        what = "no <name>" if root.tag == "package" else f"its first element is <{root.tag}>, not <package>"
-        raise RosmlError(f"{path}: no manifest of a ROS package: {what}", "correct it", exit_code=2)
-    kinds, tools, needs = list[tuple[str, str]](), list[tuple[str, str]](), set[str]()
-    for element in root:
-        text, condition = (element.text or "").strip(), element.get("condition", "")
-        if element.tag == "buildtool_depend":
-            tools.append((text, condition))
-        elif element.tag.endswith("depend") and text:
-            needs.add(text)
-    for element in root.iterfind("export/build_type"):
-        kinds.append(((element.text or "").strip(), element.get("condition", "")))
-    package = Package(name, shown.parent, tuple(kinds), tuple(tools), frozenset(needs))
-    return package, content.decode("utf-8", "replace")
 
 
 def _files(place: Path, root: Path, left: LeftOut) -> Iterator[Path]:
