@@ -155,8 +155,64 @@ def test_a_second_call_changes_nothing_and_keeps_to_the_first(tmp_path: Path) ->
         ("kept", "Dockerfile"),
         *(("same", name) for name in (".dockerignore", ".env", ".rosml.toml", ".github/workflows/images.yml")),
     ]
-    assert done.stderr == ""
+    assert done.stderr == (
+        "warning: Dockerfile stays as it is, and does not start from ghcr.io/me/rosml/ros-torch:humble-core-cu128, and does not call"
+        " rosdep install\nremedy: write FROM ghcr.io/me/rosml/ros-torch:humble-core-cu128, and let a RUN call it; rosml init"
+        " --dry-run prints ours\n"
+    )
     assert "docker build" not in done.stdout, "the Dockerfile is somebody else's"
+
+
+GOOD = "FROM x/ros-torch:jazzy-base-cpu\nRUN rosdep \\\n    install -y{}\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "says"),
+    [
+        ("Dockerfile", GOOD.format(" --skip-keys python3-torch"), ""),
+        ("Dockerfile", "ARG BASE_IMAGE\n" + GOOD.format(" --skip-keys 'python3-torch'"), ""),
+        (
+            "Dockerfile",
+            GOOD.format(""),
+            "lets rosdep install python3-torch, which the base image has\nremedy: add --skip-keys",
+        ),
+        ("Dockerfile", "FROM ubuntu\nRUN rosdep update && apt-get install x", "does not call rosdep install"),
+        (
+            ".github/workflows/images.yml",
+            "jobs: {}\n",
+            "does not call rosml containerize\nremedy: add the step uses: me/rosml/cont",
+        ),
+        (".github/workflows/images.yml", "- uses: x/rosml/containerize@1\n", ""),
+    ],
+)
+def test_what_a_file_that_stays_lacks(tmp_path: Path, name: str, text: str, says: str) -> None:
+    write(tmp_path, {"package.xml": manifest(depends="python3-torch"), ".github/x": "", name: text})
+    said = called(tmp_path, "--yes", *REGISTRY).stderr
+    assert (f"{name} stays as it is" in said) == bool(says) and says in said
+    assert (tmp_path / name).read_text() == text
+
+
+@pytest.mark.parametrize(
+    ("depends", "words", "keys"),
+    [
+        ("python3-torch python3-pytorch-pip python3-numpy torch_msgs", [], "python3-pytorch-pip python3-torch"),
+        ("python3-torch", ["--framework", "none"], ""),
+        ("python3-torch python3-torchvision", ["--cpu"], "python3-torch"),
+        ("python3-torch python3-torchvision", ["--gpu"], "python3-torch python3-torchvision"),
+        ("python3-torch-geometric-pip python-tensorflow-gpu-pip", ["--framework", "ml"], "python-tensorflow-gpu-pip"),
+    ],
+)
+def test_nobody_installs_again_what_the_base_image_has(
+    tmp_path: Path, depends: str, words: list[str], keys: str
+) -> None:
+    """Neither rosml containerize, nor the Dockerfile, nor a job. Images for the CPU have no torchvision."""
+    called(write(tmp_path, {"package.xml": manifest(depends=depends), ".github/x": ""}), "--yes", *REGISTRY, *words)
+    assert app_inputs.values({}, tmp_path, {}).skip_keys == keys
+    lines = [line for line in (tmp_path / "Dockerfile").read_text().splitlines() if "rosdep install" in line]
+    skipped = [f" --skip-keys {shlex.quote(keys)} " in f"{line.rstrip(chr(92)).rstrip()} " for line in lines]
+    assert skipped == [bool(keys)] * 2
+    [step] = yaml.safe_load((tmp_path / contents.GITHUB).read_text())["jobs"]["images"]["steps"]
+    assert step["with"].get("skip-keys", "") == keys
 
 
 def test_an_option_wins_over_the_file_of_variables(tmp_path: Path) -> None:
@@ -362,6 +418,23 @@ def test_the_command_that_is_proposed(tmp_path: Path, files: dict[str, str], wan
 
 
 @pytest.mark.parametrize(
+    ("files", "wanted"),
+    [
+        ({"setup.py": "x = ['go = arm.go:main']\n"}, "/docker-ros/ws/install/arm/lib/arm/go"),
+        ({"setup.py": "x = ['go = arm.go:main']\n", "launch/a.launch.py": ""}, "/docker-ros/ws/install/arm/lib/arm/go"),
+        ({"launch/a.launch.py": ""}, "bash"),
+    ],
+)
+def test_ros_from_wheels_has_no_command_ros2(tmp_path: Path, files: dict[str, str], wanted: str) -> None:
+    write(tmp_path, {"package.xml": manifest(), **files})
+    assert chosen(tmp_path, "--distribution", "jazzy-wheels")["command"] == wanted
+    assert "rclcpp" not in called(tmp_path, "--yes", "--distribution", "jazzy-wheels").stderr
+    write(tmp_path, {"src/a.cpp": ""})
+    said = called(tmp_path, "--yes", "--distribution", "jazzy-wheels").stderr
+    assert "package.xml has C++, and jazzy-wheels has no rclcpp" in said
+
+
+@pytest.mark.parametrize(
     ("text", "wanted"),
     [
         ("", True),
@@ -414,7 +487,6 @@ BOTH = {"a/package.xml": manifest("a"), "b/package.xml": manifest("b", "catkin")
         ({"package.xml": '<?xml version="1.0" encoding="x-y"?><package/>'}, [], "package.xml:1: no XML"),
         ({"package.xml": manifest()}, ["--distribution", "jazy"], "no distribution named 'jazy'; did you mean 'jazzy'"),
         ({"package.xml": manifest()}, ["--distribution", "noetic"], "package.xml is not for noetic, which is ROS 1"),
-        ({"package.xml": manifest(build="catkin")}, ["--distribution", "bookworm"], "bookworm is called ros1-bookworm"),
         ({"package.xml": manifest()}, ["--component", "robot"], "has no robot metapackage"),
         ({"package.xml": manifest()}, ["--component", "core-run"], "core-run only runs programs"),
         ({"package.xml": manifest()}, ["--framework", "trch"], "no framework named 'trch'; did you mean 'torch'"),
@@ -424,7 +496,8 @@ BOTH = {"a/package.xml": manifest("a"), "b/package.xml": manifest("b", "catkin")
             "has a wheel for Python 3.14",
         ),
         ({"package.xml": manifest()}, ["--framework", "torch", "--accelerator", "cu121"], "torch 2.4.1 has no wheel"),
-        ({"package.xml": manifest()}, ["--framework", "torch", "--accelerator", "gpu"], "no accelerator named 'gpu'"),
+        ({"package.xml": manifest()}, ["--framework", "torch", "--accelerator", "tpu"], "no accelerator named 'tpu'"),
+        ({"package.xml": manifest()}, ["--accelerator", "tpu"], "no accelerator named 'tpu'"),
         (
             {"package.xml": manifest()},
             ["--framework", "torch", "--accelerator", "cpu", "--gpu"],
@@ -488,13 +561,119 @@ def test_git_may_leave_out_the_file_of_variables(tmp_path: Path) -> None:
     assert ".gitignore leaves out .env" in called(tmp_path, "--yes").stderr
 
 
-def test_a_terminal_is_asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(init, "_has_terminal", lambda: True)
+WORDS = [
+    ("distribution", "Humble", "humble"),
+    ("distribution", "noble", "jazzy"),
+    ("distribution", "Ubuntu 22.04", "humble"),
+    ("distribution", "ros2-kilted", "kilted"),
+    ("distribution", "ROS 2", "jazzy"),
+    ("distribution", "bookworm", "jazzy-wheels"),
+    ("component", "ros-base", "base"),
+    ("component", "desktop_full", "desktop-full"),
+    ("framework", "pytorch", "torch"),
+    ("framework", "tf", "tensorflow"),
+    ("framework", "TensorFlow2", "tensorflow"),
+    ("framework", "torch and tensorflow", "ml"),
+    ("framework", "gpu", "cuda"),
+    ("framework", "no", "none"),
+    ("accelerator", "gpu", "cu130"),
+    ("accelerator", "CUDA 12.8", "cu128"),
+    ("accelerator", "12", "cu128"),
+    ("accelerator", "none", "cpu"),
+    ("ci", "GitHub Actions", "github"),
+    ("ci", "no", "none"),
+]
+
+
+@pytest.mark.parametrize(("question", "word", "wanted"), WORDS)
+def test_words_of_people_are_understood_on_the_command_line_and_as_answers(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, question: str, word: str, wanted: str
+) -> None:
     write(tmp_path, {"package.xml": manifest()})
-    done = called(tmp_path, "--framework", "torch", typed="humbl\nhumble\ncore\ncu128\nros2 run arm go\n")
-    assert "'humbl' is not one of" in done.stderr and "Framework" not in done.stderr
+    given = ["--framework", "torch"] if question == "accelerator" else []
+    assert chosen(tmp_path, f"--{question}", word, *given, *REGISTRY)[question] == wanted
+    monkeypatch.setattr(init, "_has_terminal", lambda: True)
+    asked = ["distribution", "component", *([] if given else ["framework"]), *(["accelerator"] if given else [])]
+    before = len([*asked, "command"]) if question == "ci" else asked.index(question)
+    done = called(tmp_path, "--dry-run", *given, *REGISTRY, typed="\n" * before + f"{word}\n" + "\n" * 9)
+    assert re.search(rf"^{question} +{wanted} ", done.stdout, re.MULTILINE), (done.stdout, done.stderr)
+
+
+def test_debian_has_both(tmp_path: Path) -> None:
+    write(tmp_path, {"package.xml": manifest(build="catkin")})
+    assert chosen(tmp_path, "--distribution", "bookworm")["distribution"] == "ros1-bookworm"
+
+
+def test_a_terminal_is_asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The question, in brackets the proposal, and a short reason; what cannot be read is asked for again."""
+    monkeypatch.setattr(init, "_has_terminal", lambda: True)
+    write(tmp_path, {"package.xml": manifest(), "src/Node.py": TORCH})
+    typed = "humbl\nhumble\n?\ncore\n\ncu128\nros2 run 'arm go\nros2 run arm go\n\n"
+    done = called(tmp_path, typed=typed)
+    lines = re.findall(r"^[A-Z][\w ]+ \[.*(?=: )", done.stderr, re.MULTILINE)
+    core = "How much of ROS [base] (the build installs what your packages need beyond it)"
+    command = "Command to start [bash] (a shell)"
+    assert lines == [
+        *["ROS distribution [jazzy] (ROS 2, long-term, supported until 2029-05-31)"] * 2,
+        *[core] * 2,
+        "Framework for machine learning [torch] (src/Node.py:1 names torch)",
+        "Accelerator [cpu] (this machine has no NVIDIA GPU)",
+        *[command] * 2,
+        "CI file for [none] (no forge is known)",
+    ]
+    assert "no distribution named 'humbl'; did you mean 'humble'?" in done.stderr
+    assert "core, base, perception, desktop" in done.stderr and "no closing quotation" in done.stderr
     values = app_inputs.values({}, tmp_path, {})
     assert (values.base_image, values.command) == ("ros-torch:humble-core-cu128", "ros2 run arm go")
+
+
+def test_a_terminal_is_asked_for_ci_and_where_it_pushes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(init, "_has_terminal", lambda: True)
+    write(tmp_path, {"package.xml": manifest(), ".git/config": GITHUB_REMOTE, ".git/HEAD": ""})
+    typed = "\n" * 5 + "ghcr.io/Me/rosml\n{}\n"
+    done = called(tmp_path, "--dry-run", typed=typed.format(""))
+    assert "CI file for [github] (git's remote is github.com:me/robot.git): " in done.stderr
+    assert "Registry of the base images [none] (such as ghcr.io/me/rosml: jobs do not reach this" in done.stderr
+    assert "Push images to [ghcr.io/me/robot] (the repository's own place): " in done.stderr
+    assert "image-name" not in done.stdout and re.search("^push to +ghcr.io/me/robot ", done.stdout, re.MULTILINE)
+    done = called(tmp_path, typed=typed.format("quay.io/me/robot"))
+    [step] = yaml.safe_load((tmp_path / contents.GITHUB).read_text())["jobs"]["images"]["steps"]
+    secrets = {name: f"${{{{ secrets.REGISTRY_{name.upper()} }}}}" for name in ("user", "password")}
+    assert step["with"].items() >= {
+        ("image-name", "quay.io/me/robot"),
+        ("registry", "quay.io"),
+        *((f"registry-{name}", secret) for name, secret in secrets.items()),
+    }
+    assert "CI logs in to quay.io alone" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "inputs"),
+    [
+        (["github", "ghcr.io/me/arm"], {"image-name": "ghcr.io/me/arm"}),
+        (["gitlab", "quay.io/me/arm"], {"image-name": "quay.io/me/arm", "registry": "quay.io"}),
+    ],
+)
+def test_where_ci_pushes(tmp_path: Path, words: list[str], inputs: dict[str, str]) -> None:
+    name, place = words
+    base = {"github": "ghcr.io/me/rosml", "gitlab": "registry.gitlab.com/me/rosml"}[name]
+    done = called(
+        write(tmp_path, {"package.xml": manifest()}), "--yes", "--ci", name, "--push-to", place, "--registry", base
+    )
+    found = yaml.safe_load((tmp_path / contents.FORGES[name]).read_text())
+    given = found["include"][0]["inputs"] if name == "gitlab" else found["jobs"]["images"]["steps"][0]["with"]
+    assert {key: value for key, value in given.items() if key.startswith(("image", "registry"))} == inputs
+    assert ("masked variables" in done.stderr) == (name == "gitlab")
+
+
+def test_without_ci_a_call_pushes(tmp_path: Path) -> None:
+    said = called(write(tmp_path, {"package.xml": manifest()}), "--yes", "--push-to", "quay.io/me/arm").stdout
+    assert f"containerize {tmp_path} --push --image-name quay.io/me/arm\n" in said
+
+
+def test_without_a_terminal_nothing_is_asked(tmp_path: Path) -> None:
+    called(write(tmp_path, {"package.xml": manifest(), ".github/x": ""}), typed="")
+    assert app_inputs.values({}, tmp_path, {}).base_image == "ros:jazzy-base"
 
 
 def test_an_interruption_writes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -505,11 +684,12 @@ def test_an_interruption_writes_nothing(tmp_path: Path, monkeypatch: pytest.Monk
 
 
 def test_without_a_checkout_a_registry_is_asked_for(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(init, "IN_CHECKOUT", False)
+    for module in (init, forge):
+        monkeypatch.setattr(module, "IN_CHECKOUT", False)
     write(tmp_path, {"package.xml": manifest()})
     assert init.UNNAMED[0] in called(tmp_path, "--yes", "--dry-run").stderr
     monkeypatch.setattr(init, "_has_terminal", lambda: True)
-    done = called(tmp_path, typed="ghcr.io/Me/rosml\n".lower() + "\n" * 9)
+    done = called(tmp_path, typed="\n" * 5 + "ghcr.io/Me/rosml\n" + "\n" * 9)
     assert init.UNNAMED[0] not in done.stderr
     assert app_inputs.values({}, tmp_path, {}).base_image == "ghcr.io/me/rosml/ros:jazzy-base"
     assert "rosml image" not in done.stdout

@@ -7,7 +7,7 @@ import json
 import os
 import re
 import shlex
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -54,6 +54,7 @@ UNNAMED = (
 @click.option("--command", default="", metavar="TEXT", help="what the run image starts, as a shell reads it")
 @click.option("--ci", default="", metavar="FORGE", help="write a CI file for github or gitlab, or for none")
 @options.registry("where base images are; with --images, where yours go")
+@click.option("--push-to", default="", metavar="NAME", help="where CI pushes the images, such as ghcr.io/me/robot")
 @click.option("--images", is_flag=True, help="write the files of a set of your own images, which extends rosml's")
 @click.option("--rosml", default="", metavar="ADDRESS", help="the address of rosml's repository, if it is not known")
 @options.MATRIX
@@ -64,6 +65,7 @@ def main(
     folder: Path,
     ci: str,
     registry: str,
+    push_to: str,
     matrix: Path,
     yes: bool,
     dry_run: bool,
@@ -102,12 +104,11 @@ def main(
     from rosml.containerize.init import folder as folders
     from rosml.images.image_set import load
     from rosml.registry import references
-    from rosml.registry.place import Place
     from rosml.run import gpu as gpus
     from rosml.run.host import host
 
     folder = folder.resolve()
-    place = str(Place.at(registry)) if registry else ""
+    place, images_to = forge.place_of(registry), forge.place_of(push_to)
     image_set = load.load(matrix, ROOT)
     found = packages.find(folder, choices.libraries(image_set.matrix))
     env, broken = folders.env(folder)
@@ -123,19 +124,15 @@ def main(
     )
     ask: choices.Ask = _take
     if not (yes or as_json) and _has_terminal():
-        terminal.echo(_packages(found), err=True)
+        terminal.echo(f"{_packages(found)}\nEnter takes what is in brackets; ? lists the answers.\n", err=True)
         ask = _ask
-        if not place and not IN_CHECKOUT:
-            proposal = choices.Choice("", "base images are in a registry, such as ghcr.io/me/rosml")
-            named = ask("Registry and path", proposal, ())
-            place = str(Place.at(named)) if named else ""
     address = own_set.address_of_rosml(rosml)
     decided = choices.decide(image_set, found, choices.Given(stack=accelerator, **given), here, ask)
-    ci_file = forge.chosen(folder, ci, place, address, image_set.matrix, ask)
+    jobs = forge.chosen(folder, ci, place, images_to, address, image_set.matrix, ask)
     project = contents.Project(
         name=contents.image_name(env.get("IMAGE_NAME") or folder.name),
         tag=decided.image.tags[0],
-        place=place,
+        place=jobs.place,
         ros=decided.image.ros,
         gpu="cuda" in decided.image.versions,
         command=decided.command,
@@ -144,9 +141,11 @@ def main(
         repos=contents.repos_of(found.repos, image_set.matrix, decided.image.distribution),
         one_of_several=len(found.repos) > 1,
         packages=tuple(str(package.folder) for package in found.packages),
-        forge=ci_file.value,
-        source=forge.source(ci_file.value, place, address, image_set.matrix),
-        revision=forge.revision(ci_file.value),
+        forge=jobs.forge.value,
+        source=forge.source(jobs.forge.value, jobs.place, address, image_set.matrix),
+        revision=forge.revision(jobs.forge.value),
+        images=jobs.images,
+        keys=decided.keys,
     )
     wanted = folders.compared(folder, contents.contents(project))
     if not dry_run:
@@ -155,12 +154,16 @@ def main(
         *_guessed(project, address, wanted),
         *decided.notes,
         *([broken] if broken else _lacking(env, wanted, project)),
+        *_kept(folder, wanted, project),
+        *_secrets(project),
     ]
     if folders.ignores_env(folder):
         notes.append((".gitignore leaves out .env: who clones the repository has none", "git add --force .env"))
-    for message, remedy in [*notes, *([] if IN_CHECKOUT or place else [UNNAMED])]:
+    for message, remedy in [*notes, *([] if IN_CHECKOUT or project.place else [UNNAMED])]:
         warn(message, remedy)
-    chosen = {**decided.choices, "ci": ci_file}
+    chosen = {**decided.choices, "ci": jobs.forge}
+    if pushed := jobs.images or jobs.usual:
+        chosen["push to"] = choices.Choice(pushed, "you ask for it" if jobs.images else "the repository's own place")
     calls = _calls(folder, decided, project, wanted)
     if as_json:
         terminal.echo(json.dumps(_as_json(folder, found, chosen, project, wanted, calls), indent=2))
@@ -200,14 +203,25 @@ def _has_terminal() -> bool:
     return os.isatty(0) and os.isatty(2)
 
 
-def _ask(question: str, proposal: Choice, answers: Sequence[str]) -> str:
-    terminal.echo(f"\n{proposal.reason[:1].upper()}{proposal.reason[1:]}.", err=True)
-    kind = click.Choice(answers) if answers else click.STRING
-    answer: str = click.prompt(question, default=proposal.value, type=kind, err=True, show_default=bool(proposal.value))
-    return answer
+def _ask(question: str, proposal: Choice, answers: Sequence[str], read: Callable[[str], str]) -> str:
+    """Asks until an answer can be read. The first clause of the proposal's reason stands behind it."""
+    from rosml.base.problems import listed
+
+    text = f"{question} [{proposal.value or 'none'}] ({proposal.reason.partition(';')[0]})"
+    while True:
+        said: str = click.prompt(text, default=proposal.value, show_default=False, err=True).strip()
+        if said == proposal.value:
+            return said
+        if said == "?":
+            terminal.echo(f"  {listed(answers, 'or') or 'what you like'}", err=True)
+            continue
+        try:
+            return read(said)
+        except RosmlError as error:
+            terminal.echo(f"  {error.message}; {error.remedy}", err=True)
 
 
-def _take(question: str, proposal: Choice, answers: Sequence[str]) -> str:
+def _take(question: str, proposal: Choice, answers: Sequence[str], read: Callable[[str], str]) -> str:
     return proposal.value
 
 
@@ -218,6 +232,17 @@ def _guessed(project: Project, address: str, wanted: Sequence[File]) -> Iterator
     if not address and any(file.path == contents.FORGES.get(project.forge) and not file.there for file in wanted):
         text = f"that rosml is at {project.source} on {project.forge} is a guess from the registry's path"
         yield text, "name its address with --rosml, such as https://github.com/me/rosml"
+
+
+def _secrets(project: Project) -> Iterator[tuple[str, str]]:
+    """CI logs in to another registry than the forge's by a password that only people have."""
+    from rosml.containerize.init import contents
+
+    if host := contents.other_registry(project):
+        yield (
+            f"CI logs in to {host} alone, with REGISTRY_USER and REGISTRY_PASSWORD",
+            f"make these secrets on {project.forge}: masked variables on GitLab",
+        )
 
 
 # ---- What comes next -------------------------------------------------------------------------------------------------
@@ -233,6 +258,19 @@ def _lacking(env: Mapping[str, str], wanted: Sequence[File], project: Project) -
         said = {**env, **({"IMAGE_NAME": project.name} if "IMAGE" in env else {})}
         if lines := [contents.assigned(name, value) for name, value in inputs if said.get(name) != value]:
             yield f"{app_inputs.FILE} stays as it is, and does not say {', '.join(lines)}", "write that into it"
+
+
+def _kept(folder: Path, wanted: Sequence[File], project: Project) -> Iterator[tuple[str, str]]:
+    """What a Dockerfile and a CI file that stay do not say."""
+    from rosml.containerize.init import contents
+    from rosml.containerize.init import folder as folders
+
+    for file in wanted:
+        if file.there and not file.same:
+            found = list(contents.lacking(file.path, folders.text_of(folder / file.path), project))
+            if found:
+                lacks, lines = (", and ".join(texts) for texts in zip(*found, strict=True))
+                yield f"{file.path} stays as it is, and {lacks}", f"{lines}; rosml init --dry-run prints ours"
 
 
 def _calls(folder: Path, decided: Decided, project: Project, wanted: Sequence[File]) -> Calls:
@@ -253,6 +291,9 @@ def _calls(folder: Path, decided: Decided, project: Project, wanted: Sequence[Fi
     )
     run = f"{own} run" if where == "." else f"cd {where} && {checkout.call(folder)} run"
     calls.append((run, "a shell in the image to work in, with your folder in it"))
+    if project.images and project.forge not in contents.FORGES:
+        push = f"{own} containerize{'' if where == '.' else f' {where}'} --push --image-name {project.images}"
+        calls.append((push, "the same, and pushes them"))
     ours = [file.path for file in wanted if file.same or not file.there]
     if contents.DOCKERFILE in ours:
         base = "" if project.place else f"--build-arg BASE_IMAGE={local or 'REGISTRY'}/{project.tag} "

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, unknown
 from rosml.containerize import app_inputs
+from rosml.containerize.init import contents, spoken
 from rosml.containerize.init.packages import Found
 from rosml.containerize.manifest import Package
 from rosml.images.image_set import explain, missing
@@ -93,8 +94,9 @@ class Here:
 
 _BEFORE = ".env says so"
 
-Ask = Callable[[str, Choice, Sequence[str]], str]
-"""Asks the user: the question, the proposal and all possible answers. Returns the answer."""
+Ask = Callable[[str, Choice, Sequence[str], Callable[[str], str]], str]
+"""Asks the user: the question, the proposal, all possible answers if they can be counted, and what reads an answer, which raises
+RosmlError for one that cannot be. Returns the answer that was read."""
 
 
 @dataclass(frozen=True)
@@ -107,6 +109,7 @@ class Decided:
         command: what the run image starts.
         ended: the end of life of the distribution has passed.
         notes: sentences for the user, each with a remedy.
+        keys: keys of rosdep that manifests name, for what the base image has.
     """
 
     choices: Mapping[str, Choice]
@@ -114,6 +117,7 @@ class Decided:
     command: str
     ended: bool
     notes: tuple[tuple[str, str], ...] = field(default=())
+    keys: tuple[str, ...] = ()
 
 
 def libraries(matrix: Matrix) -> dict[str, set[str]]:
@@ -128,6 +132,15 @@ def libraries(matrix: Matrix) -> dict[str, set[str]]:
     return found | {name: set(words) for name, words in OTHERS.items()}
 
 
+def brought(matrix: Matrix, image: Image, keys: Collection[str]) -> set[str]:
+    """Those of rosdep's keys that stand for Python packages which parts of an image bring: `python3-torch`, `python3-pytorch-pip`."""
+    families = rules.families(matrix, matrix.frameworks[image.framework])
+    has = {*families, *rules.company(matrix, image.stack, families)}
+    has |= {part.title.lower() for part in matrix.parts if part.title and part.release in families}
+    found = {key: re.fullmatch(r"python3?-(.+?)(-gpu)?(-pip)?", key) for key in keys}
+    return {key for key, match in found.items() if match and match[1] in has}
+
+
 def decide(image_set: ImageSet, found: Found, given: Given, here: Here, ask: Ask) -> Decided:
     """Decides by what the user says, and proposes the rest.
 
@@ -140,9 +153,11 @@ def decide(image_set: ImageSet, found: Found, given: Given, here: Here, ask: Ask
 class _Decision:
     def __init__(self, image_set: ImageSet, found: Found, given: Given, here: Here, ask: Ask) -> None:
         self._set, self._matrix, self._found, self._here, self._ask = image_set, image_set.matrix, found, here, ask
-        ours = names.our_words(self._matrix)
-        framework = ours.get(given.framework.lower(), given.framework)
-        self._given = replace(given, framework=framework)
+        if given.stack.lower() in spoken.NVIDIA and given.gpu is None:
+            given = replace(given, stack="", gpu=True)
+        if given.stack.lower() in spoken.NOTHING and not given.gpu:
+            given = replace(given, stack="", gpu=False)
+        self._given = given if not given.framework else replace(given, framework=self._named_framework(given.framework))
         self._before = image_set.by_tag(here.env.get("BASE_IMAGE", ""))
         self._notes: list[tuple[str, str]] = []
 
@@ -153,7 +168,11 @@ class _Decision:
         stack = self._stack(row.value, component.value, framework.value)
         target = names.image_target(row.value, component.value, framework.value, stack.value or None)
         image = self._set.by_target[target]
-        command = self._command(self._matrix.distributions[row.value].ros)
+        command = self._command(row.value)
+        cpp = (package for package in self._found.packages if "C++" in package.languages or "rclcpp" in package.needs)
+        if self._matrix.distributions[row.value].wheels and (package := next(cpp, None)):
+            text = f"{package.manifest} has C++, and {row.value} has no rclcpp"
+            self._notes.append((text, "take another distribution"))
         if not image.locked:
             self._notes.append((f"{target} cannot be built yet: {missing.reason(image)}", missing.remedy(image)))
         for library, (lacks, remedy) in LACKING.items():
@@ -167,7 +186,8 @@ class _Decision:
             "accelerator": stack,
             "command": command,
         }
-        return Decided(choices, image, command.value, self._ended(row.value), tuple(self._notes))
+        keys = brought(self._matrix, image, {key for package in self._found.packages for key in package.needs})
+        return Decided(choices, image, command.value, self._ended(row.value), tuple(self._notes), tuple(sorted(keys)))
 
     # ---- Distribution ------------------------------------------------------------------------------------------------
 
@@ -177,11 +197,13 @@ class _Decision:
             raise self._mixed()
         name = self._given.distribution
         if name:
-            self._require_fitting(name, fitting)
+            name = self._fitting_row(name, fitting)
             chosen = Choice(name, self._supported(name))
         else:
             proposal = self._proposed(fitting)
-            name = self._ask("ROS distribution", proposal, self._sorted(fitting))
+            name = self._ask(
+                "ROS distribution", proposal, self._sorted(fitting), lambda said: self._fitting_row(said, fitting)
+            )
             chosen = proposal if name == proposal.value else Choice(name, self._supported(name))
         if self._ended(name):
             others = [other for other in self._sorted(fitting) if not self._ended(other)]
@@ -221,16 +243,21 @@ class _Decision:
         found = {facts.ros for name, facts in self._matrix.distributions.items() if self._fits(name, [package])}
         return found.pop() if len(found) == 1 else 0
 
-    def _require_fitting(self, name: str, fitting: Sequence[str]) -> None:
-        rows = self._matrix.distributions
-        if called := next((row for row, facts in rows.items() if name in facts.aliases), ""):
-            raise RosmlError(f"{name} is called {called}", f"--distribution {called}", exit_code=2)
-        if name not in rows:
-            raise RosmlError(unknown("distribution", name, rows), f"take one of {listed(fitting, 'or')}", exit_code=2)
-        if name not in fitting:
-            odd = next(package for package in self._found.packages if not self._fits(name, [package]))
-            text = f"{odd.manifest} is not for {name}, which is ROS {rows[name].ros}"
-            raise RosmlError(text, f"take {listed(self._sorted(fitting), 'or')}", exit_code=2)
+    def _fitting_row(self, said: str, fitting: Sequence[str]) -> str:
+        """The distribution that a word of the user means; the best one of several.
+
+        Raises:
+            RosmlError: there is none, or the packages are not for it (exit code 2).
+        """
+        rows, best = self._matrix.distributions, self._sorted(fitting)
+        meant = spoken.distributions(self._matrix, said)
+        if not meant:
+            raise RosmlError(unknown("distribution", said, rows), f"take {listed(best, 'or')}", exit_code=2)
+        if found := next((name for name in best if name in meant), ""):
+            return found
+        odd = next(package for package in self._found.packages if not self._fits(meant[0], [package]))
+        text = f"{odd.manifest} is not for {meant[0]}, which is ROS {rows[meant[0]].ros}"
+        raise RosmlError(text, f"take {listed(best, 'or')}", exit_code=2)
 
     def _proposed(self, fitting: Sequence[str]) -> Choice:
         before = self._before
@@ -300,11 +327,16 @@ class _Decision:
     def _component(self, row: str) -> Choice:
         has = [name for name in self._matrix.distributions[row].components if not rules.only_runs(self._matrix, name)]
         rest = "the build installs what your packages need beyond it"
-        if name := self._given.component:
+
+        def read(said: str) -> str:
+            name = spoken.component(self._matrix, said)
             if name not in has:
                 text = rules.component_reason(self._matrix, row, name) or f"{name} only runs programs that are built"
                 raise RosmlError(text, f"take {listed(has, 'or')}", exit_code=2)
-            return Choice(name, rest)
+            return name
+
+        if self._given.component:
+            return Choice(read(self._given.component), rest)
         if (before := self._named_before(row)) and before.component in has:
             proposal = Choice(before.component, _BEFORE)
         else:
@@ -314,7 +346,7 @@ class _Decision:
                 meta = (self._matrix.components[name].metapackage or name).replace("-", "_")
                 if meta in needs:
                     proposal = Choice(name, f"{needs[meta].manifest} depends on {meta}")
-        name = self._ask("Component", proposal, has)
+        name = self._ask("How much of ROS", proposal, has, read)
         return proposal if name == proposal.value else Choice(name, rest)
 
     # ---- Framework ---------------------------------------------------------------------------------------------------
@@ -348,13 +380,18 @@ class _Decision:
     def _framework(self, row: str, component: str) -> Choice:
         plain = rules.plain(self._matrix)
         there = [name for name in self._matrix.frameworks if name == plain or self._stacks(row, name)]
-        if name := self._given.framework:
+
+        def read(said: str) -> str:
+            name = self._named_framework(said)
             if name not in self._matrix.frameworks:
                 text = unknown("framework", name, self._matrix.frameworks)
                 raise RosmlError(text, f"{row} has {listed(there)}", exit_code=2)
             if name not in there:
                 raise RosmlError(self._lacking(row, component, name), f"{row} has {listed(there)}", exit_code=2)
-            return Choice(name, "you ask for it")
+            return name
+
+        if self._given.framework:
+            return Choice(read(self._given.framework), "you ask for it")
         if (before := self._named_before(row)) and (not self._asks_for_gpu() or before.stack):
             proposal = Choice(before.framework, _BEFORE)
         else:
@@ -364,8 +401,18 @@ class _Decision:
                 (self._lacking(row, component, proposal.value), "take another distribution, or install it in the image")
             )
             proposal = Choice(plain, f"{row} has no {proposal.value}")
-        name = self._ask("Framework", proposal, there)
+        name = self._ask("Framework for machine learning", proposal, there, read)
         return proposal if name == proposal.value else Choice(name, "you ask for it")
+
+    def _named_framework(self, said: str) -> str:
+        """The smallest framework with all that a text of the user names; the text itself if that is none."""
+        named = spoken.frameworks(self._matrix, said)
+        if [name.lower() for name in named] in [[word] for word in spoken.NVIDIA]:
+            return self._smallest({part.name for part in self._matrix.parts if part.versions})
+        facts = self._matrix.frameworks
+        if not named or not set(named) <= facts.keys():
+            return " ".join(named) or said
+        return self._smallest({part for name in named for part in facts[name].parts})
 
     def _lacking(self, row: str, component: str, framework: str) -> str:
         """Why there is no framework on a distribution, on the wanted kind of accelerator."""
@@ -400,27 +447,35 @@ class _Decision:
         )
 
     def _stack(self, row: str, component: str, framework: str) -> Choice:
-        there, given = self._stacks(row, framework), self._given.stack
-        if given and given not in self._matrix.stacks:
-            text = unknown("accelerator", given, self._matrix.stacks)
-            raise RosmlError(text, f"take {listed(there, 'or') or 'none'}; or --gpu or --cpu", exit_code=2)
+        there = self._stacks(row, framework)
+
+        def read(said: str) -> str:
+            name = spoken.stack(self._matrix, said, there)
+            if name not in self._matrix.stacks:
+                text = unknown("accelerator", name, self._matrix.stacks)
+                raise RosmlError(text, f"take {listed(there, 'or') or 'none'}; or --gpu or --cpu", exit_code=2)
+            if name not in there:
+                text = rules.stack_reason(self._matrix, row, framework, name) or f"{name} is not what you ask for"
+                raise RosmlError(text, f"take {listed(there, 'or')}", exit_code=2)
+            return name
+
         if not self._matrix.frameworks[framework].parts:
+            if self._given.stack not in ("", *self._matrix.stacks):
+                read(self._given.stack)
             if self._asks_for_gpu():
                 with_gpu = [name for name, facts in self._matrix.frameworks.items() if facts.parts]
                 raise RosmlError(
                     f"framework {framework} computes nothing on a GPU", f"take {listed(with_gpu, 'or')}", exit_code=2
                 )
             return Choice("", "an image without a framework fits every machine")
-        if given:
-            if given not in there:
-                text = rules.stack_reason(self._matrix, row, framework, given) or f"{given} is not what you ask for"
-                raise RosmlError(text, f"take {listed(there, 'or')}", exit_code=2)
-            return Choice(given, self._computes(given))
+        if self._given.stack:
+            name = read(self._given.stack)
+            return Choice(name, self._computes(name))
         if (before := self._named_before(row)) and before.framework == framework and before.stack in there:
             proposal = Choice(before.stack, _BEFORE)
         else:
             proposal = self._fitting(row, component, framework, there)
-        name = self._ask("Accelerator", proposal, there)
+        name = self._ask("Accelerator", proposal, there, read)
         return proposal if name == proposal.value else Choice(name, self._computes(name))
 
     def _fitting(self, row: str, component: str, framework: str, there: Sequence[str]) -> Choice:
@@ -457,23 +512,25 @@ class _Decision:
 
     # ---- Command -----------------------------------------------------------------------------------------------------
 
-    def _command(self, ros: int) -> Choice:
+    def _command(self, row: str) -> Choice:
         """A launch file, or the only program of Python; a shell if neither is likely, as an image to run must start something."""
         if self._given.command:
-            _require_words(self._given.command)
-            return Choice(self._given.command, "you ask for it")
+            return Choice(_words(self._given.command), "you ask for it")
         if said := self._here.env.get("COMMAND"):
-            _require_words(said)
-            return Choice(said, _BEFORE)
-        proposal = self._started(ros)
-        text = self._ask("Command", proposal, ())
-        _require_words(text)
+            return Choice(_words(said), _BEFORE)
+        proposal = self._started(row)
+        text = self._ask("Command to start", proposal, (), _words)
         return proposal if text == proposal.value else Choice(text, "you ask for it")
 
-    def _started(self, ros: int) -> Choice:
-        launch, run = ("roslaunch", "rosrun") if ros == 1 else ("ros2 launch", "ros2 run")
+    def _started(self, row: str) -> Choice:
+        facts = self._matrix.distributions[row]
         launches = [(package, file) for package in self._found.packages for file in package.launches]
         scripts = [(package, name) for package in self._found.packages for name in package.scripts]
+        if facts.wheels:  # there is no command ros2, and no launch (docs/limits.md)
+            if len(scripts) == 1:
+                return Choice(_installed(*scripts[0]), f"the only program, by its path: {row} has no ros2")
+            return Choice(SHELL, f"a shell, as {row} has no ros2; --command names another")
+        launch, run = ("roslaunch", "rosrun") if facts.ros == 1 else ("ros2 launch", "ros2 run")
         for found, verb, why in (
             (launches, launch, "the only launch file"),
             (list(_likely(launches)), launch, "the likeliest launch file"),
@@ -487,13 +544,23 @@ class _Decision:
         return Choice(SHELL, f"{why}; --command names another")
 
 
-def _require_words(command: str) -> None:
-    """Raises RosmlError if a shell could not read a command (exit code 2)."""
+def _installed(package: Package, script: str) -> str:
+    """The path at which colcon installs a program of a Python package whose setup.cfg is as ROS's tools write it."""
+    return shlex.quote(f"{contents.INSTALLED}/{package.name}/lib/{package.name}/{script}")
+
+
+def _words(command: str) -> str:
+    """A command that a shell can read.
+
+    Raises:
+        RosmlError: it could not (exit code 2).
+    """
     try:
         shlex.split(command)
     except ValueError as error:
         text = f"the command {command!r} is none that a shell reads: {str(error).lower()}"
         raise RosmlError(text, "close its quotation", exit_code=2) from None
+    return command
 
 
 def _likely(launches: Sequence[tuple[Package, str]]) -> Iterator[tuple[Package, str]]:

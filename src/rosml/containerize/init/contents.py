@@ -17,6 +17,9 @@ DOCKERFILE = "Dockerfile"
 GITHUB = ".github/workflows/images.yml"
 GITLAB = ".gitlab-ci.yml"
 
+INSTALLED = "/docker-ros/ws/install"
+"""The install space in images."""
+
 PAGE = "docs/containerize.md"
 """The page of the documentation about all of them."""
 
@@ -43,6 +46,8 @@ class Project:
         forge: `github`, `gitlab`, or `none`.
         source: the repository of rosml on that forge, such as `me/rosml`.
         revision: its branch or commit.
+        images: where CI pushes; empty for the repository's own place.
+        keys: keys of rosdep that manifests name, for what the base image has.
     """
 
     name: str
@@ -59,6 +64,8 @@ class Project:
     forge: str
     source: str
     revision: str
+    images: str = ""
+    keys: tuple[str, ...] = ()
 
     @property
     def base_image(self) -> str:
@@ -111,6 +118,32 @@ def contents(project: Project) -> dict[str, str]:
     return made
 
 
+def lacking(path: str, text: str, project: Project) -> Iterator[tuple[str, str]]:
+    """What a file that stays lacks for the project, and what to write into it.
+
+    Args:
+        path: of the file in the folder, as in `contents`.
+        text: what it has.
+    """
+    if path == DOCKERFILE:
+        named = rf"^\s*(ARG|FROM)\b.*({re.escape(project.tag)}|\bBASE_IMAGE\b)"
+        if not re.search(named, text, re.MULTILINE | re.IGNORECASE):
+            start = f"FROM {project.base_image}" if project.place else "ARG BASE_IMAGE and FROM ${BASE_IMAGE}"
+            yield f"does not start from {project.base_image}", f"write {start}"
+        if not re.search(r"\brosdep\s+(\\\s+)*install\b", text):
+            yield "does not call rosdep install", "let a RUN call it"
+        elif lost := [key for key in project.keys if key not in text]:
+            keys = shlex.quote(" ".join(project.keys))
+            yield f"lets rosdep install {' '.join(lost)}, which the base image has", f"add --skip-keys {keys}"
+    elif path in FORGES.values() and "containerize" not in text:
+        call = (
+            f"the step uses: {project.source}/containerize"
+            if path == GITHUB
+            else "an include of containerize/gitlab.yml"
+        )
+        yield "does not call rosml containerize", f"add {call}"
+
+
 def _lines(lines: Iterator[str]) -> str:
     return "".join(f"{line}\n" for line in lines)
 
@@ -125,6 +158,8 @@ def variables(project: Project) -> dict[str, str]:
         found["ADDITIONAL_PIP_FILE"] = project.pip[0]
         if len(project.pip) > 1:
             found |= {"ADDITIONAL_PIP_FILE": PIP, "ENABLE_RECURSIVE_ADDITIONAL_PIP": "true"}
+    if project.keys:
+        found["SKIP_KEYS"] = " ".join(project.keys)
     if project.repos and project.one_of_several:
         found |= {"ENABLE_RECURSIVE_VCS_IMPORT": "false", "VCS_IMPORT_FILE": project.repos}
     return found
@@ -195,7 +230,7 @@ def _dockerfile(project: Project) -> str:
             "# The image to run: without what only the build needs.",
             "FROM ${BASE_IMAGE} AS run",
             *_install(project, " --dependency-types exec"),
-            "COPY --from=build /docker-ros/ws/install /docker-ros/ws/install",
+            f"COPY --from=build {INSTALLED} {INSTALLED}",
             f"CMD {json.dumps(words)}",
         ]
     )
@@ -230,11 +265,12 @@ def _install(project: Project, options: str) -> Iterator[str]:
     """The step that installs dependencies."""
     mounts = ("--mount=type=bind,from=manifests,source=/src,target=/run/src", *_CACHES)
     update = "rosdep update --include-eol-distros" if project.ended else "rosdep update"
+    skipped = f" --skip-keys {shlex.quote(' '.join(project.keys))}" if project.keys else ""
     steps = [
         "export DEBIAN_FRONTEND=noninteractive",
         "apt-get update",
         update,
-        f"rosdep install --from-paths /run/src --ignore-src -y{options}",
+        f"rosdep install --from-paths /run/src --ignore-src -y{options}{skipped}",
         *(f"pip install -r {shlex.quote(f'/run/src/target/{file}')}" for file in project.pip),
     ]
     yield " \\\n    ".join([f"RUN {mounts[0]}", *mounts[1:], " \\\n && ".join(steps)])
@@ -283,10 +319,27 @@ def _gitlab(project: Project) -> Iterator[str]:
         yield f"      {name}: {json.dumps(value)}"
 
 
+def other_registry(project: Project) -> str:
+    """The registry to which CI pushes if the forge's own token is not for it; else empty."""
+    host = project.images.partition("/")[0]
+    return host if project.forge in FORGES and not (project.forge == "github" and host == "ghcr.io") else ""
+
+
+def _pushed(project: Project) -> Iterator[tuple[str, str]]:
+    """The inputs that say where CI pushes, if it is not the repository's own place. GitLab takes variables by themselves."""
+    if project.images:
+        yield "image-name", project.images
+    if host := other_registry(project):
+        yield "registry", host
+        if project.forge == "github":
+            yield "registry-user", "${{ secrets.REGISTRY_USER }}"
+            yield "registry-password", "${{ secrets.REGISTRY_PASSWORD }}"
+
+
 def _beyond(project: Project) -> Sequence[tuple[str, str]]:
-    """The inputs beside the base image. The names of images are those that CI chooses."""
+    """The inputs beside the base image. The names of images are those that CI chooses, or the one that the user names."""
+    told = {name.lower().replace("_", "-"): value for name, value in variables(project).items()}
     return [
-        (name.lower().replace("_", "-"), value)
-        for name, value in variables(project).items()
-        if name not in ("BASE_IMAGE", "IMAGE_NAME")
+        *_pushed(project),
+        *((name, value) for name, value in told.items() if name not in ("base-image", "image-name")),
     ]

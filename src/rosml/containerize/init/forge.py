@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import contextlib
 import re
+from dataclasses import dataclass
 from pathlib import Path
 
 from rosml import IN_CHECKOUT, ROOT
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, unknown
+from rosml.containerize import ci_inputs
+from rosml.containerize.init import spoken
 from rosml.containerize.init.choices import Ask, Choice
 from rosml.containerize.init.contents import FORGES, GITLAB
 from rosml.containerize.init.folder import text_of
 from rosml.images.matrix.model import Matrix
 from rosml.machine import git
+from rosml.registry.place import Place
 
 NONE = "none"
 """The answer of those who want no CI file."""
@@ -24,29 +28,74 @@ BRANCH = "main"
 GITHUB_ADDRESS = "https://github.com/"
 
 
-def chosen(folder: Path, asked: str, place: str, rosml: str, matrix: Matrix, ask: Ask) -> Choice:
-    """The forge for which a CI file is written: the one that the user names, or that of the repository.
+@dataclass(frozen=True)
+class Ci:
+    """The CI of a repository.
+
+    Attributes:
+        forge: the forge for which a file is written, or NONE, and why.
+        place: the registry and path of the base images, as the user named it at last; empty if they are on this machine alone.
+        images: where the images go, as the user says; empty if they did not, or if CI pushes there by itself.
+        usual: where CI pushes by itself; empty without CI.
+    """
+
+    forge: Choice
+    place: str
+    images: str
+    usual: str = ""
+
+
+def chosen(folder: Path, asked: str, place: str, images: str, rosml: str, matrix: Matrix, ask: Ask) -> Ci:
+    """The forge for which a CI file is written, and where its jobs push: as the user says, or as the repository does.
 
     Args:
         asked: the user's answer; empty if they gave none.
         place: the registry and path of the base images; empty if they are on this machine alone.
+        images: where the user wants the images; empty if they did not say it.
         rosml: the public address of rosml; empty if it is not known.
 
     Raises:
         RosmlError: there is no such forge, or the user asks for a file that could not work (exit code 2).
     """
     known = [*FORGES, NONE]
-    if asked and asked not in known:
-        raise RosmlError(unknown("forge", asked, known), f"take {listed(known, 'or')}", exit_code=2)
-    proposed, told = (asked, "you ask for it") if asked else _of(folder)
-    if proposed in ("", NONE):
-        return Choice(NONE, told)
-    if why := _hinders(folder, proposed, place, rosml, matrix):
+
+    def read(said: str) -> str:
+        if (name := spoken.forge(said)) not in known:
+            raise RosmlError(unknown("forge", said, known), f"take {listed(known, 'or')}", exit_code=2)
+        return name
+
+    found, told = _of(folder)
+    name = read(asked) if asked else ask("CI file for", Choice(found or NONE, told), known, read)
+    forge = Choice(name, told if name == (found or NONE) and not asked else "you ask for it")
+    if not place and (name != NONE or not IN_CHECKOUT):
+        why = "such as ghcr.io/me/rosml" + ("" if name == NONE else ": jobs do not reach this machine's images")
+        place = ask("Registry of the base images", Choice("", why), (), place_of)
+    if name != NONE and (hindrance := _hinders(folder, name, place, rosml, matrix)):
         if asked:
-            raise RosmlError(*why, exit_code=2)
-        return Choice(NONE, f"{why[0]}; {why[1]}")
-    answer = proposed if asked else ask("CI file for", Choice(proposed, told), known)
-    return Choice(answer, told if answer == proposed else "you ask for it")
+            raise RosmlError(*hindrance, exit_code=2)
+        forge = Choice(NONE, "; ".join(hindrance))
+    if forge.value == NONE:
+        return Ci(forge, place, images)
+    usual = _pushes(folder, forge.value)
+    pushed = images or ask("Push images to", Choice(usual, "the repository's own place"), (), place_of)
+    return Ci(forge, place, "" if pushed == usual else pushed, usual)
+
+
+def place_of(said: str) -> str:
+    """A registry and a path in it, as a user names it; empty for words such as none.
+
+    Raises:
+        RosmlError: it is no such place (exit code 2).
+    """
+    return "" if said.lower() in ("", *spoken.NOTHING) else str(Place.at(said.lower()))
+
+
+def _pushes(folder: Path, forge: str) -> str:
+    """Where CI pushes by itself: the place of the repository, in the forge's words if that is not known here."""
+    for address in _remotes(folder):
+        if forge == "github" and (found := re.search(r"\bgithub\.com[:/]([\w.-]+/[\w.-]+?)(?:\.git)?/?$", address)):
+            return f"ghcr.io/{found[1].lower()}"
+    return next(str(getattr(item, forge)) for item in ci_inputs.SETTINGS if item.input.name == "image-name")
 
 
 def _of(folder: Path) -> tuple[str, str]:
@@ -55,10 +104,15 @@ def _of(folder: Path) -> tuple[str, str]:
         return "github", "there is a folder .github"
     if (folder / GITLAB).is_file():
         return "gitlab", f"there is {GITLAB}"
-    for address in re.findall(r"^[ \t]*url[ \t]*=[ \t]*(\S+)", text_of(folder / ".git/config"), re.MULTILINE):
+    for address in _remotes(folder):
         if name := next((name for name in FORGES if re.search(rf"\b{name}\b", address)), ""):
             return name, f"git's remote is {address.rpartition('@')[2]}"
     return "", "no forge is known; --ci names one"
+
+
+def _remotes(folder: Path) -> list[str]:
+    """The addresses of a repository's remotes."""
+    return re.findall(r"^[ \t]*url[ \t]*=[ \t]*(\S+)", text_of(folder / ".git/config"), re.MULTILINE)
 
 
 def _hinders(folder: Path, forge: str, place: str, rosml: str, matrix: Matrix) -> tuple[str, str] | None:

@@ -150,8 +150,7 @@ def _in_our_words(matrix: Matrix, name: str) -> str:
     """A name as others write it, in our words: `jazzy-base-tf-cu128`, `rwthika/ros2-torch:jazzy-ros-base`."""
     name = name.lower()
     if ":" not in name:
-        ours = names.our_words(matrix)
-        return "-".join(ours.get(word, word) for word in name.split("-"))
+        return "-".join(names.our_word(matrix, word) for word in name.split("-"))
     repository, _, tag = name.rpartition("/")[2].partition(":")
     return f"{re.sub('^ros2(?=-|$)', 'ros', repository)}:{tag.replace('-ros-', '-')}"
 

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, unknown
 from rosml.images.image_set.model import Image, ImageSet
-from rosml.images.matrix.names import our_words
+from rosml.images.matrix.names import our_word
 
 NVIDIA = ("gpu", "nvidia")
 """Words that people try for the images with CUDA of any kind."""
@@ -78,8 +78,7 @@ def _no_group(image_set: ImageSet, name: str, groups: Sequence[str], known: Sequ
         return RosmlError(f"no group named {name!r}", f"name a distribution: {listed(rows, last='or')}", exit_code=2)
     if image := image_set.by_tag(name):
         return RosmlError(f"{name} is an image, and no group", f"rosml explain {image.target}", exit_code=2)
-    ours = our_words(image_set.matrix)
-    parts = [ours.get(word, word) for word in re.split(r"[\s,*-]+", name.lower()) if word]
+    parts = [our_word(image_set.matrix, word) for word in re.split(r"[\s,*-]+", name.lower()) if word]
     if parts and all(part in known for part in parts):
         words = [word for group in groups for word in (parts if group == name else [group])]
         return RosmlError(f"no group named {name!r}", f"rosml list {' '.join(words)}", exit_code=2)

@@ -26,6 +26,13 @@ def our_words(matrix: Matrix) -> dict[str, str]:
     return {**titles, **repositories, "x86_64": "amd64", "aarch64": "arm64"}
 
 
+def our_word(matrix: Matrix, word: str) -> str:
+    """Our word for one that people try, also with a version at its end: `tensorflow2`. The word itself if we have no other."""
+    ours, said = our_words(matrix), word.lower()
+    bare = said.rstrip(".0123456789")
+    return ours.get(said) or (ours.get(bare) if bare != ROS else None) or said  # ros1 is no framework
+
+
 def image_target(distribution: str, component: str, framework: str = "none", stack: str | None = None) -> str:
     """The bake target of an image: `jazzy-base`, `jazzy-base-torch-cu128`."""
     return "-".join([distribution, component] + ([framework, stack] if stack else []))
