@@ -204,14 +204,27 @@ def test_a_part_fails(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_a_base_image_that_cannot_be_had(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
-    """What it is needed for waits, and the rest is made."""
+    """Nothing is made: its parts would be for nothing."""
     stage.place.services = replace(stage.place.services, bases=tuple(OFFLINE))
     assert stage.image(TARGET) == 1
     told = capsys.readouterr().err
     assert f"{TARGET} gets no tag: waiting for a builder: docker.io/library/ubuntu:24.04 is on Docker Hub" in told
     assert "or name one that answers: OS_UBUNTU_24_04=" in told
-    assert {kind for kind, _, _ in stage.runs[0].made} == {"build"}
-    assert all(target.startswith("part-") for _, target, _ in stage.runs[0].made)
+    assert not stage.runs[0].made
+
+
+def test_a_base_image_that_is_not_needed(stage: Stage) -> None:
+    """The image is there already."""
+    assert stage.image(TARGET) == 0
+    stage.place.services = replace(stage.place.services, bases=tuple(OFFLINE))
+    assert stage.image(TARGET) == 0
+
+
+def test_nothing_is_built_for_an_image_after_a_failure(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
+    stage.options = {"broken": {"alpha-core"}}
+    assert stage.image(TARGET) == 1
+    assert f"build of alpha-core failed, so {TARGET} gets no tag" in capsys.readouterr().err
+    assert not stage.runs[0].made
 
 
 def test_tags_stay_where_they_were(stage: Stage) -> None:

@@ -97,6 +97,8 @@ def main(target: str, matrix: Path, namespace: str, platform: str, on: str, forc
     call.architectures = call.serve = (architecture,)
     wait_for_turn()
     run = call.run()
+    run.whole = True
+    summary.require_makeable(run, wanted, architecture)
     there = {target.removeprefix("part-") for target, name in run.state.by_key if run.state.made((target, name))}
     disk.require(services.state, disk.needed_mb(run.state.forecast, wanted, there), wanted.target)
     build(run)

@@ -86,6 +86,27 @@ class Summary:
         return "\n".join(["", title, "-" * len(title), *(f"{name.ljust(width)}  {value}" for name, value in rows)])
 
 
+def require_makeable(run: Run, image: Image, architecture: str) -> None:
+    """Checks before a run that an image can be made here, such as that its base image is there: parts take an hour.
+
+    Raises:
+        RosmlError: it cannot be.
+    """
+    state, key = run.state, (image.target, architecture)
+    if not state.made(key) and (reason := state.task(state.by_key[key]).hindered):
+        raise _no_tag(image, reason)
+
+
+def _no_tag(image: Image, why: str) -> RosmlError:
+    """The error about an image that is not complete, with the remedy for what it waits for."""
+    remedy = "rebuild it: --force, or ROSML_FORCE=1 for make"
+    if why.startswith(ABSENT):
+        remedy = "try it later, or build from ROS's packages before their release: ROS_CHANNEL=testing rosml image"
+    elif why.startswith(WAITING):
+        remedy = f"use a machine that reaches the base image, or {base_images.name_another(image.os)}"
+    return RosmlError(f"{image.target} gets no tag: {why}", remedy)
+
+
 def require_whole(run: Run, image: Image, architecture: str, tagged: bool) -> None:
     """Checks that an image is complete after a run.
 
@@ -107,12 +128,7 @@ def require_whole(run: Run, image: Image, architecture: str, tagged: bool) -> No
         wrong = "; ".join(state.reasons(state.by_key[image.target, architecture]))
     if wrong:
         waits = next((o.reason for o in run.outcomes if o.target == image.target and o.state == "waits"), wrong)
-        remedy = "rebuild it: --force, or ROSML_FORCE=1 for make"
-        if waits.startswith(ABSENT):
-            remedy = "try it later, or build from ROS's packages before their release: ROS_CHANNEL=testing rosml image"
-        elif waits.startswith(WAITING):
-            remedy = f"use a machine that reaches the base image, or {base_images.name_another(image.os)}"
-        raise RosmlError(f"{image.target} gets no tag: {waits}", remedy)
+        raise _no_tag(image, waits)
 
 
 def of_image(run: Run, image: Image, architecture: str, moves: list[Move] | None) -> Summary:

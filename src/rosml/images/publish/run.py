@@ -77,6 +77,7 @@ class Run:
         on_made: called for each image as soon as it is built or joined.
         signing: a lock, so that one index is signed at a time.
         refused: how often in a row the signer failed.
+        whole: it is for one image: nothing more is started after a failure.
     """
 
     state: State
@@ -90,6 +91,7 @@ class Run:
     on_made: Callable[[Item], None] = lambda _: None
     signing: Any = field(default_factory=threading.Lock)
     refused: int = 0
+    whole: bool = False
     _may_push: bool = False
 
     @property
@@ -142,6 +144,9 @@ class Run:
             if step not in task.steps[:1]:
                 if step in task.steps:  # an earlier step comes first
                     self.outcomes.append(Outcome(step, *item.key, "waits", f"{task.steps[0]} comes first"))
+                continue
+            if self.whole and self.failed:
+                self.outcomes.append(Outcome(step, *item.key, "waits", "something failed before it"))
                 continue
             if time.monotonic() >= self.deadline:
                 self.outcomes.append(Outcome(step, *item.key, "waits", "the time of this run is over"))
