@@ -29,6 +29,10 @@ def _extra_words(command: click.Command) -> str:
     return ", and ".join(text for option, text in places.items() if option in known)
 
 
+_MACHINES = ("--platform", "--architecture", "--arch")
+"""Options for kinds of machines, as commands of rosml and others call them."""
+
+
 class Command(click.Command):
     """A command of `rosml`.
 
@@ -60,6 +64,11 @@ class Command(click.Command):
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         try:
             return super().parse_args(ctx, args)
+        except click.NoSuchOption as error:
+            known = {option for parameter in self.params for option in parameter.opts}
+            if error.option_name in _MACHINES and (ours := [name for name in _MACHINES if name in known]):
+                raise click.UsageError(f"{error.message} It is {ours[0]} here.", ctx) from error
+            raise
         except click.UsageError as error:
             if type(error) is click.UsageError and self.extra:  # the others are about an option or a missing word
                 raise click.UsageError(f"{error.message}: {self.extra}.", ctx) from error

@@ -166,6 +166,20 @@ def test_a_command_to_try_is_one_that_its_caller_can_call(tmp_path: Path, monkey
     assert checkout.call() == "rosml"
 
 
+@pytest.mark.parametrize(
+    ("words", "ours"),
+    [
+        ("image --arch arm64 x", "--platform"),
+        ("part --architecture arm64", "--platform"),
+        ("containerize --arch=arm64", "--platform"),
+        ("plan --platform linux/arm64", "--architecture"),
+    ],
+)
+def test_an_option_for_a_machine_is_named(words: str, ours: str) -> None:
+    said = CliRunner().invoke(main.cli, words.split()).output
+    assert re.search(rf"No such option '--\w+'\. It is {ours} here\.", said), said
+
+
 def test_where_the_matrix_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """In the checkout that the package is in, or with what came with the package; the current folder decides nothing."""
     package, project = tmp_path / "lib/site-packages/rosml", stranger(tmp_path / "project")

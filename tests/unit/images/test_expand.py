@@ -9,6 +9,7 @@ import pytest
 from conftest import ROOT, SMALL, changed, parse, write_locks
 
 from rosml.base.errors import RosmlError
+from rosml.images.image_set import selection
 from rosml.images.image_set.explain import explained, why_not
 from rosml.images.image_set.explain import image as image_of
 from rosml.images.image_set.facts import facts
@@ -453,13 +454,47 @@ REASONS = {
     "alpha-torch-cpu": "alpha-torch-cpu is called alpha-base-torch-cpu.",
     "ros-torch:alpha-cpu": "there is no tag ros-torch:alpha-cpu: short ones are for stack cu1 alone; "
     "take ros-torch:alpha-base-cpu.",
-    "part-cuda-cu1": "cuda-cu1: cuda of stack cu1, built from locks/cu1/amd64/any/cuda.txt, in 13 images",
+    **dict.fromkeys(
+        ("part-cuda-cu1", "part:cuda-cu1", "ghcr.io/me/rosml/part:cuda-cu1"),
+        "cuda-cu1: cuda of stack cu1, built from locks/cu1/amd64/any/cuda.txt, in 13 images; rosml part cuda-cu1 builds it, and COPY"
+        " --link adds it to an image",
+    ),
 }
 
 
 @pytest.mark.parametrize("name", REASONS)
 def test_reasons(small: ImageSet, name: str) -> None:
     assert explained(small, name).text == REASONS[name]
+
+
+@pytest.mark.parametrize(
+    ("name", "says"),
+    [
+        ("part:cuda", "no part named 'cuda'; there is cuda-cu1$"),
+        ("x.org/part:cda-cu1", "no part named 'cda-cu1'; did you mean 'cuda-cu1'"),
+    ],
+)
+def test_a_part_that_there_is_not(small: ImageSet, name: str, says: str) -> None:
+    with pytest.raises(RosmlError, match=says) as caught:
+        explained(small, name)
+    assert caught.value.remedy == "see all with: rosml part"
+
+
+@pytest.mark.parametrize(
+    ("platform", "name"),
+    [
+        ("linux/arm64", "arm64"),
+        ("arm64", "arm64"),
+        ("aarch64", "arm64"),
+        ("linux/arm64/v8", "arm64"),
+        ("x86_64", "amd64"),
+    ],
+)
+def test_a_platform_is_an_architecture(small: ImageSet, platform: str, name: str) -> None:
+    assert selection.architecture_of(small, platform) == name
+    with pytest.raises(RosmlError, match="no platform named 'arm'") as caught:
+        selection.architecture_of(small, "arm")
+    assert caught.value.remedy == "take linux/amd64 or linux/arm64"
 
 
 def test_a_wheel_elsewhere_counts() -> None:

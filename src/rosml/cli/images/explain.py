@@ -24,7 +24,7 @@ from rosml.cli.checkout import Command
 @options.MATRIX
 @options.JSON
 def main(name: str, matrix: Path, as_json: bool) -> None:
-    """Says why an image exists, or why it does not.
+    """Says why an image exists, or why it does not; or what a part is.
 
     NAME is a target or a tag, with or without the registry. Leave out the date of a dated tag: the matrix has no dates.
 
@@ -32,6 +32,7 @@ def main(name: str, matrix: Path, as_json: bool) -> None:
     Examples:
       rosml explain jazzy-robot
       rosml explain ros-torch:jazzy-base-cu128
+      rosml explain part:torch-cu128-py311
     """
     from rosml.images.image_set import load
     from rosml.images.image_set.explain import explained

@@ -37,6 +37,7 @@ def main(
     from rosml.images.builds import contents
     from rosml.images.builds import part as found
     from rosml.images.image_set import load as loading
+    from rosml.images.image_set import selection
     from rosml.machine.services import Services
     from rosml.registry.client import Registry
 
@@ -44,6 +45,8 @@ def main(
         raise click.UsageError("--json and --markdown exclude each other; use one of them")
     image_set = loading.load(matrix, ROOT)
     wanted = [found.find(image_set, name) for name in dict.fromkeys(parts)]
+    if platform:
+        platform = image_set.matrix.architectures[selection.architecture_of(image_set, platform)].platform
     if not wanted:
         known = {item.name: [*item.platforms] for item in image_set.parts}
         listed = [{"name": name, "platforms": platforms} for name, platforms in known.items()]

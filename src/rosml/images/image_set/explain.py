@@ -10,7 +10,7 @@ from itertools import product
 from typing import Any
 
 from rosml.base.errors import RosmlError
-from rosml.base.problems import counted, listed, unknown
+from rosml.base.problems import counted, listed, some, unknown
 from rosml.images.image_set import apt_repository, missing
 from rosml.images.image_set.expand import FLOATING
 from rosml.images.image_set.model import Image, ImageSet
@@ -71,10 +71,17 @@ def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.en
     if image := tagged or image_set.by_target.get(name.removesuffix("-test"), image_set.by_target.get(name)):
         head = f"{image.target} {'exists' if image.locked else 'exists, but cannot be built yet'}:"
         return Explained(image.target, True, tuple(_facts(image_set.matrix, image, environ)), head)
-    if part := image_set.part_by_name.get(name.removeprefix("part-")):
+    part_tag = re.fullmatch(r"(?:.*/)?part:(.+)", name)
+    if part := image_set.part_by_name.get(part_tag[1] if part_tag else name.removeprefix("part-")):
         users = sum(part.name in image.parts for image in image_set.images)
-        text = f"{part.name}: {part.kind} of stack {part.stack}, built from {listed(part.locks)}, in {counted(users, 'image')}"
+        text = f"{part.name}: {part.kind} of stack {part.stack}, built from {listed(part.locks)}, in {counted(users, 'image')};"
+        text += f" rosml part {part.name} builds it, and COPY --link adds it to an image"
         return Explained(part.name, True, (text,))
+    if part_tag:
+        begun = [part for part in image_set.part_by_name if part.startswith(f"{part_tag[1]}-")]
+        text = f"no part named {part_tag[1]!r}; there is {some(begun)}"
+        text = text if begun else unknown("part", part_tag[1], image_set.part_by_name)
+        raise RosmlError(text, "see all with: rosml part", exit_code=2)
     if name in image_set.groups:
         listed_by = "rosml list" if name in ("parts", "tests") else f"rosml list {name}"
         text = f"{name}: a group of {counted(len(image_set.groups[name]), 'target')}; see them with: {listed_by}"

@@ -106,12 +106,13 @@ def none_in(image_set: ImageSet, groups: Sequence[str]) -> str:
 
 
 def architecture_of(image_set: ImageSet, platform: str) -> str:
-    """The architecture of a platform such as `linux/arm64`.
+    """The architecture of a platform such as `linux/arm64`; `arm64` and `aarch64` mean that, too.
 
     Raises:
         RosmlError: the matrix has no such platform (exit code 2).
     """
     known = {facts.platform: name for name, facts in image_set.matrix.architectures.items()}
-    if platform not in known:
-        raise RosmlError(unknown("platform", platform, known), f"take one of {listed(list(known))}", exit_code=2)
-    return known[platform]
+    named = our_word(image_set.matrix, platform.lower().removeprefix("linux/").removesuffix("/v8"))
+    if named not in image_set.matrix.architectures:
+        raise RosmlError(unknown("platform", platform, known), f"take {listed(list(known), 'or')}", exit_code=2)
+    return named
