@@ -124,7 +124,7 @@ def none_in(folder: Path) -> RosmlError:
     """The error about a folder without a package that counts (exit code 2)."""
     hides = any(path.name == MANIFEST for path in manifests(folder))
     return RosmlError(
-        f"there is no {MANIFEST} in {folder}" + (", except what .dockerignore leaves out" if hides else ""),
+        f"there is no package.xml in {folder}" + (", except what .dockerignore leaves out" if hides else ""),
         "call it in a folder with ROS packages, or name one"
         + ("; bring packages back with lines such as !src" if hides else ""),
         exit_code=2,

@@ -3,6 +3,7 @@ and files that it describes are as it says."""
 
 from __future__ import annotations
 
+import ast
 import json
 import re
 import urllib.parse
@@ -274,12 +275,60 @@ THEIRS = {
 """Messages of other programs, as people search for them."""
 
 
+def looked_up() -> set[str]:
+    """The messages on the page about them."""
+    page = (ROOT / "docs/troubleshooting.md").read_text().partition("## Python packages")[0]
+    rows = [line.split(" | ")[0] for line in page.splitlines() if line.startswith("| ") and "---" not in line]
+    return {message for row in rows for message in re.findall(r"`([^`]+)`", row)}
+
+
 def test_each_message_to_look_up_is_one_that_is_printed() -> None:
     """Ours are in the code in these words, so that a search finds them."""
     code = "".join(file.read_text() for file in (ROOT / "src/rosml").rglob("*.py"))
     code = code.replace("{about.program}", "docker").replace("{engine.program}", "docker")
-    page = (ROOT / "docs/troubleshooting.md").read_text().partition("## Python packages")[0]
-    rows = [line.split(" | ")[0] for line in page.splitlines() if line.startswith("| ") and "---" not in line]
-    messages = {message for row in rows for message in re.findall(r"`([^`]+)`", row)}
+    code += " ".join(f"no {kind} named" for kind in re.findall(r'\bunknown\(\s*"(\w+)"', code))
+    messages = looked_up()
     assert messages > THEIRS
     assert [message for message in sorted(messages - THEIRS) if message not in code] == []
+
+
+def literal(text: ast.expr | None) -> list[str]:
+    """What stands so in a text, between the values that are put into it."""
+    if isinstance(text, ast.BinOp):
+        return [*literal(text.left), *literal(text.right)]
+    parts = text.values if isinstance(text, ast.JoinedStr) else [text]
+    return [part.value for part in parts if isinstance(part, ast.Constant) and isinstance(part.value, str)]
+
+
+def told(file: Path) -> Iterator[str]:
+    """The longest words that stand so in each message of a file: of errors, and of notes that are a sentence and its remedy."""
+    for function in (node for node in ast.walk(ast.parse(file.read_text())) if isinstance(node, ast.FunctionDef)):
+        texts: list[ast.expr | None] = []
+        for node in ast.walk(function):
+            said = node.value if isinstance(node, (ast.Yield, ast.Return)) else None
+            if isinstance(node, ast.Call) and ast.unparse(node.func).endswith("notes.append"):
+                said = node.args[0]
+            if isinstance(said, ast.Tuple) and len(said.elts) == 2:
+                texts.append(said.elts[0])
+            if isinstance(node, ast.Call) and ast.unparse(node.func) == "RosmlError":
+                texts.append(node.args[0])
+            if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "text":
+                texts.append(node.value)
+        for text in texts:
+            longest = max((words.strip(" ,;:(0123456789") for words in literal(text)), key=len, default="")
+            if " " in longest:
+                yield longest
+
+
+def test_messages_that_newcomers_meet_are_there_to_look_up() -> None:
+    """Those of `rosml init`, and some that have words of others in them."""
+    code = ROOT / "src/rosml"
+    files = [
+        *(code / "containerize/init").glob("*.py"),
+        code / "containerize/manifest.py",
+        code / "cli/containerize/init.py",
+    ]
+    messages = {message for file in files for message in told(file)} | {"waiting for a builder", "there is no image"}
+    assert len(messages) > 25
+    page = looked_up()
+    assert [message for message in sorted(messages) if not any(message in known for known in page)] == []
