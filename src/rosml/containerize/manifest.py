@@ -129,8 +129,9 @@ def require_one_ros(folder: Path, base: str, ros: int, ros_distro: str, without:
     other = 3 - ros
     text = f"{base} has ROS {ros}, and {some(package.manifest for package in odd)} {'is' if len(odd) == 1 else 'are'} for ROS {other}"
     remedy = f"name a base image with ROS {other}, such as --base-image {EXAMPLES[other]}"
-    if rest := [package for package in packages if package not in odd]:
-        text += f"; {some(package.manifest for package in rest)} {'is' if len(rest) == 1 else 'are'} not"
+    fit = [package for package in packages if package.fits(ros, ros_distro)]
+    if rest := [package for package in fit if not package.fits(other, ros_distro)]:
+        text += f"; {some(package.manifest for package in rest)} {'is' if len(rest) == 1 else 'are'} for ROS {ros}"
         remedy = f"leave them out: put a file COLCON_IGNORE into their folders; for images of them, {remedy}, and leave out the others"
     raise RosmlError(text, remedy, exit_code=2)
 

@@ -1049,8 +1049,14 @@ AMENT = "<package><name>{}</name><buildtool_depend>ament_cmake</buildtool_depend
         (
             "2",
             {"arm": ROS_1, "leg": ROS_1, "hand": ROS_2},
-            "src/arm/package.xml, src/leg/package.xml are for ROS 1; src/hand/package.xml, src/robot/package.xml are not$",
+            "src/arm/package.xml, src/leg/package.xml are for ROS 1; src/hand/package.xml is for ROS 2$",
             "put a file COLCON_IGNORE into their folders",
+        ),
+        (
+            "1",
+            {"arm": ROS_2, "leg": AMENT},
+            "src/arm/package.xml is for ROS 2$",
+            "^name a base image with ROS 2, such as",
         ),
         ("1", {"arm": ROS_1, "hand": BOTH, "leg": AMENT}, "", ""),
         ("2", {"arm": ROS_2, "hand": BOTH, "leg": AMENT}, "", ""),
