@@ -241,7 +241,7 @@ def _secrets(project: Project) -> Iterator[tuple[str, str]]:
     if host := contents.other_registry(project):
         yield (
             f"CI logs in to {host} alone, with REGISTRY_USER and REGISTRY_PASSWORD",
-            f"make these secrets on {project.forge}: masked variables on GitLab",
+            f"make these {'secrets' if project.forge == 'github' else 'masked variables'} in the repository's settings",
         )
 
 
