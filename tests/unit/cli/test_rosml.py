@@ -52,6 +52,7 @@ WORDS = [
     "part",
     "plan",
     "publish",
+    "rebase",
     "run",
     "setup",
 ]
