@@ -111,7 +111,7 @@ def test_actionlint_of_the_examples() -> None:
     actionlint(*files)
 
 
-@pytest.mark.parametrize("page", ["use/ci", "containerize/ci"])
+@pytest.mark.parametrize("page", ["use/ci", "containerize/ci", "rebase"])
 def test_actionlint_of_the_documentation(page: str, tmp_path: Path) -> None:
     """The workflows that users are shown."""
     shown = [block for block in blocks(ROOT / f"docs/{page}.md") if block.title.startswith(".github/workflows/")]

@@ -23,8 +23,8 @@ from rosml.images.join.layers import Source
 SAME = {"distribution": "ROS distribution", "os": "system", "python": "Python", "ros": "generation of ROS"}
 """The labels that the old and the new base image must have in common, by the words for people."""
 
-PARTS = ("torch", "tensorflow", "cuda")
-"""Versions of parts, as labels name them. Programs built on one minor release run on no other."""
+VERSION = re.compile(r"[0-9]+(\.[0-9]+)+([+.-].*)?")
+"""The value of a label with a version."""
 
 DRIVER = re.compile(
     r"lib(cuda|nvcuvid|nvidia-[a-z0-9-]+|nvoptix|cudadebugger|GLX_nvidia|EGL_nvidia|dxcore)\.so(\.[0-9.]+)?"
@@ -172,20 +172,14 @@ def _files(app: Facts, new: Facts, files: Container[str], found: Judgement) -> N
 
 
 def _parts(app: Facts, labels: tuple[Mapping[str, str], Mapping[str, str]], found: Judgement) -> None:
-    """Releases of parts, if the app's own programs use their libraries."""
-    needed = {name for library in app.libraries for name in library.needed}
-    for part in PARTS:
-        old, new = (said.get(PREFIX + part, "") for said in labels)
-        used = [name for name in needed if re.match(_USED[part], name)]
-        if used and old and new and _minor(old) != _minor(new):
-            found.add(Verdict.BUILD, f"the app was built with {part} {old} ({min(used)}), and the base image has {new}")
-
-
-_USED = {
-    "torch": r"lib(torch|c10)\w*\.so",
-    "tensorflow": r"libtensorflow\w*\.so",
-    "cuda": r"lib(cudart|cublas|cudnn|cufft|curand|cusolver|cusparse|nvrtc)\w*\.so",
-}
+    """Releases of parts, whose libraries have their names: one minor release runs no programs of another."""
+    needed = sorted({name for library in app.libraries for name in library.needed})
+    for label, old in labels[0].items():
+        new, part = labels[1].get(label, ""), label.removeprefix(PREFIX)
+        if part == label or not (VERSION.fullmatch(old) and VERSION.fullmatch(new)) or _minor(old) == _minor(new):
+            continue
+        if used := [name for name in needed if name.startswith(f"lib{part}")]:
+            found.add(Verdict.BUILD, f"the app was built with {part} {old} ({used[0]}), and the base image has {new}")
 
 
 def _minor(version: str) -> list[str]:
