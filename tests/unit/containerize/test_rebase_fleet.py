@@ -15,8 +15,10 @@ from rosml.base.problems import InputError
 from rosml.containerize.rebase import fleet
 from rosml.containerize.rebase.fleet import Entry, Fleet, Outcome
 from rosml.containerize.rebase.rebaser import Rebaser
+from rosml.containerize.rebase.screen import Screen, require_advisory
 from rosml.images.publish import undo
 from rosml.images.records.store import Records
+from rosml.images.scan.trivy import Report
 from rosml.registry import place as places
 from rosml.registry.client import Registries
 
@@ -31,7 +33,12 @@ DATE = "2026-11-27T03:00:00Z"
 
 
 def run(
-    place: Place, *entries: Entry, date: str = DATE, linked: list[str] | None = None, refuses: str = ""
+    place: Place,
+    *entries: Entry,
+    date: str = DATE,
+    linked: list[str] | None = None,
+    refuses: str = "",
+    screen: Screen | None = None,
 ) -> dict[str, Outcome]:
     """Runs a fleet; the builder notes what it links, and refuses one app."""
 
@@ -41,7 +48,7 @@ def run(
             raise RosmlError("the app does not find libgone.so", "build it again", exit_code=2)
 
     with Registries() as registries, Rebaser(place.services, registries, place.said.append) as rebaser:
-        one = Fleet(rebaser, date, link, lambda *_: None, say=place.said.append)
+        one = Fleet(rebaser, date, link, lambda *_: None, say=place.said.append, screen=screen)
         found = one.run(entries)
     return {outcome.app.rpartition("/")[2]: outcome for outcome in found}
 
@@ -138,3 +145,38 @@ def test_a_wrong_file_is_refused(tmp_path: Path, content: dict[str, Any], says: 
     with pytest.raises((InputError, RosmlError)) as caught:
         fleet.read(tmp_path / "apps.yaml")
     assert says in str(caught.value) and caught.value.exit_code == 2
+
+
+def report(sbom: bytes, _subject: str) -> Report:
+    """The scanner's words: libssl3 3.0.1 has something, other versions have not."""
+    components = json.loads(sbom)["components"]
+    bad = [item for item in components if (item["name"], item["version"]) == ("libssl3", "3.0.1")]
+    said = {"VulnerabilityID": "CVE-2026-1", "PkgName": "libssl3", "InstalledVersion": "3.0.1", "Severity": "HIGH"}
+    return Report.model_validate(
+        {"SchemaVersion": 2, "Results": [{"Vulnerabilities": [said | {"FixedVersion": "3.0.2"}] * len(bad)}]}
+    )
+
+
+def test_only_apps_with_a_vulnerability_move(place: Place) -> None:
+    """Those whose new base image has the fix."""
+    old = place.base()
+    place.sbom("rosml/ros", old, ["libssl3@3.0.1"])
+    own = changed(OWN, packages=[package("libssl3", "3.0.1", files=[])])
+    names = {
+        name: App(old, said, name=name).put(place.registry, "latest")
+        for name, said in (("has", OWN), ("itself", own), ("not", OWN))
+    }
+    for name, packages in (("has", ["libssl3@3.0.1"]), ("itself", ["libssl3@3.0.1"]), ("not", ["libssl3@3.0.2"])):
+        place.sbom(f"me/{name}", names[name], packages)
+    new = place.base(files=("usr/bin/env", "bin", "usr/bin/new"))
+    place.sbom("rosml/ros", new, ["libssl3@3.0.2"])
+    screen = Screen("CVE-2026-1", report)
+    found = run(place, *(Entry(app=name) for name in names.values()), screen=screen)
+    assert {name: outcome.state for name, outcome in found.items()} == {
+        "has:latest": "moved",
+        "itself:latest": "refused",
+        "not:latest": "unaffected",
+    }
+    assert "libssl3 3.0.1 (fixed in 3.0.2) has CVE-2026-1, and" in found["itself:latest"].reason
+    with pytest.raises(RosmlError, match="is no name of an advisory"):
+        require_advisory("the bad one")

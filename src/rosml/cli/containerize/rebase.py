@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -48,6 +48,9 @@ KEPT = "interrupted: the old tag stands; the next call finds again what was push
     "--variants", default="", metavar="STACKS", help="an image for each of these, such as cpu,cu130: TAG-cpu, TAG-cu130"
 )
 @click.option(
+    "--fixes", default="", metavar="CVE", help="with --all: only apps that have it, if their new base image has not"
+)
+@click.option(
     "--check",
     type=click.Choice(["auto", "metadata", "link", "run"]),
     default="auto",
@@ -64,6 +67,7 @@ def main(
     platforms: tuple[str, ...],
     apps: Path | None,
     variants: str,
+    fixes: str,
     check: str,
     command: str,
     no_sbom: bool,
@@ -83,6 +87,7 @@ def main(
       rosml rebase ghcr.io/me/robot:latest
       rosml rebase ghcr.io/me/robot:latest --base ghcr.io/us/ros-torch:jazzy-base-cu130 --tag ghcr.io/me/robot:torch
       rosml rebase --all apps.yaml
+      rosml rebase --all apps.yaml --fixes CVE-2026-12345
     """
     from rosml.containerize.rebase.rebaser import Rebaser
     from rosml.machine.services import Services
@@ -103,12 +108,14 @@ def main(
         raise RosmlError("--variants chooses base images and platforms by itself", "leave the other option out", 2)
     if apps and given:
         raise RosmlError(f"--all and {given[0]} exclude each other", "write what holds for an app into the file", 2)
+    if fixes and not apps:
+        raise RosmlError("--fixes looks at the apps of a file", "name it with --all apps.yaml", exit_code=2)
     if not apps and not app:
         raise RosmlError("no app is named", "name one, or a file of them with --all apps.yaml", exit_code=2)
     services = Services.load(ROOT, required=False)
     with Registries(services.ca_bundle) as registries, Rebaser(services, registries, say) as rebaser:
         if apps:
-            _fleet(rebaser, apps, with_sbom=not no_sbom, as_json=as_json)
+            _fleet(rebaser, apps, fixes, with_sbom=not no_sbom, as_json=as_json)
             return
         plans = [rebaser.plan(app, base, tag, platforms)] if not variants else _variants(rebaser, app, variants, tag)
         found = [_moved(rebaser, plan, check, command, not no_sbom, dry_run) for plan in plans]
@@ -150,7 +157,7 @@ def _moved(rebaser: Rebaser, plan: Plan, check: str, command: str, with_sbom: bo
     return found
 
 
-def _fleet(rebaser: Rebaser, file: Path, with_sbom: bool, as_json: bool) -> None:
+def _fleet(rebaser: Rebaser, file: Path, fixes: str, with_sbom: bool, as_json: bool) -> None:
     """Moves the apps of a file.
 
     Raises:
@@ -159,14 +166,36 @@ def _fleet(rebaser: Rebaser, file: Path, with_sbom: bool, as_json: bool) -> None
     from rosml.base.clock import now
     from rosml.containerize.rebase import fleet
 
-    date = now()
-    found = fleet.Fleet(rebaser, date, _link, _start, with_sbom, say).run(fleet.read(file))
+    date, entries = now(), fleet.read(file)
+    screen = _screen(fixes) if fixes else None
+    found = fleet.Fleet(rebaser, date, _link, _start, with_sbom, say, screen).run(entries)
     if as_json:
         terminal.echo(json.dumps({"date": date, "apps": [item.to_json() for item in found]}, indent=2))
     else:
         _tell(found, date)
     if any(item.state in ("refused", "failed") for item in found):
         raise SystemExit(1)
+
+
+def _screen(name: str) -> Callable[[bytes, str], str]:
+    """Looks for a vulnerability in SBOMs, by the scanner of `rosml setup scanner` and its database.
+
+    Raises:
+        RosmlError: it is no name of one (exit code 2), the scanner is missing, or its database is too old.
+    """
+    from datetime import UTC, datetime
+
+    from rosml.containerize.rebase.screen import Screen, require_advisory
+    from rosml.images.scan import policy
+    from rosml.images.scan.trivy import Trivy
+    from rosml.machine import trust
+    from rosml.machine.services import Services
+
+    require_advisory(name)  # before the database is fetched
+    trivy = Trivy.find(ROOT, environment=trust.trusting(Services.load(ROOT, required=False)))
+    rules = policy.load(ROOT / "scan.yaml").policy.database
+    trivy.fetch(rules, say=say).require_fresh(rules, datetime.now(UTC))
+    return Screen(name, trivy.scan)
 
 
 def _tell(found: Sequence[Outcome], date: str) -> None:
@@ -177,7 +206,8 @@ def _tell(found: Sequence[Outcome], date: str) -> None:
             terminal.echo(f"         {line}")
         if item.remedy:
             terminal.echo(f"         {item.remedy}")
-    counts = {state: sum(item.state == state for item in found) for state in ("moved", "there", "refused", "failed")}
+    states = ("moved", "there", "unaffected", "refused", "failed")
+    counts = {state: sum(item.state == state for item in found) for state in states}
     terminal.echo(", ".join(f"{number} {state}" for state, number in counts.items() if number))
     if counts["moved"]:
         terminal.echo(f"back: rosml publish undo {date} --registry REGISTRY/FOLDER, with the folder of the apps")

@@ -171,7 +171,7 @@ class Contents:
             registry.attach(repository, subject, file_lists.ARTIFACT, data, file_lists.MEDIA_TYPE, more=more)
         if with_sbom and sbom.MEDIA_TYPE not in there:
             reference = f"{host}/{repository}@{subject['digest']}"
-            data = self._sbom(app, own, base, reference)
+            data = self.sbom(app, base, reference)
             registry.attach(repository, subject, sbom.MEDIA_TYPE, data, sbom.MEDIA_TYPE, sbom.FORMAT)
         return registry.sent_by_this_thread - before
 
@@ -199,8 +199,28 @@ class Contents:
                         )
                     yield {"mediaType": layer.mediaType, "digest": layer.digest, "size": layer.size}
 
-    def _sbom(self, app: Source, own: Facts, base: Known, reference: str) -> bytes:
-        """The SBOM of an app on another base image: the base image's components, and the app's own."""
+    def sbom_of(self, app: Source) -> bytes:
+        """The SBOM of an app.
+
+        Raises:
+            RosmlError: it has none (exit code 2), or the registry does not answer or refuses.
+        """
+        place = Place(app.host, app.repository, app.digest)
+        for item in self._artifacts(place, sbom.MEDIA_TYPE):
+            if item.annotations.items() >= sbom.FORMAT.items():
+                return self._registry(place).part(place.repository, item.layers[0])
+        raise RosmlError(f"{app.name} has no SBOM", "build it again, or move it once, without --no-sbom", exit_code=2)
+
+    def sbom(self, app: Source, base: Known, reference: str) -> bytes:
+        """The SBOM of an app on another base image: the base image's components, and the app's own.
+
+        Args:
+            reference: the new image, by its digest.
+
+        Raises:
+            RosmlError: an SBOM is damaged, or the registry does not answer or refuses.
+        """
+        own = self.own(app)
         there = [*self._components(Place(app.host, app.repository, app.digest))]
         known = [item for place in base.places for item in self._components(place)]
         every = {item["bom-ref"]: item for item in (*known, *(item for item in there if _is_own(item, own)))}

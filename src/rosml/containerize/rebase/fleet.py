@@ -21,6 +21,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import unknown
 from rosml.base.side_by_side import side_by_side
 from rosml.containerize.app_bake_file import BASE_NAME
+from rosml.containerize.rebase import image
 from rosml.containerize.rebase.rebaser import Plan, Rebased, Rebaser
 from rosml.containerize.rebase.trial import Pair
 from rosml.images.matrix import source, validate
@@ -40,7 +41,7 @@ MANY = 10_000
 _OURS = "sha256-"
 """The beginning of tags that are no app's: lists of what is attached to an image."""
 
-State = Literal["moved", "there", "refused", "failed"]
+State = Literal["moved", "there", "unaffected", "refused", "failed"]
 
 
 class Entry(Facts):
@@ -68,7 +69,8 @@ class Outcome:
 
     Attributes:
         app: its complete reference.
-        state: `moved`, `there` if it was on the newest base image already, `refused` by the checks, or `failed`.
+        state: `moved`, `there` if it was on the newest base image already, `unaffected` by the vulnerability, `refused` by the checks,
+            or `failed`.
         reason: why it was refused or failed.
         remedy: what to do about it.
         rebased: the result, if it moved or was there.
@@ -110,6 +112,7 @@ class Fleet:
         date: of the run.
         link: links an app in the builder; raises if it lacks something.
         start: starts a command in an app; raises if it fails.
+        screen: names the packages of an SBOM that have a vulnerability; None to move all apps.
         with_sbom: attach SBOMs.
         say: prints a line for people.
     """
@@ -120,6 +123,7 @@ class Fleet:
     start: Callable[[Rebased, dict[str, Pair], str], None]
     with_sbom: bool = True
     say: Callable[[str], None] = lambda _: None
+    screen: Callable[[bytes, str], str] | None = None
     _building: threading.Lock = field(default_factory=threading.Lock)
 
     def run(self, entries: Iterable[Entry]) -> list[Outcome]:
@@ -185,12 +189,29 @@ class Fleet:
 
     def _plan(self, name: str, entry: Entry) -> _Ready | Outcome:
         try:
+            has = self._has(name) if self.screen else ""
+            if self.screen and not has:
+                return Outcome(name, "unaffected")
             plan = self.rebaser.plan(name, entry.base)
+            if left := self._left(plan) if self.screen else "":
+                return Outcome(name, "refused", f"{has}, and {left} on {plan.base.name}", image.AGAIN)
             if plan.there == plan.digest:
                 return Outcome(name, "there")
             return _Ready(name, entry, plan, self._moves(plan))
         except RosmlError as error:
             return Outcome(name, "refused" if error.exit_code == 2 else "failed", error.message, error.remedy)
+
+    def _has(self, name: str) -> str:
+        """The packages of an app that have the vulnerability."""
+        assert self.screen
+        found = [self.screen(self.rebaser.sbom(source), name) for source in self.rebaser.read(name).values()]
+        return next(filter(None, found), "")
+
+    def _left(self, plan: Plan) -> str:
+        """The packages that have it on the new base image as well."""
+        assert self.screen
+        found = [self.screen(self.rebaser.new_sbom(plan, platform), plan.named) for platform in plan.images]
+        return next(filter(None, found), "")
 
     def _moves(self, plan: Plan) -> list[Move]:
         """The moves of an app's tags, in their order: the dated one first."""

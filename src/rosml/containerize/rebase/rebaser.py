@@ -227,6 +227,22 @@ class Rebaser:
         found.seconds = time.monotonic() - started
         return found
 
+    def sbom(self, app: Source) -> bytes:
+        """The SBOM that is attached to an app.
+
+        Raises:
+            RosmlError: there is none (exit code 2), or the registry does not answer or refuses.
+        """
+        return self._contents.sbom_of(app)
+
+    def new_sbom(self, plan: Plan, platform: str) -> bytes:
+        """The SBOM that the new image will have.
+
+        Raises:
+            RosmlError: the registry does not answer or refuses.
+        """
+        return self._contents.sbom(plan.old[platform], plan.known[platform], f"{plan.target}@{plan.digest}")
+
     def pairs(self, plan: Plan) -> dict[str, Pair]:
         """The new and the old image for each platform, for a trial of what `push` has pushed."""
         new, old = (f"{where.host}/{where.repository}" for where in (plan.target, plan.app))
