@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import secrets
 import shutil
 import sys
 from pathlib import Path
@@ -39,6 +40,9 @@ dpkg --install greet.deb
 cp /in/libvendor.so /opt/vendor/
 rm -r "$folder"
 """
+RUN = secrets.token_hex(4)
+"""Makes images of this run: tags that an earlier one left point at others."""
+
 NODE = """#include <stdio.h>
 const char *greeting(void);
 int vendor(void);
@@ -67,7 +71,7 @@ def base(
     folder.mkdir()
     architecture = run("dpkg", "--print-architecture").out.strip()
     (folder / "control").write_text(DEBIAN.format(version, architecture))
-    (folder / "greet.c").write_text(f'const char *{greeting}(void) {{ return "hello of {version}"; }}\n')
+    (folder / "greet.c").write_text(f'const char *{greeting}(void) {{ return "hello of {version} in {RUN}"; }}\n')
     (folder / "vendor.c").write_text(f"int vendor(void) {{ return {vendor}; }}\n")
     (folder / "install.sh").write_text(LIBRARIES)
     (folder / "Dockerfile").write_text(
@@ -143,7 +147,7 @@ def test_an_app_moves_to_another_base_image(published: Publish, services: Servic
     (tmp_path / "chk/Dockerfile").write_text(
         "".join(
             f"FROM {moved[target]['reference']} AS {target}\n"
-            "RUN /entrypoint.sh bash -c \"$DEFAULT_CMD\" | grep 'hello of 1.1 2' && /entrypoint.sh rospack find compass\n"
+            f"RUN /entrypoint.sh bash -c \"$DEFAULT_CMD\" | grep 'hello of 1.1 in {RUN} 2' && /entrypoint.sh rospack find compass\n"
             for target in moved
         )
         + "FROM scratch\nCOPY --from=run /tini /1\nCOPY --from=slim /tini /2\n"
