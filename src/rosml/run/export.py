@@ -22,6 +22,9 @@ SYNONYMS = {"net": "network", "dns-option": "dns-opt"}
 FIELDS = {"src": "source", "dst": "target", "destination": "target", "ro": "readonly"}
 """Fields of `--mount` with several names."""
 
+NAMED = ("annotation", "env", "label")
+"""Options whose value has a name."""
+
 X11 = ("-v", "/tmp/.X11-unix:/tmp/.X11-unix", "-e", "DISPLAY", "-e", "QT_X11_NO_MITSHM=1")
 """Options for windows that last as long as a file: the sockets of all displays, and the DISPLAY of the user who starts it."""
 
@@ -132,7 +135,7 @@ def call(context: Context, argv: Sequence[str], place: str = "") -> Call:
         place: the folder for which the file is; by default the current one.
 
     Raises:
-        RosmlError: a word of the command is no text.
+        RosmlError: a word of the command is no text, or the engines refuse a name.
     """
     odd = next((word for word in argv if not _is_text(word)), None)
     if odd is not None:
@@ -142,9 +145,31 @@ def call(context: Context, argv: Sequence[str], place: str = "") -> Call:
     kept = tuple(option for option in options if option.name not in OF_A_CALL)
     folder = context.person.folder
     seen = replace(context.person, terminal=True)
-    named = concerns.as_name(context.line.value("name"))
+    named = _named(kept)
     name = named or concerns.name_of(Line((), (), line.image, ()), seen) or "container"
     return Call(name, kept, line.image, line.command, folder, place or folder, context.engine, context.image)
+
+
+def _named(options: Sequence[Option]) -> str:
+    """The value of --name; empty if there is none. The engines look at names before they start anything, so we do as well.
+
+    Raises:
+        RosmlError: it is none, or a variable or a label has no name.
+    """
+    name = ""
+    for option in options:
+        value = option.value or ""
+        if option.name == "name":
+            name = value
+            if concerns.as_name(value) != value or not value:
+                text, remedy = (
+                    f"--name {value!a} is no name of a container",
+                    "write letters, digits, and then also _ . -",
+                )
+                raise RosmlError(text, remedy, exit_code=2)
+        elif option.name in NAMED and not value.partition("=")[0]:
+            raise RosmlError(f"--{option.name} {value!a} has no name", f"write --{option.name} NAME=VALUE", exit_code=2)
+    return name
 
 
 def _is_text(word: str) -> bool:
@@ -198,6 +223,9 @@ def volume(option: Option, call: Call, start: str) -> str:
 
 # ---- GPUs ------------------------------------------------------------------------------------------------------------
 
+CERTAIN = """for certain GPUs: --gpus '"device=0,1"'"""
+"""The remedy for GPUs that are not clear."""
+
 COUNT = re.compile("[0-9]{1,18}")
 """A number of GPUs, or of a GPU."""
 
@@ -233,9 +261,12 @@ def gpus(option: Option) -> Gpus:
             raise RosmlError(f"{name} of --gpus has no counterpart in such a file", remedy, exit_code=2)
         if name in found:
             text = f"--gpus {option.value} says {name} twice"
-            raise RosmlError(text, "for certain GPUs: --gpus '\"device=0,1\"'", exit_code=2)
+            raise RosmlError(text, CERTAIN, exit_code=2)
         found[name] = said
     ids = tuple(filter(None, found.get("device", "").split(",")))
+    if ids and "count" in found:
+        text = f"--gpus {option.value} says both how many and which"
+        raise RosmlError(text, CERTAIN, exit_code=2)
     count = found.get("count", "" if ids else "1")
     return Gpus(count, ids, found.get("driver", ""), tuple(filter(None, found.get("capabilities", "").split(","))))
 

@@ -138,9 +138,9 @@ def _digests(call: Call) -> list[str]:
 
 def _image(call: Call) -> str:
     """The image, with its digest if that is known."""
-    if not trust.REFERENCE.fullmatch(call.image):
+    if trust.repository(call.image, call.about.id, podman=False).startswith("sha256:"):
         text = f"{call.image!a} is no name of an image that a cluster can pull"
-        raise RosmlError(text, "push it to a registry, and write its name there", exit_code=2)
+        raise RosmlError(text, trust.PUSHED, exit_code=2)
     found = _digests(call)
     return call.image if "@" in call.image or not found else f"{call.image}@{found[0]}"
 
@@ -233,9 +233,13 @@ def _part(option: Option, call: Call) -> dict[str, Any]:
         policy = {"dnsPolicy": "ClusterFirstWithHostNet"} if name == "network" else {}
         return {HOST[name]: True, **policy}
     if name not in MADE:
-        raise _without(f"--{name}={value}" if name in (*HOST, *DEFAULTS) else f"--{name}", f"leave out --{name}")
+        remedy = REMEDIES.get(name, f"leave out --{name}")
+        raise _without(f"--{name}={value}" if name in (*HOST, *DEFAULTS) else f"--{name}", remedy)
     return MADE[name](option, call)
 
+
+REMEDIES = {"env-file": "write -e NAME=VALUE, or leave it out and add a ConfigMap or a Secret to the file"}
+"""Remedies other than to leave an option out."""
 
 HEALTH = ("health-cmd", "health-interval", "health-retries", "health-start-period", "health-timeout")
 
@@ -282,6 +286,8 @@ def _security(option: Option, call: Call) -> dict[str, Any]:
 
 def _capability(option: Option, call: Call) -> dict[str, Any]:
     name = (option.value or "").upper().removeprefix("CAP_")
+    if not re.fullmatch("[A-Z][A-Z_]*", name):
+        raise _without(f"--{option.name} {option.value!a}", "write a name such as SYS_NICE")
     return _safety({"capabilities": {option.name.removeprefix("cap-"): [name]}})
 
 
@@ -292,7 +298,9 @@ def _group(option: Option, call: Call) -> dict[str, Any]:
 
 
 def _sysctl(option: Option, call: Call) -> dict[str, Any]:
-    name, _, value = (option.value or "").partition("=")
+    name, equals, value = (option.value or "").partition("=")
+    if not equals:
+        raise _without(f"--sysctl {option.value}", "write --sysctl NAME=VALUE")
     return {"securityContext": {"sysctls": [{"name": name, "value": value}]}}
 
 
@@ -334,7 +342,7 @@ def _device(option: Option, call: Call) -> dict[str, Any]:
 
 def _port(option: Option, call: Call) -> dict[str, Any]:
     found = PORT.fullmatch(option.value or "")
-    if not found:
+    if not found or not all(0 < int(found[side]) < 2**16 for side in ("host", "inside")):
         raise _without(f"-p {option.value}", "write -p PORT:PORT, the machine's and the container's")
     port: dict[str, Any] = {"containerPort": int(found["inside"]), "hostPort": int(found["host"])}
     port["protocol"] = (found["kind"] or "tcp").upper()

@@ -66,7 +66,7 @@ RESTARTS = {"always": "always", "no": "no", "on-failure": "on-failure", "unless-
 UNITS = (".build", ".container", ".image", ".kube", ".network", ".pod", ".volume")
 """Ends of names that the generator takes for other files of its kind."""
 
-PLAIN = re.compile(r"[A-Za-z0-9_/.@:+=,][A-Za-z0-9_/.@:+=,-]*")
+PLAIN = re.compile(r"[A-Za-z0-9_/.@+][A-Za-z0-9_/.@:+=,-]*")
 """Values that neither the generator nor systemd change."""
 
 PORT = re.compile(r"(?:(?:\d{1,3}(?:\.\d{1,3}){3}:)?\d{1,5}:)?\d{1,5}(?:/(?:tcp|udp))?")
@@ -92,7 +92,7 @@ def service(context: Context) -> Context:
     """The context of podman's: without root unless you are root. Another engine of this machine does not count.
 
     Raises:
-        RosmlError: as in `sessionless`.
+        RosmlError: as in `sessionless`, or podman does not have such an image.
     """
     engine, line = context.engine, context.line
     if not engine.podman:
@@ -103,9 +103,15 @@ def service(context: Context) -> Context:
 
 
 def _named_by_docker(image: str, identity: str) -> str:
-    """The image's whole name: docker has a registry for names without one, podman asks which."""
+    """The image's whole name: docker has a registry for names without one, podman asks which.
+
+    Raises:
+        RosmlError: it is an id, which podman does not know.
+    """
     whole, written = trust.repository(image, identity, podman=False), trust.REFERENCE.fullmatch(image)
-    return image if whole.startswith("sha256:") or not written else whole + image[len(written["name"]) :]
+    if whole.startswith("sha256:") and written:
+        raise RosmlError(f"{image} is an id of docker's, which podman does not have", trust.PUSHED, exit_code=2)
+    return whole + image[len(written["name"]) :] if written else image
 
 
 def text(call: Call) -> str:

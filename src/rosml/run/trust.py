@@ -18,6 +18,9 @@ REFERENCE = re.compile(rf"(?P<name>(?:{_HOST}/)?{_PART}(?:/{_PART})*)(?::{_TAG})
 ID = re.compile("(?:sha256:)?(?P<hex>[0-9a-f]+)")
 """An image's id, or its beginning."""
 
+PUSHED = "push it to a registry, and write its name there"
+"""The remedy for an image that only this machine's engine has."""
+
 TRANSPORTS = (
     "containers-storage",
     "dir",

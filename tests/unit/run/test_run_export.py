@@ -100,7 +100,7 @@ def test_a_whole_file_for_compose() -> None:
         (["--env-file", "./a", "--stop-timeout=5"], {"env_file": [{"path": "./a", "format": "raw"}], "stop_grace_period": "5s"}),
         (["--env-file", "/home/jo/robot/a"], {"env_file": [{"path": "./a", "format": "raw"}]}),
         (["--label-file", "a", "--label-file=../b"], {"label_file": ["./a", "/home/jo/b"]}),
-        (["--restart=no", "--name=x", "--userns=host"], {"restart": "no", "container_name": "x", "userns_mode": "host"}),
+        (["--restart=no", "--name=xy", "--userns=host"], {"restart": "no", "container_name": "xy", "userns_mode": "host"}),
         (["--entrypoint", "a b", "--volumes-from=other"], {"entrypoint": ["a b"], "volumes_from": ["container:other"]}),
     ],
 )  # fmt: skip
@@ -123,6 +123,22 @@ def test_gpus_of_compose(asked: str, expected: dict[str, Any]) -> None:
     assert found == {"driver": "nvidia", "capabilities": ["gpu"], **expected}
 
 
+@pytest.mark.parametrize(
+    ("written", "says"),
+    [
+        (["--name", "a b"], "--name 'a b' is no name"),
+        (["--name="], "--name '' is no name"),
+        (["--name", "x"], "--name 'x' is no name"),
+        (["-e", "=1"], "--env '=1' has no name"),
+        (["-l", ""], "--label '' has no name"),
+    ],
+)
+def test_names_that_the_engines_refuse(written: list[str], says: str) -> None:
+    with pytest.raises(RosmlError, match=says) as caught:
+        call(*written, "x")
+    assert caught.value.remedy and caught.value.exit_code == 2
+
+
 def test_networks_and_volumes_are_those_that_the_engine_has() -> None:
     """Compose would put the project's name before theirs."""
     found = yaml.safe_load(
@@ -132,7 +148,7 @@ def test_networks_and_volumes_are_those_that_the_engine_has() -> None:
     assert found["volumes"] == {"data": {"name": "data"}, "more": {"name": "more"}}
 
 
-VALUES = {"gpus": "device=78", "mount": "source=78,target=/x", "cgroupns": "private", "pull": "missing"}
+VALUES = {"name": "n78", "gpus": "device=78", "mount": "source=78,target=/x", "cgroupns": "private", "pull": "missing"}
 
 
 @pytest.mark.parametrize("name", sorted(words.table().names - {*export.OF_A_CALL}))

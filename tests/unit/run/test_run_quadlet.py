@@ -108,6 +108,7 @@ def test_a_unit_of_the_system() -> None:
         (["--dns-option", "a"], ["--dns-option=a"]),
         (["--entrypoint", ""], ["--entrypoint="]),
         (["--init=false", "--read-only"], ["--init=false", "--read-only"]),
+        (["-v", ":/b"], ["--volume=:/b"]),
         (["-it", "--rm", "-d", "--restart", "no"], []),
     ],
 )  # fmt: skip
@@ -153,7 +154,7 @@ def test_what_systemd_does(written: list[str], expected: dict[str, str]) -> None
 @pytest.mark.parametrize("name", sorted(words.table().names - {*export.OF_A_CALL, *quadlet.DROPPED, "restart"}))
 def test_no_option_gets_lost(name: str) -> None:
     """podman gets it with its whole value, or an error names it."""
-    values = {"gpus": "device=78", "mount": "type=tmpfs,target=/a b/%h"}
+    values = {"name": "n78", "gpus": "device=78", "mount": "type=tmpfs,target=/a b/%h"}
     value = values.get(name, "78=%h $HOME") if name in words.table().values else ""
     try:
         found = options(f"--{name}={value}" if value else f"--{name}")
@@ -172,6 +173,8 @@ def test_no_option_gets_lost(name: str) -> None:
     [
         (["--restart=on-failure:3", "x"], "--restart on-failure:3 does not go with"),
         (["--gpus=0,1", "x"], "says count twice"),
+        (["--gpus=device=0,1", "x"], "says both how many and which"),
+        (["sha256:" + "b" * 64], "is an id of docker's"),
         (["--gpus=0", "x"], "asks for no GPU"),
         (["--gpus=99999", "x"], "asks for no GPU"),
         (["--gpus=all,capabilities=utility", "x"], "whole GPUs"),
@@ -187,7 +190,7 @@ def test_no_option_gets_lost(name: str) -> None:
 )
 def test_what_cannot_be_said(line: list[str], says: str) -> None:
     with pytest.raises(RosmlError) as caught:
-        unit(*line)
+        unit(*line, id="b" * 64)
     assert says in caught.value.message and caught.value.remedy and caught.value.exit_code == 2
 
 

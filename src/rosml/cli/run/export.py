@@ -9,9 +9,10 @@ from pathlib import Path
 
 from rosml.base import terminal
 from rosml.cli import command
-from rosml.cli.run.container import printing
+from rosml.cli.run import container
 from rosml.run import compose, compose_file, devcontainer, export, kubernetes, quadlet
 from rosml.run.context import Context
+from rosml.run.defaults import shown
 from rosml.run.export import Call
 from rosml.run.plugins import Plan
 
@@ -61,7 +62,10 @@ def write(context: Context, planned: Callable[[Context], Plan], kind: str, add: 
     call = export.call(context, plan.argv, place)
     if form.service:
         missing = [folder for folder in plan.folders if not context.host.has(folder)]
-        notes = [(f"{folder} is missing here, and podman makes no folder", f"mkdir -p {folder}") for folder in missing]
+        notes = [
+            (f"{shown(folder)} is missing here, and podman makes no folder", f"mkdir -p {container.shown([folder])}")
+            for folder in missing
+        ]
         for text, remedy in (*export.lacking_command(call), *notes):
             command.warn(text, remedy)
     if add is not None:
@@ -69,5 +73,5 @@ def write(context: Context, planned: Callable[[Context], Plan], kind: str, add: 
         terminal.echo(said, err=True)
         return
     found = form.text(call)
-    with printing():
+    with container.printing():
         terminal.echo(found, nl=False)
