@@ -76,7 +76,12 @@ class Run(container.Words):
     type=click.Choice(["devcontainer", "compose", "quadlet", "kubernetes"]),
     help="print a file for editors, for docker compose, for podman and systemd, or for a cluster, and run nothing",
 )
-@click.option("--add", metavar="FILE", help="with --export compose: add the service to this file, and print nothing")
+@click.option(
+    "--add",
+    metavar="FILE",
+    type=click.Path(),
+    help="with --export compose: add the service to this file, and print nothing",
+)
 @click.argument("image", required=False, expose_value=False)
 @click.argument("command", nargs=-1, type=click.UNPROCESSED, expose_value=False)
 @click.pass_context
