@@ -8,6 +8,7 @@ import os
 import stat
 from collections.abc import Iterator, Mapping
 from pathlib import Path
+from typing import BinaryIO
 
 from rosml.base.errors import RosmlError
 
@@ -51,6 +52,45 @@ def write_all(wanted: Mapping[Path, str], within: Path | None = None) -> list[Pa
             temporary.unlink(missing_ok=True)
         raise
     return written
+
+
+@contextlib.contextmanager
+def whole(file: Path) -> Iterator[BinaryIO]:
+    """A large file to write, from its beginning to its end. It appears under its name only if all went well, and is on the disk then.
+
+    Links are followed. Pipes and devices, such as /dev/stdout, are written to, never replaced.
+
+    Raises:
+        RosmlError: the file cannot be written.
+    """
+    import tempfile  # only needed here
+
+    if file.exists() and not file.is_file() and not file.is_dir():
+        with _told(file), file.open("wb") as stream:
+            yield stream
+        return
+    with _told(file):
+        real = file.resolve()
+        if real.is_dir():
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+        mode = real.stat().st_mode & 0o777 if real.exists() else 0o644
+        descriptor, name = tempfile.mkstemp(dir=real.parent, prefix=f".{real.name[:100]}.")
+    try:
+        with _told(file):
+            with os.fdopen(descriptor, "wb") as stream:
+                yield stream
+                stream.flush()
+                os.fchmod(descriptor, mode)
+                os.fsync(descriptor)
+            os.replace(name, real)
+            folder = os.open(real.parent, os.O_RDONLY)
+            try:
+                os.fsync(folder)
+            finally:
+                os.close(folder)
+    except BaseException:  # also Ctrl-C: leave nothing behind
+        Path(name).unlink(missing_ok=True)
+        raise
 
 
 @contextlib.contextmanager

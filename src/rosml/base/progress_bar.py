@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import contextlib
 import sys
-from collections.abc import Iterable, Iterator
-from typing import TypeVar
+from collections.abc import Callable, Iterable, Iterator
+from typing import TYPE_CHECKING, TypeVar
+
+if TYPE_CHECKING:
+    from rich.progress import ProgressColumn
 
 Thing = TypeVar("Thing")
 
@@ -23,9 +26,36 @@ def over(things: Iterable[Thing], title: str, total: int) -> Iterator[Thing]:
     if total < 2 or not sys.stderr.isatty():
         yield from things
         return
+    from rich.progress import MofNCompleteColumn
+
+    with _bar(title, total, MofNCompleteColumn()) as advance:
+        for thing in things:
+            yield thing
+            advance(1)
+
+
+@contextlib.contextmanager
+def of_bytes(title: str, total: int) -> Iterator[Callable[[int], object]]:
+    """Shows how many bytes are done. Gives a function to call with the number of further bytes.
+
+    Args:
+        title: the name of the work.
+        total: the number of bytes.
+    """
+    if not total or not sys.stderr.isatty():
+        yield lambda _: None
+        return
+    from rich.progress import DownloadColumn
+
+    with _bar(title, total, DownloadColumn()) as advance:
+        yield advance
+
+
+@contextlib.contextmanager
+def _bar(title: str, total: int, count: ProgressColumn) -> Iterator[Callable[[int], object]]:
     from rich.console import Console
     from rich.file_proxy import FileProxy
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
     class Above(FileProxy):
         """Takes lines while there is a bar. rich's own class has no encoding, and click would write past it."""
@@ -33,10 +63,8 @@ def over(things: Iterable[Thing], title: str, total: int) -> Iterator[Thing]:
         encoding, errors = "utf-8", "replace"
 
     console = Console(file=sys.stderr)
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    columns = (TextColumn("{task.description}"), BarColumn(), count, TimeElapsedColumn())
     progress = Progress(*columns, console=console, transient=True, redirect_stdout=False, redirect_stderr=False)
     with contextlib.redirect_stderr(Above(console, sys.stderr)), progress:
         task = progress.add_task(title, total=total)
-        for thing in things:
-            yield thing
-            progress.advance(task)
+        yield lambda number: progress.advance(task, number)

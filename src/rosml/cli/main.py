@@ -57,6 +57,9 @@ SECTIONS = {
         "init": "containerize.init",
         "containerize": "containerize.containerize",
         "rebase": "containerize.rebase",
+        "save": "containerize.save",
+        "load": "containerize.load",
+        "delta": "containerize.delta",
         "ci": "containerize.ci",
     },
     "Find and build base images": {

@@ -199,6 +199,17 @@ class Registry:
             found.read()  # only checks it: a parsed document is kept from its first use on, since a run has thousands
         return found
 
+    def raw_manifest(self, repository: str, digest: str) -> bytes:
+        """A manifest as it was pushed, byte by byte, to pass it on.
+
+        Raises:
+            RosmlError: there is no such manifest, or it is damaged; the registry does not answer or refuses.
+        """
+        answer = self._look("GET", _manifest(repository, digest), repository)
+        if answer is None:
+            raise RosmlError(f"{self.host}/{repository}@{digest} is not there any more", "check its name")
+        return _verified(answer.content, digest)
+
     def put_manifest(
         self, repository: str, reference: str, content: bytes | Mapping[str, Any], media_type: str = IMAGE
     ) -> str:

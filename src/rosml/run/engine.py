@@ -76,6 +76,9 @@ IMAGE = "{{json .}}"
 NAMED = re.compile(r"[A-Za-z0-9][A-Za-z0-9._:/-]*@sha256:[0-9a-f]{64}")
 """The name of an image in a registry by its digest."""
 
+IMAGE_ID = re.compile("(?:sha256:)?[0-9a-f]{64}")
+"""The whole id of an image."""
+
 CONTAINER = (
     "{{json .Name}} {{json .State.Status}} {{json .Image}} {{json .Config}} {{json .Mounts}} {{json .HostConfig}}"
 )
@@ -206,6 +209,43 @@ def folder(command: str, image: str, place: str) -> list[str]:
     alone = ("--rm", "--network", "none", "--entrypoint", "ls")
     listed = _ended(_begun(command, "run", *alone, image, place))
     return [] if listed.code else listed.text.split()
+
+
+def layers(command: str) -> dict[str, tuple[str, ...]]:
+    """All images of an engine by id, each with the digests of its layers before they were compressed, lowest first.
+
+    Raises:
+        RosmlError: the engine does not answer, or we cannot read its answer.
+    """
+    listed = _ended(_begun(command, "image", "ls", "--quiet", "--no-trunc"))
+    if listed.code:
+        raise _silent(command, listed.complaint)
+    ids = list(dict.fromkeys(listed.text.split()))
+    with _understood(command, listed, "image", "ls"):
+        if not all(map(IMAGE_ID.fullmatch, ids)):
+            raise ValueError(listed.text)
+    found = dict[str, tuple[str, ...]]()
+    if not ids:
+        return found
+    # An image that is removed meanwhile is missing in the answer.
+    answer = _ended(_begun(command, "image", "inspect", *ids))
+    with _understood(command, answer, "image", "inspect", *ids):
+        for said in _kind(list, untrusted.json_value(answer.text[answer.text.find("[") :])):
+            root = _kind(dict, _kind(dict, said).get("RootFS") or {})
+            found[_bare(said.get("Id"))] = tuple(_texts(root.get("Layers")))
+    return found
+
+
+def keeps_chains(command: str) -> bool:
+    """Whether an engine is docker with its classic store, which finds a layer by all that is below it.
+
+    Raises:
+        RosmlError: the engine does not answer.
+    """
+    said = _ended(_begun(command, "info", "--format", INFO))
+    if (found := _engine(command, said)) is None:
+        raise _silent(command, said.complaint)
+    return not found.podman and "io.containerd.snapshotter" not in said.text
 
 
 def image_names(command: str) -> list[str]:

@@ -40,6 +40,7 @@ WORDS = [
     "catalogue",
     "ci",
     "containerize",
+    "delta",
     "diff",
     "doctor",
     "explain",
@@ -48,12 +49,14 @@ WORDS = [
     "init",
     "join",
     "list",
+    "load",
     "locks",
     "part",
     "plan",
     "publish",
     "rebase",
     "run",
+    "save",
     "setup",
 ]
 

@@ -40,7 +40,7 @@ COMMANDS: dict[str, click.Command] = {
     **{f"publish {name}": found for name, found in publish.main.commands.items()},
     **{
         name: main.cli.commands[name]
-        for name in ("catalogue", "generate", "image", "init", "join", "locks", "part", "plan", "status")
+        for name in ("catalogue", "delta", "generate", "image", "init", "join", "load", "locks", "part", "plan", "save", "status")
     },
 }
 

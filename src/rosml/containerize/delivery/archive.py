@@ -1,0 +1,252 @@
+"""OCI archives: a tar file of an OCI image layout. They are written in one go, and read as a stranger's word.
+
+https://github.com/opencontainers/image-spec/blob/main/image-layout.md
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import tarfile
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import Any, BinaryIO
+
+from rosml.base import archives
+from rosml.base.errors import RosmlError
+from rosml.registry import oci
+
+LAYOUT = "oci-layout"
+INDEX = "index.json"
+DOCKER = "manifest.json"
+"""Docker's own list of what an archive holds. Docker before 25 knows no other."""
+
+LEFT_OUT = "io.rosml.left-out"
+"""The annotation of an index that names layers which are not in the archive: for each image that has some, their digests."""
+
+NAME, TAG = "io.containerd.image.name", "org.opencontainers.image.ref.name"
+"""Annotations of an image in an archive: its whole name, by which engines call it; and its tag alone."""
+
+ENTRIES = 4096
+"""The most entries that an archive may have. An image has at most some hundred layers."""
+
+BLOCK = 1 << 20
+
+_AGAIN = "copy it again, or save it again with rosml save"
+
+
+def path(digest: str) -> str:
+    """The name of a blob in an archive."""
+    return f"blobs/{digest.replace(':', '/')}"
+
+
+class Sink:
+    """A blob that arrives, perhaps in several attempts from its beginning on."""
+
+    def __init__(self, out: BinaryIO, digest: str, size: int, advance: Callable[[int], object]) -> None:
+        self._out, self._digest, self._size, self._advance = out, digest, size, advance
+        self._state, self._written = hashlib.new(digest.partition(":")[0]), 0
+
+    def write(self, blocks: Iterable[bytes]) -> None:
+        """Writes a blob without the beginning that was written already."""
+        skip = self._written
+        for block in blocks:
+            rest = block[skip:]
+            skip -= len(block) - len(rest)
+            if self._written + len(rest) > self._size:
+                raise RosmlError(f"{self._digest} has more than {self._size} bytes", _AGAIN)
+            self._out.write(rest)
+            self._state.update(rest)
+            self._written += len(rest)
+            self._advance(len(rest))
+
+    def end(self) -> None:
+        """Checks size and digest.
+
+        Raises:
+            RosmlError: one of them is another.
+        """
+        if self._written != self._size:
+            raise RosmlError(f"{self._digest} has {self._written} bytes instead of {self._size}", _AGAIN)
+        if self._state.hexdigest() != self._digest.partition(":")[2]:
+            raise RosmlError(f"{self._digest} has another digest: it is damaged", _AGAIN)
+        self._out.write(bytes(-self._size % tarfile.BLOCKSIZE))
+
+
+class Writer:
+    """Writes an archive. The same calls give the same bytes.
+
+    Attributes:
+        advance: is called with the number of bytes of a blob that were written.
+    """
+
+    def __init__(self, out: BinaryIO, advance: Callable[[int], object] = lambda _: None) -> None:
+        self._out, self.advance = out, advance
+        self.text(LAYOUT, oci.encoded({"imageLayoutVersion": "1.0.0"}))
+
+    def text(self, name: str, data: bytes) -> None:
+        """Adds a small file."""
+        self._head(name, len(data))
+        self._out.write(data + bytes(-len(data) % tarfile.BLOCKSIZE))
+
+    def blob(self, digest: str, size: int, send: Callable[[Callable[[Iterable[bytes]], None]], object]) -> None:
+        """Adds a blob.
+
+        Args:
+            send: calls the function that it gets with the pieces of the blob; again, from the beginning, if the connection broke.
+
+        Raises:
+            RosmlError: it has another size or digest.
+        """
+        self._head(path(digest), size)
+        sink = Sink(self._out, digest, size, self.advance)
+        send(sink.write)
+        sink.end()
+
+    def end(self) -> None:
+        """Writes the end of the archive."""
+        self._out.write(bytes(2 * tarfile.BLOCKSIZE))
+        self._out.flush()
+
+    def _head(self, name: str, size: int) -> None:
+        entry = tarfile.TarInfo(name)
+        entry.size, entry.mode, entry.mtime = size, 0o644, 0
+        self._out.write(entry.tobuf(tarfile.GNU_FORMAT))
+
+
+def index(manifest: Mapping[str, Any], name: str, left_out: Mapping[str, Sequence[str]]) -> bytes:
+    """The index of an archive with one image.
+
+    Args:
+        manifest: its descriptor.
+        name: its complete reference with a tag; empty if it has none.
+        left_out: the layers that are not in the archive, by the image that has them.
+    """
+    named = {NAME: name, TAG: name.rpartition(":")[2]} if name else {}
+    noted = {LEFT_OUT: oci.encoded(left_out).decode()} if left_out else {}
+    entry = {**manifest, **({"annotations": named} if named else {})}
+    content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": [entry]}
+    return oci.encoded({**content, **({"annotations": noted} if noted else {})})
+
+
+def for_docker(config: str, layers: Iterable[str], name: str) -> bytes:
+    """The same for Docker.
+
+    Args:
+        config: the digest of the image's config.
+        layers: the digests of its layers, lowest first.
+        name: its complete reference with a tag; empty if it has none.
+    """
+    tags = [name] if name else None
+    return json.dumps([{"Config": path(config), "RepoTags": tags, "Layers": [path(item) for item in layers]}]).encode()
+
+
+class Archive:
+    """An archive that somebody gave us. Only files of known names are read, each once, and nothing is unpacked.
+
+    Attributes:
+        name: of the file, for messages.
+    """
+
+    def __init__(self, file: BinaryIO, name: str) -> None:
+        """
+        Raises:
+            RosmlError: it is no tar file, is damaged, or has an entry that no OCI archive has.
+        """
+        self.name, self._file = name, file
+        self._length = file.seek(0, 2)
+        self._places: dict[str, tuple[int, int]] = {}
+        file.seek(0)
+        for entry in entries(file, "r:", name):
+            self._add(entry)
+        if LAYOUT not in self._places or INDEX not in self._places:
+            raise RosmlError(f"{name} is no OCI archive: it has no {LAYOUT} or no {INDEX}", _AGAIN, exit_code=2)
+
+    def _add(self, entry: tarfile.TarInfo) -> None:
+        name = entry.name.removeprefix("./").rstrip("/")
+        if entry.isdir() or not (name in (LAYOUT, INDEX) or name.startswith("blobs/")):
+            return
+        if not is_plain(entry):
+            raise self.damaged(f"{name[:100]!r} is no plain file")
+        if name in self._places:
+            raise self.damaged(f"it has {name[:100]!r} twice")
+        if entry.offset_data + entry.size > self._length:
+            raise self.damaged(f"it ends within {name[:100]}")
+        self._places[name] = entry.offset_data, entry.size
+
+    def size(self, digest: str) -> int | None:
+        """The size of a blob in bytes; None if it is not there."""
+        place = self._places.get(path(digest))
+        return place and place[1]
+
+    def text(self, name: str, limit: int) -> bytes:
+        """A small file.
+
+        Args:
+            name: in the archive. limit: the most bytes.
+
+        Raises:
+            RosmlError: there is no such file, or it has more bytes.
+        """
+        if name not in self._places:
+            raise self.damaged(f"it lacks {name}")
+        offset, size = self._places[name]
+        if size > limit:
+            raise self.damaged(f"{name} has {size:,} bytes, and at most {limit:,} are read")
+        self._file.seek(offset)
+        return self._file.read(size)
+
+    def small_blob(self, digest: str, limit: int) -> bytes:
+        """A small blob.
+
+        Raises:
+            RosmlError: there is none, it has more bytes, or another digest.
+        """
+        data = self.text(path(digest), limit)
+        if hashlib.new(digest.partition(":")[0], data).hexdigest() != digest.partition(":")[2]:
+            raise self.damaged(f"{digest} has another digest")
+        return data
+
+    def blocks(self, digest: str) -> Iterator[bytes]:
+        """The pieces of a blob that is there. Who reads them checks the digest."""
+        offset, size = self._places[path(digest)]
+        end = offset + size
+        while offset < end:
+            self._file.seek(offset)
+            block = self._file.read(min(BLOCK, end - offset))
+            if not block:
+                raise self.damaged(f"it ends within {digest}")
+            offset += len(block)
+            yield block
+
+    def damaged(self, why: str) -> RosmlError:
+        """The error about an archive that rosml does not take."""
+        return RosmlError(f"{self.name} is damaged: {why}", _AGAIN)
+
+
+def entries(file: Any, mode: Any, name: str) -> Iterator[tarfile.TarInfo]:
+    """The entries of a tar file.
+
+    Args:
+        mode: of tarfile: `r:` for a file, `r|` for a pipe.
+        name: for messages.
+
+    Raises:
+        RosmlError: it is no tar file, is damaged, or has more than ENTRIES entries.
+    """
+    try:
+        with tarfile.open(fileobj=file, mode=mode, tarinfo=archives.Entry, bufsize=BLOCK) as archive:
+            for number, entry in enumerate(archive):
+                if number >= ENTRIES:
+                    raise RosmlError(f"{name} has more than {ENTRIES:,} entries", _AGAIN, exit_code=2)
+                if entry.size < 0:
+                    raise tarfile.ReadError("a size is below 0")
+                archive.members = []  # type: ignore[attr-defined] # tarfile would keep them all
+                entry.content = archive  # type: ignore[attr-defined] # to read it from a pipe
+                yield entry
+    except (tarfile.TarError, EOFError, ValueError, OverflowError) as error:
+        raise RosmlError(f"{name} is no tar file, or is damaged: {error}", _AGAIN, exit_code=2) from None
+
+
+def is_plain(entry: tarfile.TarInfo) -> bool:
+    """Whether an entry is a file with its content behind it: no link, no device, no file with holes."""
+    return entry.type in (tarfile.REGTYPE, tarfile.AREGTYPE) and not entry.issparse()

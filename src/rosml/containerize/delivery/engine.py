@@ -1,0 +1,212 @@
+"""What docker or podman of this machine has of an image, and how it gets the rest."""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import re
+import subprocess
+import tarfile
+import tempfile
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import IO, BinaryIO, cast
+
+from rosml.base.errors import RosmlError
+from rosml.containerize.delivery import archive
+from rosml.containerize.delivery.load import Found, Image, Layer
+from rosml.run import engine
+
+_NAMED = re.compile(r"(?:\./)?(?:blobs/sha256/)?([0-9a-f]{64})(?:\.tar)?")
+"""A file of `docker save` or `podman save` whose name is the digest of its content."""
+
+_OLD = re.compile(r"[0-9a-f]{64}/layer\.tar")
+"""A layer of `docker save` before Docker 25. Its name does not say its digest."""
+
+LARGE = "/var/tmp"
+"""Where a layer waits for its digest: /tmp may be in memory."""
+
+
+@dataclass(frozen=True)
+class InEngine:
+    """Layers of an image that an engine has. Docker's classic store and podman have them uncompressed.
+
+    Attributes:
+        command: of the engine.
+        identity: of the image.
+        diff_ids: digests of its layers before they were compressed.
+    """
+
+    command: str
+    identity: str
+    diff_ids: frozenset[str]
+
+    @property
+    def name(self) -> str:
+        """The command that gives them."""
+        return f"{self.command} save {self.identity[:12]}"
+
+    def has(self, layer: Layer) -> bool:
+        """Whether the image has a layer."""
+        return layer.diff_id in self.diff_ids
+
+    def take(self, wanted: Sequence[Layer]) -> Iterator[Found]:
+        """Gives layers while the engine writes them. What is not wanted is dropped as it comes."""
+        left = {**{layer.diff_id: layer for layer in wanted}, **{layer.digest: layer for layer in wanted}}
+        with _reading(self.command, "save", self.identity) as stream:
+            for entry in archive.entries(stream, "r|", self.name):
+                if not archive.is_plain(entry):
+                    continue
+                content = partial(_blocks, entry)
+                if named := _NAMED.fullmatch(entry.name):
+                    digest = f"sha256:{named[1]}"
+                    if layer := left.get(digest):
+                        yield Found(layer, digest, entry.size, partial(_sent, content))
+                        _done(left, layer)
+                elif _OLD.fullmatch(entry.name):
+                    with _kept(content()) as (digest, kept):
+                        if layer := left.get(digest):
+                            yield Found(layer, digest, entry.size, partial(_sent, partial(_again, kept)))
+                            _done(left, layer)
+                if not left:
+                    return
+
+
+def _done(left: dict[str, Layer], layer: Layer) -> None:
+    for digest in (layer.diff_id, layer.digest):
+        left.pop(digest, None)
+
+
+def _sent(content: Callable[[], Iterator[bytes]], write: Callable[[Iterable[bytes]], None]) -> None:
+    write(content())
+
+
+def _blocks(entry: tarfile.TarInfo) -> Iterator[bytes]:
+    stream = cast(tarfile.TarFile, entry.content).extractfile(entry)  # type: ignore[attr-defined]
+    assert stream
+    while block := stream.read(archive.BLOCK):
+        yield block
+
+
+@contextlib.contextmanager
+def _kept(blocks: Iterable[bytes]) -> Iterator[tuple[str, IO[bytes]]]:
+    """The digest of a content, and a file of it for as long as this lasts."""
+    state = hashlib.sha256()
+    with tempfile.TemporaryFile(dir=LARGE) as file:
+        for block in blocks:
+            state.update(block)
+            file.write(block)
+        yield f"sha256:{state.hexdigest()}", file
+
+
+def _again(file: IO[bytes]) -> Iterator[bytes]:
+    file.seek(0)
+    while block := file.read(archive.BLOCK):
+        yield block
+
+
+def sources(command: str, image: Image, only: str = "") -> list[InEngine]:
+    """The images of an engine that have layers that are missing in an archive.
+
+    Args:
+        only: the id of the image that may be asked; all may if empty.
+
+    Raises:
+        RosmlError: the engine does not answer.
+    """
+    missing = {layer.diff_id for layer in image.missing}
+    known = {name: diff_ids for name, diff_ids in engine.layers(command).items() if only in ("", name)}
+    near = sorted(known.items(), key=lambda pair: len(pair[1]))  # `docker save` reads all layers of an image
+    return [InEngine(command, name, frozenset(diff_ids)) for name, diff_ids in near if missing & {*diff_ids}]
+
+
+def held(command: str, image: Image) -> set[str]:
+    """The digests of the layers that docker takes from its own store: it has them in another image, on the same layers.
+
+    docker's classic store keeps a layer with all below it under one name, and reads no file for a layer that it has. docker with containerd's
+    store and podman want all layers in the file.
+
+    Raises:
+        RosmlError: the engine does not answer.
+    """
+    if not engine.keeps_chains(command):
+        return set()
+    wanted = [image.layers[digest].diff_id for digest in image.order]
+    most = 0
+    for diff_ids in engine.layers(command).values():
+        same = (one == other for one, other in zip(wanted, diff_ids, strict=False))
+        most = max(
+            most, next((number for number, is_same in enumerate(same) if not is_same), min(len(wanted), len(diff_ids)))
+        )
+    return {*image.order[:most]}.difference(image.order[most:])
+
+
+@contextlib.contextmanager
+def loading(command: str) -> Iterator[BinaryIO]:
+    """Gives a pipe into `docker load` or `podman load`. The engine gets to an end only if all went well.
+
+    Raises:
+        RosmlError: the engine cannot load what it got.
+    """
+    with tempfile.TemporaryFile() as said:
+        process = _begun(command, "load", stdin=subprocess.PIPE, stdout=said, stderr=subprocess.STDOUT)
+        assert process.stdin
+        broken = False
+        try:
+            yield cast(BinaryIO, process.stdin)
+            process.stdin.close()
+        except BrokenPipeError:
+            broken = True
+            with contextlib.suppress(BrokenPipeError):
+                process.stdin.close()
+        except BaseException:
+            process.kill()
+            with contextlib.suppress(BrokenPipeError):
+                process.stdin.close()
+            process.wait()
+            raise
+        if process.wait() or broken:
+            raise RosmlError(
+                f"{command} cannot load the image: {_last(said)}",
+                "its own message says why; docker info has its version and disk",
+            )
+
+
+@contextlib.contextmanager
+def _reading(command: str, *words: str) -> Iterator[IO[bytes]]:
+    """The output of an engine, until the caller has enough.
+
+    Raises:
+        RosmlError: the engine failed.
+    """
+    with tempfile.TemporaryFile() as said:
+        process = _begun(command, *words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=said)
+        assert process.stdout
+        try:
+            yield process.stdout
+        except RosmlError:
+            if process.poll() not in (None, 0):
+                raise RosmlError(
+                    f"{command} {words[0]} failed: {_last(said)}", f"try `{command} {' '.join(words)} | wc -c`"
+                ) from None
+            raise
+        finally:
+            process.kill()
+            process.stdout.close()
+            process.wait()
+
+
+def _begun(command: str, *words: str, **streams: object) -> subprocess.Popen[bytes]:
+    try:
+        return subprocess.Popen([command, *words], **streams)  # type: ignore[call-overload,no-any-return]
+    except OSError as error:
+        remedy = f"install it again, or name another one with {engine.ENGINE}"
+        raise RosmlError(f"{command} cannot be run: {error.strerror}", remedy) from None
+
+
+def _last(said: IO[bytes]) -> str:
+    """The last line of what a program said."""
+    said.seek(max(0, said.seek(0, 2) - 2000))
+    lines = said.read().decode(errors="replace").strip().splitlines()
+    return lines[-1][:500] if lines else "it says nothing"
