@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 import tarfile
 import zlib
-from typing import Self
+from typing import Any, Self
 
 HEADER_BYTES = 1 << 20
 """The largest header before an entry, in bytes: a long name or an extended header. tarfile reads it whole."""
@@ -46,8 +47,8 @@ def gunzipped(data: bytes, limit: int) -> bytes:
 
 
 class Entry(tarfile.TarInfo):
-    """A tar entry that raises an error if it is damaged, or if its header has more than HEADER_BYTES. tarfile itself takes a
-    damaged entry for the end. Give this class to `tarfile.open` as `tarinfo`."""
+    """A tar entry that raises an error if it is damaged, or if its header has more than HEADER_BYTES or is made to take hours. tarfile
+    itself takes a damaged entry for the end. Give this class to `tarfile.open` as `tarinfo`."""
 
     @classmethod
     def fromtarfile(cls, archive: tarfile.TarFile) -> Self:
@@ -63,3 +64,45 @@ class Entry(tarfile.TarInfo):
             raise tarfile.ReadError(f"a header has {self.size} bytes")
         found: Self = super()._proc_member(archive)  # type: ignore[misc]
         return found
+
+    def _proc_pax(self, archive: tarfile.TarFile) -> Self:
+        under: Any = archive.fileobj
+        data = under.read(-(-self.size // tarfile.BLOCKSIZE) * tarfile.BLOCKSIZE)
+        _require_records(data[: self.size])
+        archive.fileobj = _Read(archive, under, data)  # type: ignore[assignment] # tarfile reads it again
+        found: Self = super()._proc_pax(archive)  # type: ignore[misc]
+        return found
+
+
+_RUN = re.compile(rb"[0-9]{101}")
+"""More digits than a header needs. tarfile looks for a number at each of them, up to the last one."""
+
+_LENGTH = re.compile(rb"([0-9]{1,20}) [^=\n]")
+
+
+def _require_records(data: bytes) -> None:
+    """Checks an extended header: records of `LENGTH NAME=VALUE` and a line's end. In others, tarfile searches from each record to the end.
+
+    Raises:
+        tarfile.ReadError: it is none, or has very long numbers.
+    """
+    at, data = 0, data.rstrip(b"\0")
+    while at < len(data):
+        found = _LENGTH.match(data, at)
+        end = at + int(found[1]) if found else 0
+        if not found or not found.end() < end <= len(data) or data[end - 1] != 0x0A or data.find(b"=", at, end) < 0:
+            raise tarfile.ReadError("an extended header is damaged")
+        at = end
+    if _RUN.search(data):
+        raise tarfile.ReadError("an extended header has a number of more than 100 digits")
+
+
+class _Read:
+    """Gives a piece that was read already, and then makes way for the file itself."""
+
+    def __init__(self, archive: tarfile.TarFile, under: Any, data: bytes) -> None:
+        self._archive, self._under, self._data = archive, under, data
+
+    def read(self, _size: int) -> bytes:
+        self._archive.fileobj = self._under
+        return self._data

@@ -40,7 +40,20 @@ COMMANDS: dict[str, click.Command] = {
     **{f"publish {name}": found for name, found in publish.main.commands.items()},
     **{
         name: main.cli.commands[name]
-        for name in ("catalogue", "delta", "generate", "image", "init", "join", "load", "locks", "part", "plan", "save", "status")
+        for name in (
+            "catalogue",
+            "delta",
+            "generate",
+            "image",
+            "init",
+            "join",
+            "load",
+            "locks",
+            "part",
+            "plan",
+            "save",
+            "status",
+        )
     },
 }
 
@@ -195,8 +208,8 @@ VALUES: Mapping[str, st.SearchStrategy[str]] = {
     "platforms": st.sampled_from(["linux/amd64", "linux/arm64", "arm64", ""]),
     "namespace": st.sampled_from(["rosml", "a/b", "A", ""]),
     "matrix": st.just(str(ROOT / "matrix.yaml")),
-    "plan_file": st.sampled_from(["{root}/plan.json", "{root}/none.json", "{root}/matrix.yaml", "{root}/locks"]),
-    "file": st.sampled_from(["{root}/plan.json", "{root}/none.json", "{root}/matrix.yaml", "{root}/locks"]),
+    "plan_file": st.sampled_from(["{root}/plan.json", "{root}/none.json", "{root}/matrix.yaml", "{root}/locks", "-"]),
+    "file": st.sampled_from(["{root}/plan.json", "{root}/none.json", "{root}/matrix.yaml", "{root}/locks", "-"]),
     "shard": st.sampled_from(["amd64-1", "arm64-1", "x", ""]),
     "date": st.sampled_from([DAY, NEXT, "2999-01-01T00:00:00Z", "yesterday", "2026-11-22T03:00:00", ""]),
     "run": st.sampled_from([DAY, NEXT, "yesterday", ""]),
@@ -215,6 +228,11 @@ VALUES: Mapping[str, st.SearchStrategy[str]] = {
     "ci": st.sampled_from(["github", "gitlab", "none", "jenkins", ""]),
     "push_to": st.sampled_from(["ghcr.io/me/robot", "quay.io/me/robot", "robot", "https://x/y", "none", ""]),
     "report": st.just("{root}/report.md"),
+    "into": st.sampled_from(["{root}/out", "{root}/none/out", "{root}", ""]),
+    **dict.fromkeys(
+        ("image", "have", "origins"),
+        st.sampled_from(["{host}/published/ros:ros1-bookworm-core", "{host}/none:1", "{root}/matrix.yaml", "a b", ""]),
+    ),
     "reports": st.just("{root}/reports"),
     "day": st.sampled_from(["2026-11-22", "today"]),
     **dict.fromkeys(

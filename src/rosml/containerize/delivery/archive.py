@@ -9,7 +9,7 @@ import hashlib
 import json
 import tarfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import Any, BinaryIO
+from typing import Any, BinaryIO, NoReturn
 
 from rosml.base import archives
 from rosml.base.errors import RosmlError
@@ -234,7 +234,7 @@ def entries(file: Any, mode: Any, name: str) -> Iterator[tarfile.TarInfo]:
         RosmlError: it is no tar file, is damaged, or has more than ENTRIES entries.
     """
     try:
-        with tarfile.open(fileobj=file, mode=mode, tarinfo=archives.Entry, bufsize=BLOCK) as archive:
+        with tarfile.open(fileobj=file, mode=mode, tarinfo=_Entry, bufsize=BLOCK) as archive:
             for number, entry in enumerate(archive):
                 if number >= ENTRIES:
                     raise RosmlError(f"{name} has more than {ENTRIES:,} entries", _AGAIN, exit_code=2)
@@ -248,5 +248,14 @@ def entries(file: Any, mode: Any, name: str) -> Iterator[tarfile.TarInfo]:
 
 
 def is_plain(entry: tarfile.TarInfo) -> bool:
-    """Whether an entry is a file with its content behind it: no link, no device, no file with holes."""
-    return entry.type in (tarfile.REGTYPE, tarfile.AREGTYPE) and not entry.issparse()
+    """Whether an entry is a file with its content behind it: no link, and no device."""
+    return entry.type in (tarfile.REGTYPE, tarfile.AREGTYPE)
+
+
+class _Entry(archives.Entry):
+    """An entry, but of no file with holes: tarfile would read a list of them, as long as the archive is."""
+
+    def _refuse(self, *_: object) -> NoReturn:
+        raise tarfile.ReadError("it has a file with holes")
+
+    _proc_sparse = _proc_gnusparse_00 = _proc_gnusparse_01 = _proc_gnusparse_10 = _refuse
