@@ -100,6 +100,23 @@ class Facts:
     taken: Container | None
 
 
+CONTAINERD = "io.containerd.snapshotter"
+"""What docker says of itself if containerd keeps its images."""
+
+
+@dataclass(frozen=True)
+class Store:
+    """How an engine keeps images.
+
+    Attributes:
+        chains: it is docker's classic store, which finds a layer by all that is below it.
+        zstd: it reads layers that are compressed with zstd. docker does since 23.
+    """
+
+    chains: bool
+    zstd: bool
+
+
 def ask(command: str, image: str, name: str) -> Facts:
     """Asks an engine for all facts at once.
 
@@ -236,16 +253,18 @@ def layers(command: str) -> dict[str, tuple[str, ...]]:
     return found
 
 
-def keeps_chains(command: str) -> bool:
-    """Whether an engine is docker with its classic store, which finds a layer by all that is below it.
+def store(command: str) -> Store:
+    """How an engine keeps images.
 
     Raises:
-        RosmlError: the engine does not answer.
+        RosmlError: the engine does not answer, or we cannot read its answer.
     """
     said = _ended(_begun(command, "info", "--format", INFO))
     if (found := _engine(command, said)) is None:
         raise _silent(command, said.complaint)
-    return not found.podman and "io.containerd.snapshotter" not in said.text
+    version = re.search(r'"ServerVersion":\s*"([0-9]{1,4})\.', said.text)
+    podman = found.podman
+    return Store(not podman and CONTAINERD not in said.text, podman or not version or int(version[1]) >= 23)
 
 
 def image_names(command: str) -> list[str]:

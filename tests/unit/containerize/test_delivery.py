@@ -274,6 +274,16 @@ def test_a_delta_counts_each_layer_once(shop: Shop, capsys: pytest.CaptureFixtur
 # ---- Loading ---------------------------------------------------------------------------------------------------------
 
 
+def test_docker_that_cannot_read_zstd_is_said(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
+    layers = [{**oci.descriptor(LAYER, PACKED[name]), "mediaType": LAYER.replace("gzip", "zstd")} for name in "abx"]
+    (shop.folder / "saved.tar").write_bytes(packed(sound(layers=layers)))
+    shop.engine("docker")
+    assert shop.call("load", shop.folder / "saved.tar") == 0
+    (shop.folder / "info.json").write_text('{"ServerVersion": "20.10.24"}')
+    assert shop.call("load", shop.folder / "saved.tar") == 2
+    assert "older than version 23" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("kind", ["old", "docker", "containerd", "podman"])
 def test_an_engine_gets_what_it_lacks(shop: Shop, kind: str) -> None:
     """The app's layer stands on other layers in the new image: docker's classic store does not find it by itself."""

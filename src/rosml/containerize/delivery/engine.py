@@ -128,9 +128,13 @@ def held(command: str, image: Image) -> set[str]:
     store and podman want all layers in the file.
 
     Raises:
-        RosmlError: the engine does not answer.
+        RosmlError: the engine does not answer, or cannot read the image (exit code 2).
     """
-    if not engine.keeps_chains(command):
+    store = engine.store(command)
+    if not store.zstd and any(str(entry["mediaType"]).endswith("zstd") for entry in image.content["layers"]):
+        text = f"{command} here is older than version 23, and cannot read layers with zstd, which {image.name or 'the image'} has"
+        raise RosmlError(text, "update Docker, or take podman: ROSML_ENGINE=podman", exit_code=2)
+    if not store.chains:
         return set()
     wanted = [image.layers[digest].diff_id for digest in image.order]
     most = 0
