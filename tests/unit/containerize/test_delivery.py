@@ -5,7 +5,9 @@ from __future__ import annotations
 import gzip
 import io
 import json
+import os
 import re
+import subprocess
 import sys
 import tarfile
 import time
@@ -14,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from conftest import ROOT
 from registry_stand_in import DROP, StandIn, standing_in
 
 from rosml.cli import command, main
@@ -250,9 +253,20 @@ def test_a_damaged_layer_leaves_no_file(shop: Shop, damage: bytes, capsys: pytes
     assert [path.name for path in shop.folder.iterdir()] == ["bin"]
 
 
-@pytest.mark.parametrize("what", ["a folder", "no folder"])
-def test_a_file_that_cannot_be_written_is_said(shop: Shop, what: str, capsys: pytest.CaptureFixture[str]) -> None:
-    out = shop.folder / ("bin" if what == "a folder" else "none/out")
+def test_a_pipe_gets_the_same_bytes(shop: Shop) -> None:
+    argv = [sys.executable, "-m", "rosml", "save", shop.name("more"), "--have", shop.name("base"), "-o"]
+    done = subprocess.run([*argv, "-"], capture_output=True, check=True, cwd=ROOT)
+    assert done.stdout == shop.save("more", "base").read_bytes()
+    assert b"left out: 2 layers" in done.stderr
+    shop.engine("docker", "base")
+    argv[3:] = ["load", "-"]
+    subprocess.run(argv, input=done.stdout, check=True, env={**os.environ, "PATH": f"{shop.folder}/bin"}, cwd=ROOT)
+    require_whole(shop.loaded, "more", held="ab")
+
+
+@pytest.mark.parametrize("out", ["bin", "none/out", "/dev/full"])
+def test_a_file_that_cannot_be_written_is_said(shop: Shop, out: str, capsys: pytest.CaptureFixture[str]) -> None:
+    out = str(shop.folder / out)
     assert shop.call("save", shop.name("app"), "-o", out) == 1
     assert "cannot be written" in capsys.readouterr().err
 

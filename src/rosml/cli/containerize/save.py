@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import sys
 from pathlib import Path
@@ -60,7 +61,7 @@ def main(image: str, have: tuple[str, ...], output: str, platform: str, as_json:
         known = [delta.complete(name, services, registries) for name in have]
         plan = save.plan(wanted, named, [delta.for_platform(transfer, name, platform) for name in known])
         with (
-            files.whole(Path("/dev/stdout" if pipe else output)) as out,
+            contextlib.nullcontext(sys.stdout.buffer) if pipe else files.whole(Path(output)) as out,
             progress_bar.of_bytes("layers", plan.bytes) as advance,
         ):
             found = save.write(plan, registries(wanted.host), out, advance)

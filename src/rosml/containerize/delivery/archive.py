@@ -192,8 +192,7 @@ class Archive:
         offset, size = self._places[name]
         if size > limit:
             raise self.damaged(f"{name} has {size:,} bytes, and at most {limit:,} are read")
-        self._file.seek(offset)
-        return self._file.read(size)
+        return self._read(offset, size)
 
     def small_blob(self, digest: str, limit: int) -> bytes:
         """A small blob.
@@ -211,12 +210,18 @@ class Archive:
         offset, size = self._places[path(digest)]
         end = offset + size
         while offset < end:
-            self._file.seek(offset)
-            block = self._file.read(min(BLOCK, end - offset))
+            block = self._read(offset, min(BLOCK, end - offset))
             if not block:
                 raise self.damaged(f"it ends within {digest}")
             offset += len(block)
             yield block
+
+    def _read(self, offset: int, size: int) -> bytes:
+        try:
+            self._file.seek(offset)
+            return self._file.read(size)
+        except OSError as error:
+            raise RosmlError(f"{self.name} cannot be read: {error.strerror}", "copy it to another disk first") from None
 
     def damaged(self, why: str) -> RosmlError:
         """The error about an archive that rosml does not take."""
