@@ -293,6 +293,8 @@ def _special_tar(document: bytes) -> Iterator[bytes]:
         "18 path=a\0b\n\n\n\n\n",
     ):
         yield gzip.compress(_pax(text.encode()) + inner, mtime=0)
+    for text in ("1" * 500_000, "2 " * 400_000 + "="):  # tarfile would look at it for an hour
+        yield gzip.compress(_pax(text.encode()) + inner, mtime=0)
     yield gzip.compress(b"\0" * (64 << 20), mtime=0)
     member = tarfile.TarInfo("rosdep/base.yaml")
     member.size = 256 << 20

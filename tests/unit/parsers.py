@@ -6,6 +6,7 @@ from __future__ import annotations
 import contextlib
 import gzip
 import hashlib
+import io
 import json
 import sys
 import zlib
@@ -38,6 +39,8 @@ from rosml.containerize import (
     workspace,
 )
 from rosml.containerize.conditions import holds
+from rosml.containerize.delivery import archive
+from rosml.containerize.delivery import load as load_archive
 from rosml.containerize.init import packages
 from rosml.containerize.rebase import fleet, trial
 from rosml.images.builds import apt_sources, package_state, structure_tests, sync
@@ -50,7 +53,7 @@ from rosml.images.records import store, tag_moves
 from rosml.images.scan import judge, policy, trivy
 from rosml.images.scan.sbom import Sbom
 from rosml.machine.services import Services
-from rosml.registry import references
+from rosml.registry import oci, references
 from rosml.registry.documents import Descriptor
 from rosml.registry.place import Place
 from rosml.run import check, compose, consent, defaults, engine, export, places
@@ -61,6 +64,18 @@ T = TypeVar("T")
 
 NOW = datetime(2026, 11, 22, tzinfo=UTC)
 DIGEST = f"sha256:{'1' * 64}"
+
+SAVED = oci.encoded(
+    {"os": "linux", "architecture": "amd64", "rootfs": {"type": "layers", "diff_ids": [oci.digest_of(b"")]}}
+)
+SAVED_CONTENT = oci.encoded(
+    {
+        "schemaVersion": 2,
+        "config": oci.descriptor(oci.CONFIG, SAVED),
+        "layers": [oci.descriptor("application/vnd.oci.image.layer.v1.tar", b"")],
+    }
+)
+SAVED_MANIFEST = oci.descriptor(oci.IMAGE, SAVED_CONTENT)
 
 
 def written(name: str, read: Callable[[Path], object]) -> Callable[[bytes, Path], object]:
@@ -375,6 +390,24 @@ def layer_of(document: bytes, folder: Path) -> object:
     return apt_sources.parse(texts, "base")
 
 
+def archived(index: bytes = b"", manifest: bytes = b"", config: bytes = SAVED) -> bytes:
+    """The archive of an image, of which these parts are as given."""
+    layers = [oci.descriptor("application/vnd.oci.image.layer.v1.tar", b"")]
+    content = {"schemaVersion": 2, "config": oci.descriptor(oci.CONFIG, config), "layers": layers}
+    manifest = manifest or oci.encoded(content)
+    left_out = {"registry.test/a@sha256:1": [oci.digest_of(b"")]}
+    index = index or archive.index(oci.descriptor(oci.IMAGE, manifest), "registry.test/b:1", left_out)
+    blobs = [(archive.path(oci.digest_of(data)), data) for data in (manifest, config)]
+    return tar_of((archive.LAYOUT, b"{}"), (archive.INDEX, index), *blobs)
+
+
+def image_of(document: bytes, folder: Path) -> object:
+    """The image of an archive."""
+    with contextlib.suppress(zlib.error):  # as in `left_of`
+        document = zlib.decompressobj(31).decompress(document, 20 << 20)
+    return load_archive.read(archive.Archive(io.BytesIO(document), "a")).missing
+
+
 def unpacked(document: bytes, folder: Path) -> object:
     """rosdep's lists of a registry."""
     rosdep_index.unpack(document, folder, "the lists")
@@ -661,6 +694,18 @@ PARSERS: dict[str, Parser] = {
     "rosdep's list": Parser("yaml", [KEYS], rosdep_list_of),
     "rosdep's lists of a registry": Parser(
         "tar", [tar_of(("rosdep/base.yaml", KEYS), ("index-v4.yaml", INDEX))], unpacked
+    ),
+    "archive of an image": Parser("tar", [archived()], image_of),
+    "index in an archive": Parser(
+        "json",
+        [archive.index(SAVED_MANIFEST, "registry.test/b:1", {"a": [oci.digest_of(b"")]})],
+        lambda document, folder: image_of(archived(document), folder),
+    ),
+    "manifest in an archive": Parser(
+        "json", [SAVED_CONTENT], lambda document, folder: image_of(archived(manifest=document), folder)
+    ),
+    "config in an archive": Parser(
+        "json", [SAVED], lambda document, folder: image_of(archived(config=document), folder)
     ),
     "record": Parser("json", as_json(ENTRY), entry_of),
     "scan of a record": Parser(

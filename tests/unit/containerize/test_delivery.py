@@ -40,7 +40,7 @@ def layer(name: str) -> bytes:
 
 PLAIN = {name: layer(name) for name in "abcxy"}
 PACKED = {name: gzip.compress(data, mtime=0) for name, data in PLAIN.items()}
-IMAGES = {"base": "ab", "night": "ac", "app": "abx", "moved": "acx", "more": "abxy", "twice": "axa"}
+IMAGES = {"base": "ab", "night": "ac", "app": "abx", "moved": "acx", "more": "abxy", "low": "ax", "twice": "axa"}
 
 
 def config(tag: str, architecture: str) -> bytes:
@@ -315,6 +315,13 @@ def test_docker_is_not_asked_for_layers_that_it_finds(shop: Shop) -> None:
         saved.unlink()
     assert shop.call("load", file) == 0
     require_whole(shop.loaded, "more", held="abx")
+
+
+def test_a_layer_that_is_there_twice_is_sent_if_docker_finds_it_once_alone(shop: Shop) -> None:
+    file = shop.save("twice", "low")
+    shop.engine("docker", "low")
+    assert shop.call("load", file) == 0
+    require_whole(shop.loaded, "twice", held="x")
 
 
 def test_what_does_not_fit_is_refused_in_a_sentence(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
