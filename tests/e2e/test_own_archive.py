@@ -82,6 +82,7 @@ def test_the_page_is_followed_to_an_image(
         "catalogue.schema.json",
         "docs/tags.md",
         "docs/images/layers.svg",
+        "docs/images/rebase.svg",
         *page.PAGES,
         *ci_files.FILES,
     ):

@@ -47,7 +47,7 @@ def copy_for_generator(folder: Path) -> Path:
     ):
         shutil.copy(ROOT / name, folder)
     shutil.copy(ROOT / "catalogue.schema.json", folder)
-    for name in ("docs/tags.md", "docs/images/layers.svg", *page.PAGES, *ci_files.FILES):
+    for name in ("docs/tags.md", "docs/images/layers.svg", "docs/images/rebase.svg", *page.PAGES, *ci_files.FILES):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, folder / name)
     return folder

@@ -1,8 +1,10 @@
-"""Draws docs/images/layers.svg: what images are made of, and what the next one adds to those before it."""
+"""Draws docs/images/layers.svg: what images are made of, and what the next one adds to those before it. And docs/images/rebase.svg: an
+app before and after it moves to another base image."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from html import escape
 
 from rosml.images.builds import disk
@@ -11,13 +13,16 @@ from rosml.images.image_set.model import Image, ImageSet
 WIDTH, LEFT, RIGHT, ROW, BAR = 860, 250, 130, 46, 26
 """Pixels: the picture, the column of tags, the column of sums, the height of a row and of its bar."""
 
+APP_MB = 60
+"""Megabytes of the app in the picture of a rebase, so that it can be seen. That of examples/ros1 has less than one."""
+
 STYLE = """\
     .ink { fill: #1f2328; } .soft { fill: #59636e; }
-    .ros { fill: #ddf4ff; stroke: #0969da; } .part { fill: #dafbe1; stroke: #1a7f37; }
+    .ros { fill: #ddf4ff; stroke: #0969da; } .part { fill: #dafbe1; stroke: #1a7f37; } .app { fill: #fff8c5; stroke: #9a6700; }
     .there { fill: none; stroke: #8c959f; stroke-dasharray: 3 3; }
     @media (prefers-color-scheme: dark) {
       .ink { fill: #e6edf3; } .soft { fill: #9198a1; }
-      .ros { fill: #0c2d4e; stroke: #4493f8; } .part { fill: #0f3320; stroke: #3fb950; } .there { stroke: #656c76; }
+      .ros { fill: #0c2d4e; stroke: #4493f8; } .part { fill: #0f3320; stroke: #3fb950; } .app { fill: #3b2e00; stroke: #d29922; } .there { stroke: #656c76; }
     }
 """
 
@@ -61,26 +66,63 @@ def new_mb(image_set: ImageSet, images: tuple[Image, ...]) -> list[int]:
 
 
 def render(image_set: ImageSet) -> str:
-    """The picture."""
+    """The picture of images."""
     images = shown(image_set)
-    widest = max(sum(disk.layers(image_set, image).values()) for image in images)
-    scale = (WIDTH - LEFT - RIGHT) / widest
-    height = 34 + ROW * len(images)
-    rows = "".join(
-        _row(image_set, image, 30 + ROW * number, scale, known, added)
-        for number, (image, known, added) in enumerate(
-            zip(images, _known(image_set, images), new_mb(image_set, images), strict=True)
-        )
-    )
+    rows = [
+        _Row(image.tags[0], _bars(image_set, image, known), f"{_gigabytes(added)} new")
+        for image, known, added in zip(images, _known(image_set, images), new_mb(image_set, images), strict=True)
+    ]
+    return _picture("Images share layers", "compressed size; dashed: pulled with an image above", rows)
+
+
+def render_rebase(image_set: ImageSet) -> str:
+    """The picture of an app on the default image that moves to the next night's, in which ROS has changed."""
+    image = image_set.image(image_set.matrix.default.targets[0])
+    layers = disk.layers(image_set, image)
+    ros = {name for name in layers if name not in image.parts and not name.startswith("_os-")}
+    total, app = sum(layers.values()), _Bar("your app", APP_MB, "app")
+    rows = [
+        _Row("robot:latest, on Monday's image", [*_bars(image_set, image, frozenset()), app], _gigabytes(total)),
+        _Row(
+            "rosml rebase robot:latest",
+            [*_bars(image_set, image, frozenset(layers.keys() - ros)), _Bar("your app", APP_MB, "there")],
+            f"{_gigabytes(sum(layers[name] for name in ros))} new",
+        ),
+    ]
+    return _picture("An app moves to tonight's image", "compressed size; dashed: the same layers as before", rows)
+
+
+@dataclass(frozen=True)
+class _Bar:
+    """A layer: its name, megabytes, and class of style."""
+
+    label: str
+    size: int
+    kind: str
+
+
+@dataclass(frozen=True)
+class _Row:
+    """An image: its tag, its layers, and what stands at their end."""
+
+    tag: str
+    bars: Sequence[_Bar]
+    end: str
+
+
+def _picture(title: str, above: str, rows: Sequence[_Row]) -> str:
+    scale = (WIDTH - LEFT - RIGHT) / max(sum(bar.size for bar in row.bars) for row in rows)
+    drawn = "".join(_drawn(row, 30 + ROW * number, scale) for number, row in enumerate(rows))
+    spoken = "; ".join(f"{row.tag}: {row.end}" for row in rows)
     return f"""\
-<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" role="img" aria-labelledby="t d" font-family="system-ui, sans-serif" font-size="13">
+<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {34 + ROW * len(rows)}" role="img" aria-labelledby="t d" font-family="system-ui, sans-serif" font-size="13">
   <!-- Written by rosml generate, from the sizes in matrix.yaml. -->
-  <title id="t">Images share layers</title>
-  <desc id="d">{escape(_spoken(image_set, images))}</desc>
+  <title id="t">{escape(title)}</title>
+  <desc id="d">{escape(spoken)}</desc>
   <style>
 {STYLE}  </style>
-  <text class="soft" x="{LEFT}" y="16" font-size="12">compressed size; dashed: pulled with an image above</text>
-{rows}</svg>
+  <text class="soft" x="{LEFT}" y="16" font-size="12">{escape(above)}</text>
+{drawn}</svg>
 """
 
 
@@ -92,29 +134,29 @@ def _known(image_set: ImageSet, images: tuple[Image, ...]) -> Iterator[frozenset
         known |= disk.layers(image_set, image).keys()
 
 
-def _row(image_set: ImageSet, image: Image, top: int, scale: float, known: frozenset[str], added: int) -> str:
-    text = f'  <text class="ink" x="0" y="{top + 17}">{escape(image.tags[0])}</text>\n'
-    x = float(LEFT)
+def _bars(image_set: ImageSet, image: Image, known: frozenset[str]) -> list[_Bar]:
+    found = []
     for name, size in disk.layers(image_set, image).items():
-        width = size * scale
         label = image_set.part_by_name[name].kind if name in image.parts else name.removeprefix("_os-")
         kind = "there" if name in known else "part" if name in image.parts else "ros"
+        found.append(_Bar(label, size, kind))
+    return found
+
+
+def _drawn(row: _Row, top: int, scale: float) -> str:
+    text = f'  <text class="ink" x="0" y="{top + 17}">{escape(row.tag)}</text>\n'
+    x = float(LEFT)
+    for bar in row.bars:
+        width = bar.size * scale
         text += (
-            f'  <rect class="{kind}" x="{x:.1f}" y="{top}" width="{max(width - 1, 1):.1f}" height="{BAR}" rx="2">'
-            f"<title>{escape(label)}: {size} MB</title></rect>\n"
+            f'  <rect class="{bar.kind}" x="{x:.1f}" y="{top}" width="{max(width - 1, 1):.1f}" height="{BAR}" rx="2">'
+            f"<title>{escape(bar.label)}: {bar.size} MB</title></rect>\n"
         )
-        if width > 9 * len(label):
-            text += f'  <text class="soft" x="{x + width / 2:.1f}" y="{top + 17}" text-anchor="middle" font-size="12">{escape(label)}</text>\n'
+        if width > 9 * len(bar.label):
+            text += f'  <text class="soft" x="{x + width / 2:.1f}" y="{top + 17}" text-anchor="middle" font-size="12">{escape(bar.label)}</text>\n'
         x += width
-    return text + f'  <text class="ink" x="{x + 8:.1f}" y="{top + 17}">{_gigabytes(added)} new</text>\n'
+    return text + f'  <text class="ink" x="{x + 8:.1f}" y="{top + 17}">{escape(row.end)}</text>\n'
 
 
 def _gigabytes(megabytes: int) -> str:
     return f"{megabytes / 1000:.1f} GB" if megabytes >= 1000 else f"{megabytes} MB"
-
-
-def _spoken(image_set: ImageSet, images: tuple[Image, ...]) -> str:
-    return "; ".join(
-        f"{image.tags[0]}: {_gigabytes(added)} new"
-        for image, added in zip(images, new_mb(image_set, images), strict=True)
-    )
