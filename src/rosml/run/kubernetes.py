@@ -263,7 +263,7 @@ def _label(option: Option, call: Call) -> dict[str, Any]:
 
 
 def _user(option: Option, call: Call) -> dict[str, Any]:
-    ids = re.fullmatch(r"(\d{1,10})(?::(\d{1,10}))?", option.value or "")
+    ids = re.fullmatch(r"([0-9]{1,10})(?::([0-9]{1,10}))?", option.value or "")
     if not ids:
         raise _without(f"--user {option.value}", "write numbers: --user UID:GID")
     group = {"runAsGroup": int(ids[2])} if ids[2] else {}

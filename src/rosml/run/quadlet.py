@@ -69,7 +69,7 @@ UNITS = (".build", ".container", ".image", ".kube", ".network", ".pod", ".volume
 PLAIN = re.compile(r"[A-Za-z0-9_/.@+][A-Za-z0-9_/.@:+=,-]*")
 """Values that neither the generator nor systemd change."""
 
-PORT = re.compile(r"(?:(?:\d{1,3}(?:\.\d{1,3}){3}:)?\d{1,5}:)?\d{1,5}(?:/(?:tcp|udp))?")
+PORT = re.compile(r"(?:(?:[0-9]{1,3}(?:\.[0-9]{1,3}){3}:)?[0-9]{1,5}:)?[0-9]{1,5}(?:/(?:tcp|udp))?")
 """The values of -p that all generators take."""
 
 VARIABLE = re.compile("[A-Za-z_][A-Za-z0-9_.-]*")
@@ -191,7 +191,7 @@ def _lines(option: Option, call: Call) -> Iterator[str]:
             raise RosmlError(f"{value!a} is no name of a variable", "write -e NAME=VALUE", exit_code=2)
         yield f"# {value} has the value of systemd's environment: systemctl set-environment, or write -e {value}=…"
         yield f"PodmanArgs={_argument(f'--env={value}')}"
-    elif name == "user" and (ids := re.fullmatch(r"(\d+)(?::(\d+))?", value)):
+    elif name == "user" and (ids := re.fullmatch(r"([0-9]+)(?::([0-9]+))?", value)):
         yield f"User={ids[1]}"
         yield from [f"Group={ids[2]}"] if ids[2] else []
     elif name == "security-opt" and value in SAFETY:

@@ -201,6 +201,7 @@ def test_no_option_gets_lost(name: str) -> None:
         (["-l", "a=b c", "x"], "--label 'a=b c'"),
         (["-l", "app.kubernetes.io/name=x", "x"], "--label"),
         (["--user", "jo", "x"], "--user jo"),
+        (["--user", "\u0661", "x"], "--user \u0661"),
         (["--gpus", '"device=0,1"', "x"], "--gpus"),
         (["--gpus", "0,1", "x"], "says count twice"),
         (["--device", "/dev/video0", "x"], "--device /dev/video0"),
