@@ -118,12 +118,16 @@ def provided() -> set[str]:
 
 
 def reasons(said: str) -> str:
-    """What a call of rosdep says went wrong: all addresses that failed, each with its reason."""
+    """What a call of rosdep says went wrong: all addresses that failed, those with the same reason together."""
     lines = [line.strip() for line in said.split("\n")]
     sources = re.findall(r"unable to process source \[(.*)\]:\n\s*(.*)", said)
-    told = [f"{address}: {why.replace(f'({address})', '').strip()}" for address, why in sources]
+    told: defaultdict[str, list[str]] = defaultdict(list)
+    for address, why in dict.fromkeys(sources):
+        told[why.replace(f"({address})", "").strip()].append(address)
     others = [line for line in lines if line and line not in ("[[[", "]]]")]
-    return ", ".join(dict.fromkeys(told)) or (others[-1] if others else "")
+    return "; ".join(f"{', '.join(dict.fromkeys(addresses))}: {why}" for why, addresses in told.items()) or (
+        others[-1] if others else ""
+    )
 
 
 def failure(command: list[str], environment: dict[str, str]) -> str:
@@ -307,7 +311,8 @@ def explain(unknown: dict[str, set[str]], packages: Iterable[str], rosdep: Rosde
         elsewhere += [key] if ruled else []
         what = f"has no rule for {key} on {rosdep.system}" if ruled else f"does not know {key}"
         if number < SHOWN:
-            print(f"error: rosdep {what} (asked for by {', '.join(sorted(names))}); {why}", file=sys.stderr)
+            why = "" if rosdep.failure and not ruled else f"; {why}"  # lists that were not fetched may have it
+            print(f"error: rosdep {what} (asked for by {', '.join(sorted(names))}){why}", file=sys.stderr)
     if len(unknown) > SHOWN:
         print(f"and {len(unknown) - SHOWN} keys more", file=sys.stderr)
     if foreign:

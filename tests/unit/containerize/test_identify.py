@@ -176,13 +176,28 @@ def test_a_list_of_packages_to_leave_out_may_be_older_than_the_sources(
     assert "warning: no package is called message_tf_frame_transformer" in capsys.readouterr().err
 
 
+def test_lists_that_were_not_fetched_may_have_a_key(
+    identify: Any, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """No other name is proposed for it: that would be a guess from half of the lists."""
+    offline = identify.Rosdep()
+    offline.failure = "https://a: no name"
+    monkeypatch.setattr(identify, "Rosdep", lambda: offline)
+    text = said(identify, capsys, "angels", "only_on_ubuntu")
+    assert "error: rosdep does not know angels (asked for by arm)\n" in text
+    assert "no rule for only_on_ubuntu on Debian bookworm (asked for by arm); there is one for ubuntu\n" in text
+    assert "rosdep's lists could not be fetched: https://a: no name; those of the image do not know all keys" in text
+
+
 def test_all_hosts_that_fail_are_named(identify: Any) -> None:
     """As rosdep says it: each at once, and all again at the end."""
     error = "ERROR: unable to process source [https://{0}/base.yaml]:\n\t<urlopen error {1}> (https://{0}/base.yaml)\n"
     both = error.format("a", "timed out") + error.format("b", "HTTP Error 404")
     said = f"{both}ERROR: Not all sources were able to be updated.\n[[[\n{both}]]]\n"
-    reasons = "https://a/base.yaml: <urlopen error timed out>, https://b/base.yaml: <urlopen error HTTP Error 404>"
+    reasons = "https://a/base.yaml: <urlopen error timed out>; https://b/base.yaml: <urlopen error HTTP Error 404>"
     assert identify.reasons(said) == reasons
+    both = error.format("a", "no name") + error.format("b", "no name")
+    assert identify.reasons(both) == "https://a/base.yaml, https://b/base.yaml: <urlopen error no name>"
     assert identify.reasons("ERROR: error loading sources list:\n\t<urlopen error x>\n") == "<urlopen error x>"
     assert identify.reasons(" \n") == ""
 
