@@ -54,6 +54,12 @@ class Package:
         """Its manifest, as people find it."""
         return str(self.folder / workspace.MANIFEST)
 
+    @property
+    def is_python(self) -> bool:
+        """Whether it has nothing for a compiler and CMake."""
+        kinds = {text for text, _ in self.kinds}
+        return kinds == {"ament_python"} and "C++" not in self.languages and "rclcpp" not in self.needs
+
     def foreign(self, ros: int, ros_distro: str) -> bool:
         """Whether it is for the other ROS alone: by its build type or build tools, and by what it depends on. Debian's ROS 1 can build
         packages of ament that need nothing else of ROS 2."""

@@ -428,10 +428,13 @@ def test_the_command_that_is_proposed(tmp_path: Path, files: dict[str, str], wan
 def test_ros_from_wheels_has_no_command_ros2(tmp_path: Path, files: dict[str, str], wanted: str) -> None:
     write(tmp_path, {"package.xml": manifest(), **files})
     assert chosen(tmp_path, "--distribution", "jazzy-wheels")["command"] == wanted
-    assert "rclcpp" not in called(tmp_path, "--yes", "--distribution", "jazzy-wheels").stderr
+    assert "Python alone" not in called(tmp_path, "--yes", "--distribution", "jazzy-wheels").stderr
     write(tmp_path, {"src/a.cpp": ""})
     said = called(tmp_path, "--yes", "--distribution", "jazzy-wheels").stderr
-    assert "package.xml has C++, and jazzy-wheels has no rclcpp" in said
+    assert "jazzy-wheels builds packages of Python alone, and package.xml is none" in said
+    write(tmp_path, {"package.xml": manifest(build="ament_cmake")})
+    (tmp_path / "src/a.cpp").unlink()
+    assert "builds packages of Python alone" in called(tmp_path, "--yes", "--distribution", "jazzy-wheels").stderr
 
 
 @pytest.mark.parametrize(

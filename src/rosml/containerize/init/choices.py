@@ -169,10 +169,12 @@ class _Decision:
         target = names.image_target(row.value, component.value, framework.value, stack.value or None)
         image = self._set.by_target[target]
         command = self._command(row.value)
-        cpp = (package for package in self._found.packages if "C++" in package.languages or "rclcpp" in package.needs)
-        if self._matrix.distributions[row.value].wheels and (package := next(cpp, None)):
-            text = f"{package.manifest} has C++, and {row.value} has no rclcpp"
-            self._notes.append((text, "take another distribution"))
+        others = (package for package in self._found.packages if not package.is_python)
+        if self._matrix.distributions[row.value].wheels and (package := next(others, None)):
+            text = f"{row.value} builds packages of Python alone, and {package.manifest} is none"
+            self._notes.append(
+                (text, "take another distribution, or leave the package out: put COLCON_IGNORE into its folder")
+            )
         if not image.locked:
             self._notes.append((f"{target} cannot be built yet: {missing.reason(image)}", missing.remedy(image)))
         for library, (lacks, remedy) in LACKING.items():
