@@ -61,11 +61,10 @@ PAUSES = (1, 3)
 DEBIAN = "10-debian.list"
 """Of Debian's rosdep: it calls Debian's own packages of ROS 1 by names that ROS 2 has as well."""
 
-WORKSPACES = (
-    Path(os.environ.get("WORKSPACE", "/docker-ros/ws")),
-    Path("/opt/ws_base_image"),
-    Path("/opt/ros", os.environ.get("ROS_DISTRO", "")),
-)
+ROS = Path("/opt/ros", os.environ.get("ROS_DISTRO", ""))
+"""Where ROS is, if it is not in the system's own folders."""
+
+WORKSPACES = (Path(os.environ.get("WORKSPACE", "/docker-ros/ws")), Path("/opt/ws_base_image"), ROS)
 """Where a base image may have built packages. Images for Jetson have all of ROS in the last one, as `install`."""
 
 Packages = Dict[str, Dict[str, Set[str]]]
@@ -111,10 +110,11 @@ def read(folder: Path, left_out: Path) -> Packages:
 
 
 def provided() -> set[str]:
-    """ROS packages that are built in the base image."""
+    """ROS packages that are built in the base image, or that it has as Python wheels."""
     patterns = ("share/*/package.xml", "*/share/*/package.xml")  # merged, and each in a folder of its own
     found = (path for place in WORKSPACES for pattern in patterns for path in (place / "install").glob(pattern))
-    return {path.parent.name for path in found}
+    wheels = ROS.glob("lib/python3*/site-packages/ros_*.dist-info")
+    return {path.parent.name for path in found} | {path.name[len("ros_") :].partition("-")[0] for path in wheels}
 
 
 def reasons(said: str) -> str:

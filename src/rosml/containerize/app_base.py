@@ -107,18 +107,19 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
         return found
     if refused and services.bases and (found := _made_here(names[-1], services, platforms, digest)):
         return found
-    near = _ours(text) or near
+    ours = _ours(text)
     if refused:
         if len(names) == 1:
             raise refused
         problem = f"there is no image {text} in the local registry, and {refused.message}"
-        raise RosmlError(problem, near or refused.remedy)
+        raise RosmlError(problem, ours or near or refused.remedy)
     if digest:
         text = f"there is no image {text} with the digest {digest} of the lock file (looked for {', '.join(names)})"
         raise RosmlError(text, lock.RENEW, exit_code=2)
     raise RosmlError(
         f"there is no image {text} (looked for {', '.join(names)})",
-        f"{near} 'rosml list' has all names; 'rosml image TARGET' builds one; 'docker login' for a private one".strip(),
+        ours
+        or f"{near} 'rosml list' has all names; 'rosml image TARGET' builds one; 'docker login' for a private one".strip(),
         exit_code=2,
     )
 

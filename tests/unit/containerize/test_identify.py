@@ -67,6 +67,7 @@ def identify(monkeypatch: pytest.MonkeyPatch) -> Any:
             yield module.Answer("apt", tuple(names))
 
     monkeypatch.setattr(module, "Rosdep", Rosdep)
+    vars(module)["has"] = module.provided
     monkeypatch.setattr(module, "provided", set)
     return module
 
@@ -174,6 +175,20 @@ def test_a_list_of_packages_to_leave_out_may_be_older_than_the_sources(
     found = identify.manifests.packages(tmp_path / "src", tmp_path / "list")
     assert [package.name for _, package in found] == ["arm"]
     assert "warning: no package is called message_tf_frame_transformer" in capsys.readouterr().err
+
+
+def test_what_the_base_image_has_is_not_installed(
+    identify: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """As packages that were built, and as wheels."""
+    for name in ("install/share/arm/package.xml", "install/leg/share/leg/package.xml"):
+        (tmp_path / name).parent.mkdir(parents=True)
+        (tmp_path / name).touch()
+    for name in ("ros_sensor_msgs-5.3.6", "ros_rclpy-7.1.6", "lark_parser-0.12.0"):
+        (tmp_path / "lib/python3.11/site-packages" / f"{name}.dist-info").mkdir(parents=True)
+    monkeypatch.setattr(identify, "WORKSPACES", (tmp_path,))
+    monkeypatch.setattr(identify, "ROS", tmp_path)
+    assert identify.has() == {"arm", "leg", "sensor_msgs", "rclpy"}
 
 
 def test_lists_that_were_not_fetched_may_have_a_key(

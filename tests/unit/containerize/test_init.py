@@ -197,6 +197,7 @@ def test_what_a_file_that_stays_lacks(tmp_path: Path, name: str, text: str, says
     [
         ("python3-torch python3-pytorch-pip python3-numpy torch_msgs", [], "python3-pytorch-pip python3-torch"),
         ("python3-torch", ["--framework", "none"], ""),
+        ("rclpy geometry_msgs nav_msgs", ["--distribution", "jazzy-wheels"], "geometry_msgs rclpy"),
         ("python3-torch python3-torchvision", ["--cpu"], "python3-torch"),
         ("python3-torch python3-torchvision", ["--gpu"], "python3-torch python3-torchvision"),
         ("python3-torch-geometric-pip python-tensorflow-gpu-pip", ["--framework", "ml"], "python-tensorflow-gpu-pip"),

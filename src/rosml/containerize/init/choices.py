@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import datetime
 import re
 import shlex
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, unknown
 from rosml.containerize import app_inputs
@@ -133,12 +135,18 @@ def libraries(matrix: Matrix) -> dict[str, set[str]]:
 
 
 def brought(matrix: Matrix, image: Image, keys: Collection[str]) -> set[str]:
-    """Those of rosdep's keys that stand for Python packages which parts of an image bring: `python3-torch`, `python3-pytorch-pip`."""
+    """Those of rosdep's keys that stand for Python packages which parts of an image bring, such as `python3-torch`; and for ROS packages
+    that an image has as wheels."""
     families = rules.families(matrix, matrix.frameworks[image.framework])
     has = {*families, *rules.company(matrix, image.stack, families)}
     has |= {part.title.lower() for part in matrix.parts if part.title and part.release in families}
     found = {key: re.fullmatch(r"python3?-(.+?)(-gpu)?(-pip)?", key) for key in keys}
-    return {key for key, match in found.items() if match and match[1] in has}
+    wheels = set[str]()
+    for lock in image.locks if image.wheels else ():
+        with contextlib.suppress(OSError):
+            names_in_lock = re.findall(r"^ros-([a-z0-9-]+)==", (ROOT / lock).read_text(), re.MULTILINE)
+            wheels |= {name.replace("-", "_") for name in names_in_lock}
+    return {key for key, match in found.items() if key in wheels or (match and match[1] in has)}
 
 
 def decide(image_set: ImageSet, found: Found, given: Given, here: Here, ask: Ask) -> Decided:
