@@ -123,6 +123,9 @@ def test_a_base_image_is_read_and_held_by_its_digest(services: Services) -> None
     with pytest.raises(RosmlError, match="there is no image") as caught:
         app_base.find(f"{services.registry}/rosml/ros:jazy", services, ("linux/amd64",))
     assert "rosml list" in caught.value.remedy and "did you mean 'jazzy'?" in caught.value.remedy
+    with pytest.raises(RosmlError, match="there is no image") as caught:
+        app_base.find(f"{services.registry}/rosml/ros:humble-base", services, ("linux/amd64",))
+    assert caught.value.remedy == "build it first: rosml image humble-base"
 
 
 def test_debians_image_if_docker_hub_does_not_answer(
