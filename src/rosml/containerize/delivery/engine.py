@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
+import os
 import re
 import subprocess
 import tarfile
@@ -24,8 +25,10 @@ _NAMED = re.compile(r"(?:\./)?(?:blobs/sha256/)?([0-9a-f]{64})(?:\.tar)?")
 _OLD = re.compile(r"[0-9a-f]{64}/layer\.tar")
 """A layer of `docker save` before Docker 25. Its name does not say its digest."""
 
-LARGE = "/var/tmp"
-"""Where a layer waits for its digest: /tmp may be in memory."""
+
+def roomy() -> str | None:
+    """The folder for large files that go away: the one that TMPDIR names, or else not /tmp, which may be in memory."""
+    return None if "TMPDIR" in os.environ or not os.path.isdir("/var/tmp") else "/var/tmp"
 
 
 @dataclass(frozen=True)
@@ -93,7 +96,7 @@ def _blocks(entry: tarfile.TarInfo) -> Iterator[bytes]:
 def _kept(blocks: Iterable[bytes]) -> Iterator[tuple[str, IO[bytes]]]:
     """The digest of a content, and a file of it for as long as this lasts."""
     state = hashlib.sha256()
-    with tempfile.TemporaryFile(dir=LARGE) as file:
+    with tempfile.TemporaryFile(dir=roomy()) as file:
         for block in blocks:
             state.update(block)
             file.write(block)

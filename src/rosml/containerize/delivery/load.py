@@ -14,7 +14,7 @@ from pydantic import ValidationError
 
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
-from rosml.base.problems import counted, first_of, listed
+from rosml.base.problems import counted, first_of, some
 from rosml.containerize.delivery import archive
 from rosml.containerize.delivery.archive import Archive, Writer
 from rosml.images.join import layers as joining
@@ -248,7 +248,7 @@ def _lacking(image: Image, missing: Sequence[Layer]) -> RosmlError:
     """The one sentence about what does not fit."""
     digests = {layer.digest for layer in missing}
     names = [name for name, those in image.left_out.items() if digests & {*those}]
-    what = f"{counted(len(missing), 'layer')} of {listed(names, last='or')}"
+    what = f"{counted(len(missing), 'layer')} of {some(names)}"
     remedy = f"pull {'it' if len(names) == 1 else 'them'} here, say with --from who has them, or save the image again without"
     remedy += " that --have" if len(names) == 1 else " those --have"
     return RosmlError(f"{image.file.name} needs {what}, which this machine lacks", remedy, exit_code=2)

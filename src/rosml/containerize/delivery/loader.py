@@ -158,6 +158,6 @@ def _archive(file: str, stack: contextlib.ExitStack) -> Archive:
 @contextlib.contextmanager
 def _kept(stream: BinaryIO) -> Iterator[BinaryIO]:
     """All of a pipe, in a file that goes away with it."""
-    with tempfile.TemporaryFile(dir=engine.LARGE) as file:
+    with tempfile.TemporaryFile(dir=engine.roomy()) as file:
         shutil.copyfileobj(stream, file, BLOCK)
         yield file
