@@ -6,7 +6,7 @@ import contextlib
 import posixpath
 import re
 import subprocess
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
 from pydantic import BaseModel, TypeAdapter
@@ -229,8 +229,13 @@ def _read(registry: Registry, place: references.Reference, found: oci.Manifest, 
     return _base(str(place), found.digest, config.facts.config)
 
 
-def require_kept(registries: Registries, named: Iterable[str], platforms: tuple[str, ...]) -> None:
+def require_kept(
+    registries: Callable[[str], Registry], named: Iterable[str], platforms: tuple[str, ...], remedy: str = ""
+) -> None:
     """Checks that no tag would lose a platform.
+
+    Args:
+        remedy: of the error; that of a build by default.
 
     Raises:
         RosmlError: a tag's present image is also for other platforms (exit code 2), or a registry does not answer.
@@ -245,7 +250,8 @@ def require_kept(registries: Registries, named: Iterable[str], platforms: tuple[
             architecture = platforms[0].partition("/")[2].replace("/", "-")
             raise RosmlError(
                 f"{reference} is for {', '.join(there)}, and would be for {', '.join(platforms)} alone; no tag was moved",
-                f"name all: --platform {every}; or give this image a tag of its own, such as --image-tag"
+                remedy
+                or f"name all: --platform {every}; or give this image a tag of its own, such as --image-tag"
                 f" {place.reference}-{architecture}, as enable-singlearch-push does in CI",
                 exit_code=2,
             )

@@ -30,6 +30,9 @@ from rosml.registry import oci, references
 from rosml.registry.client import Registry
 from rosml.registry.references import Reference
 
+OTHER_TAG = "name all its platforms, or none; or give this image a tag of its own with --tag"
+"""The remedy if a tag would lose a platform."""
+
 
 @dataclass
 class Rebased(Transferred):
@@ -168,6 +171,8 @@ class Rebaser:
             what = "names the app by its digest" if not tag else "is a digest"
             raise RosmlError(f"{tag or app} {what}, and a tag has to move", "name one: --tag REGISTRY/NAME:TAG", 2)
         there = manifest.digest if target == where else self.registries(target.host).head(*target[1:])
+        if there and (platforms or target != where):
+            app_base.require_kept(self.registries, [str(target)], tuple(old), OTHER_TAG)
         _require_one_base(old, str(where))
         onto = self._base(base, tuple(old), next(iter(old.values())))
         found = onto.base

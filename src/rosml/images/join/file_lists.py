@@ -147,8 +147,11 @@ class Lists:
         texts = []
         for name in sorted(digests):
             artifact = registry.manifest(repository, name)
-            for layer in (
-                artifact.layers[:ATTACHED] if artifact else ()
-            ):  # an app on another base has its own list and that of the base
-                texts.append(unpacked(registry.part(repository, layer, PACKED)))
+            layers = (
+                artifact.layers if artifact else ()
+            )  # an app on another base has its own list and those of the base
+            if len(layers) > LAYERS:
+                text = f"a list of files at {registry.host}/{repository}@{digest} has {len(layers)} layers"
+                raise RosmlError(text, _REMEDY)
+            texts += [unpacked(registry.part(repository, layer, PACKED)) for layer in layers]
         return Files.parse(b"\n".join(texts)) if texts else None

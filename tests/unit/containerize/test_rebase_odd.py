@@ -1,0 +1,88 @@
+"""Apps and base images that are not as rosml makes them, and calls that are not as people mean them: nothing is lost in silence."""
+
+from __future__ import annotations
+
+import gzip
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from rebasing import BOTH, Place, moving
+
+from rosml.containerize.rebase.image import as_buildkit
+from rosml.images.join import file_lists
+from rosml.registry import oci, references
+
+
+@pytest.fixture
+def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
+    with moving(tmp_path, monkeypatch) as found:
+        yield found
+
+
+def altered(
+    place: Place,
+    reference: str,
+    config: Callable[[dict[str, Any]], object] = lambda _: None,
+    manifest: Callable[[dict[str, Any]], object] = lambda _: None,
+) -> str:
+    """Puts an image for one platform again with another config or manifest, with what is attached to it; gives its reference."""
+    where = references.parse(reference)
+    found = place.registry.manifest(where.repository, where.reference)
+    assert found and found.config
+    content, said = found.content, place.registry.json_blob(where.repository, found.config.digest)
+    config(said)
+    text = as_buildkit(said)
+    place.registry.put_blob(where.repository, text)
+    content = {**content, "config": oci.descriptor(found.config.mediaType, text)}
+    manifest(content)
+    data = as_buildkit(content, indent=2)
+    for entry in place.registry.referrers(where.repository, found.digest):
+        artifact = place.registry.manifest(where.repository, entry["digest"])
+        assert artifact
+        part = place.registry.blob(where.repository, artifact.layers[0].digest)
+        kind, subject = artifact.artifact_type, oci.descriptor(found.media_type, data)
+        place.registry.attach(where.repository, subject, kind, part, artifact.layers[0].mediaType)
+    place.server.checks = False
+    place.registry.put_manifest(where.repository, where.reference, data, found.media_type)
+    place.server.checks = True
+    return reference
+
+
+def single(place: Place, index: str) -> str:
+    """The first image of an index, under the same tag."""
+    where = references.parse(index)
+    found = place.registry.manifest(where.repository, where.reference)
+    assert found
+    place.registry.tag(where.repository, found.members[0].digest, where.reference)
+    return index
+
+
+# ---- What nobody may lose --------------------------------------------------------------------------------------------
+
+
+def test_a_tag_loses_no_platform(place: Place) -> None:
+    old, new = place.base(), place.base("newer")
+    app = place.app(old, platforms=BOTH)
+    text = place.refused(app, new, "", ["linux/arm64"])
+    assert "is for linux/amd64, linux/arm64, and would be for linux/arm64 alone" in text
+    other = place.app(old, "other")
+    assert "would be for linux/amd64 alone" in place.refused(other, new, app)
+
+
+def test_lists_of_many_parts_hide_no_file(place: Place) -> None:
+    """Of an app on an image with a framework: its own list, and those of the ROS image and of each part."""
+    texts = [gzip.compress(f"file-{number}\n".encode(), mtime=0) for number in range(7)]
+    where = "rosml/ros"
+    place.base()
+    found = place.registry.manifest(where, "core")
+    assert found
+    for data in texts:
+        place.registry.put_blob(where, data)
+    more = [oci.descriptor(file_lists.MEDIA_TYPE, data) for data in texts[1:]]
+    member = found.members[1]
+    subject = {"mediaType": member.mediaType, "digest": member.digest, "size": member.size}
+    place.registry.attach(where, subject, file_lists.ARTIFACT, texts[0], file_lists.MEDIA_TYPE, more=more)
+    listed = file_lists.Lists().of(place.registry, where, member.digest)
+    assert listed and {f"file-{number}" for number in range(7)} <= listed.entries
