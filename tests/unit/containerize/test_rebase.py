@@ -260,17 +260,17 @@ def test_a_part_of_another_release(place: Place) -> None:
     torch = library("usr/local/lib/libtorch.so", ("spin",))
     said = changed(BASE_FACTS, libraries=[*BASE_FACTS["libraries"], torch])
     uses = [library("docker-ros/ws/install/lib/node", needed=["libtorch.so"], uses=["spin"])]
-    old = place.base(said=said)
-    app = place.app(old, facts=changed(OWN, libraries=uses), labels={"io.rosml.torch": "2.14.0"})
-    labels = {"io.rosml.torch": "2.15.0"}
-    made = replace(ros(salt="newer"), labels={**ros().labels, **labels})
-    new = made.put(place.registry, "rosml/ros", "newer", BOTH[:1])
-    found = place.registry.manifest("rosml/ros", "newer")
-    assert found
-    [entry] = found.members
-    attach(
-        place.registry, "rosml/ros", {"mediaType": entry.mediaType, "digest": entry.digest, "size": entry.size}, said
-    )
+    places = []
+    for tag, version in (("core", "2.14.0"), ("newer", "2.15.0")):
+        made = replace(ros(salt=tag), labels={**ros().labels, "io.rosml.torch": version})
+        places.append(made.put(place.registry, "rosml/ros", tag, BOTH[:1]))
+        found = place.registry.manifest("rosml/ros", tag)
+        assert found
+        [entry] = found.members
+        subject = {"mediaType": entry.mediaType, "digest": entry.digest, "size": entry.size}
+        attach(place.registry, "rosml/ros", subject, said)
+    old, new = places
+    app = place.app(old, facts=changed(OWN, libraries=uses))
     assert "the app was built with torch 2.14.0 (libtorch.so), and the base image has 2.15.0" in place.refused(app, new)
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from rebasing import BOTH, Place, moving
+from rebasing import BOTH, App, Place, moving
 
 from rosml.containerize.rebase.image import as_buildkit
 from rosml.images.join import file_lists
@@ -71,6 +71,28 @@ def test_a_tag_loses_no_platform(place: Place) -> None:
     assert "would be for linux/amd64 alone" in place.refused(other, new, app)
 
 
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        (lambda it: it["history"].append({"created_by": "USER me", "empty_layer": True}), "USER me"),
+        (lambda it: it["history"].append({"created_by": 'ENTRYPOINT ["/x"]', "empty_layer": True}), "ENTRYPOINT"),
+        (lambda it: it["config"].update(User="me"), "User"),
+        (lambda it: it["config"].update(Healthcheck={"Test": ["CMD", "true"]}), "Healthcheck"),
+        (lambda it: it["config"].update(Entrypoint=["/mine"]), "Entrypoint"),
+        (lambda it: it["config"].update(ExposedPorts={"80/tcp": {}}), "ExposedPorts"),
+        (lambda it: it["config"]["Env"].append("MINE=1"), "MINE"),
+        (lambda it: it["config"]["Labels"].update(mine="1"), "label mine"),
+    ],
+)
+def test_what_others_set_in_an_app_is_not_lost(
+    place: Place, change: Callable[[dict[str, Any]], object], says: str
+) -> None:
+    """`FROM robot` with `USER me`, or `crane mutate`: no layer of its own says so."""
+    old, new = place.base(), place.base("newer")
+    app = altered(place, place.app(old), change)
+    assert says in place.refused(app, new)
+
+
 def test_lists_of_many_parts_hide_no_file(place: Place) -> None:
     """Of an app on an image with a framework: its own list, and those of the ROS image and of each part."""
     texts = [gzip.compress(f"file-{number}\n".encode(), mtime=0) for number in range(7)]
@@ -86,3 +108,61 @@ def test_lists_of_many_parts_hide_no_file(place: Place) -> None:
     place.registry.attach(where, subject, file_lists.ARTIFACT, texts[0], file_lists.MEDIA_TYPE, more=more)
     listed = file_lists.Lists().of(place.registry, where, member.digest)
     assert listed and {f"file-{number}" for number in range(7)} <= listed.entries
+
+
+# ---- Images that say something else ----------------------------------------------------------------------------------
+
+
+def test_an_index_that_says_another_platform_than_its_image(place: Place) -> None:
+    old, new = place.base(), place.base("newer")
+    app = place.app(old)
+    found = place.registry.manifest("me/robot", "latest")
+    assert found
+    entry = {**found.descriptor, "platform": {"os": "linux", "architecture": "arm64"}}
+    content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": [entry]}
+    place.registry.put_manifest("me/robot", "latest", content, oci.INDEX)
+    assert "linux/arm64" in place.refused(app, new)
+
+
+@pytest.mark.parametrize("broken", ["diff_ids", "history"])
+def test_a_base_image_whose_config_is_damaged(place: Place, broken: str) -> None:
+    app = place.app(place.base())
+
+    def change(it: dict[str, Any]) -> None:
+        if broken == "history":
+            it.pop("history")
+        else:
+            it["rootfs"]["diff_ids"] *= 2
+
+    new = altered(place, single(place, place.base("newer")), change)
+    assert "does not say what its layers are" in place.refused(app, new)
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [
+        "application/vnd.oci.image.layer.v1.tar+gzip+encrypted",
+        "application/vnd.docker.image.rootfs.foreign.diff.tar.gzip",
+        "application/x-squashfs",
+    ],
+)
+def test_layers_that_nobody_can_take_over(place: Place, kind: str) -> None:
+    app = place.app(place.base())
+    new = altered(place, single(place, place.base("newer")), manifest=lambda it: it["layers"][0].update(mediaType=kind))
+    assert kind in place.refused(app, new)
+    own = altered(place, app, manifest=lambda it: it["layers"][-1].update(mediaType=kind, urls=["http://x"]))
+    assert kind in place.refused(own, place.base("third"))
+
+
+def test_an_app_on_itself(place: Place) -> None:
+    app = App(place.base()).put(place.registry, "latest", index=True)
+    print(place.refused(app, app))
+
+
+def test_an_old_base_image_that_nobody_reaches(place: Place) -> None:
+    """Such as one in the registry of the machine that built the app."""
+    old, new = place.base(), place.base("newer")
+    app = place.app(old, labels={"org.opencontainers.image.base.name": "127.0.0.1:9/rosml/ros:core"})
+    found = place.rebase(app, new)
+    assert found.moved and found.verdict == "check by link"
+    assert any("127.0.0.1:9" in line for line in place.said)

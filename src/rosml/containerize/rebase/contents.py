@@ -99,7 +99,7 @@ class Contents:
 
     def _facts(self, reference: str, platform: str, depth: int = 0) -> Facts | None:
         """The facts of a base image; of an app those of all below it, too. None if it is gone, or has none."""
-        source, annotations = self._member(reference, platform)
+        source, annotations = self.member(reference, platform)
         if source is None or depth > DEPTH:
             return None
         registry = self._transfer.registries(source.host)
@@ -111,7 +111,7 @@ class Contents:
 
     def places(self, reference: str, platform: str) -> tuple[Place, ...]:
         """The images that a base image is joined from; itself if it has a list of its own."""
-        source, annotations = self._member(reference, platform)
+        source, annotations = self.member(reference, platform)
         if source is None:
             return ()
         registry, own = self._transfer.registries(source.host), Place(source.host, source.repository, source.digest)
@@ -121,8 +121,12 @@ class Contents:
             Place(own.host, *item) for item in facts.components(registry, own.repository, own.digest, annotations)
         )
 
-    def _member(self, reference: str, platform: str) -> tuple[Source | None, Mapping[str, str]]:
-        """An image for one platform, with the annotations of its entry in its index."""
+    def member(self, reference: str, platform: str) -> tuple[Source | None, Mapping[str, str]]:
+        """An image for one platform, with the annotations of its entry in its index. None if it is gone.
+
+        Raises:
+            RosmlError: the registry does not answer or refuses.
+        """
         where = references.parse(reference)
         manifest = self._transfer.manifest(where)
         if manifest is None:

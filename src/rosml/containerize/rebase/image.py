@@ -13,6 +13,7 @@ from typing import Any
 
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
+from rosml.base.problems import SHOWN, listed
 from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME, LOCK, REPLACED
 from rosml.containerize.lock import Lock
 from rosml.images.image_set.labels import APP, PREFIX, REVISION, TITLE
@@ -39,6 +40,12 @@ _HISTORY = ("created", "created_by", "author", "comment", "empty_layer")
 """The fields of an entry of the history, in the same order."""
 
 _VARIABLE = re.compile(r"ENV ([A-Za-z_][A-Za-z0-9_]*)=")
+_ARGUMENT = re.compile(r"ARG APP_([A-Za-z_][A-Za-z0-9_]*)=")
+
+_LAYER = re.compile(r"application/vnd\.oci\.image\.layer\.v1\.tar(\+gzip|\+zstd)?")
+"""Layers that another image can have as they are: neither encrypted, nor to be had elsewhere."""
+
+ONLY_OURS = "name the image that rosml containerize built, and do the same again on its new one"
 
 
 def moved(app: Source, base: Source, labels: Mapping[str, str]) -> Joined:
@@ -51,7 +58,15 @@ def moved(app: Source, base: Source, labels: Mapping[str, str]) -> Joined:
         RosmlError: it is no app, or it cannot be put on another base image (exit code 2).
     """
     own = _own_history(app)
-    config = _config(app, base, own, {**{name: app.labels[name] for name in OWN if name in app.labels}, **labels})
+    _require_whole(base)
+    if app.platform.split("/")[:2] != base.platform.split("/")[:2]:
+        text = f"an index says another platform than its image: {app.name} is for {app.platform}, {base.name} for {base.platform}"
+        raise RosmlError(text, "push the index again", exit_code=2)
+    for source in (base, app):
+        if strange := [layer["mediaType"] for layer in source.layers if not _LAYER.fullmatch(layer["mediaType"])]:
+            text = f"{source.name} has a layer of the type {strange[0][:100]}, which no other image can have"
+            raise RosmlError(text, AGAIN, exit_code=2)
+    config = _config(app, base, own, {**_own_labels(app), **labels})
     text = as_buildkit(config)
     manifest = {
         "schemaVersion": 2,
@@ -61,6 +76,31 @@ def moved(app: Source, base: Source, labels: Mapping[str, str]) -> Joined:
     }
     layers = (*((layer, base) for layer in base.layers), (app.layers[-1], app))
     return Joined(app.platform, text, as_buildkit(manifest, indent=2), config["config"]["Labels"], layers)
+
+
+def require_unaltered(app: Source, base: Source) -> None:
+    """Checks that an app has only settings of rosml's and of its base image: others would be lost.
+
+    Args:
+        base: the app's present base image. One on which rosml put ROS first says nothing.
+
+    Raises:
+        RosmlError: somebody set others since it was built (exit code 2).
+    """
+    if app.diff_ids[:-1] != base.diff_ids:
+        return
+    given = app.config.content.get("config") or {}
+    expected = _config(app, base, _own_history(app), _own_labels(app))["config"]
+    mine = _ordered(given, _SETTINGS)
+    differing = [name for name in _SETTINGS if mine.get(name) != expected.get(name) and name not in ("Env", "Labels")]
+    variables = {*app.config.environment} ^ {*expected.get("Env", ())}
+    differing += sorted({f"variable {entry.partition('=')[0][:100]}" for entry in variables})
+    labels = {*app.labels.items()} ^ {*expected.get("Labels", {}).items()}
+    differing += sorted({f"label {name[:100]}" for name, _ in labels})
+    if differing:
+        more = [f"{len(differing) - SHOWN} more"] if len(differing) > SHOWN else []
+        text = f"{app.name} was changed after rosml containerize had built it: {listed([*differing[:SHOWN], *more])}"
+        raise RosmlError(text, ONLY_OURS, exit_code=2)
 
 
 def index(app: Mapping[str, Any], members: Mapping[str, Joined]) -> bytes:
@@ -122,13 +162,33 @@ def _own_history(app: Source) -> list[dict[str, Any]]:
     if own and own[0].get("comment") == "joined in the registry":
         text = f"{app.name} is an app with parts that rosml join added"
         raise RosmlError(text, "name the app without them, and as its base an image that has them", exit_code=2)
-    said = sum(not entry.get("empty_layer") for entry in entries)
-    if not own or len(app.layers) < 2 or not len(app.layers) == len(app.diff_ids) == said:
+    if not own or len(app.layers) < 2:
         raise RosmlError(f"{app.name}: its config does not say what its layers are", AGAIN, exit_code=2)
+    _require_whole(app)
     if not str(own[0].get("created_by", "")).startswith("COPY / / "):
         text = f"{app.name}: its last layer is not the app, but {str(own[0].get('created_by', ''))[:60]!r}"
         raise RosmlError(text, "name the image that rosml containerize built; a build on top of it must run again", 2)
+    known = [match[1] for entry in own if (match := _ARGUMENT.match(_line(entry)))]
+    for line in map(_line, own[1:]):
+        variable = _VARIABLE.match(line)
+        if not line.startswith(("ARG APP_", "CMD ")) and not (variable and variable[1] in known):
+            text = f"{app.name} was changed after rosml containerize had built it: {line[:60]!r}"
+            raise RosmlError(text, ONLY_OURS, exit_code=2)
     return own
+
+
+def _line(entry: Mapping[str, Any]) -> str:
+    return str(entry.get("created_by", ""))
+
+
+def _own_labels(app: Source) -> dict[str, str]:
+    return {name: app.labels[name] for name in OWN if name in app.labels}
+
+
+def _require_whole(source: Source) -> None:
+    said = sum(not entry.get("empty_layer") for entry in source.config.content.get("history") or ())
+    if not source.layers or not len(source.layers) == len(source.diff_ids) == said:
+        raise RosmlError(f"{source.name}: its config does not say what its layers are", AGAIN, exit_code=2)
 
 
 def _config(app: Source, base: Source, own: Iterable[Mapping[str, Any]], labels: Mapping[str, str]) -> dict[str, Any]:
