@@ -67,15 +67,15 @@ def moved(app: Source, base: Source, labels: Mapping[str, str]) -> Joined:
             text = f"{source.name} has a layer of the type {strange[0][:100]}, which no other image can have"
             raise RosmlError(text, AGAIN, exit_code=2)
     config = _config(app, base, own, {**_own_labels(app), **labels})
-    text = as_buildkit(config)
+    encoded = as_buildkit(config)
     manifest = {
         "schemaVersion": 2,
         "mediaType": oci.IMAGE,
-        "config": oci.descriptor(oci.CONFIG, text),
+        "config": oci.descriptor(oci.CONFIG, encoded),
         "layers": [*base.layers, app.layers[-1]],
     }
     layers = (*((layer, base) for layer in base.layers), (app.layers[-1], app))
-    return Joined(app.platform, text, as_buildkit(manifest, indent=2), config["config"]["Labels"], layers)
+    return Joined(app.platform, encoded, as_buildkit(manifest, indent=2), config["config"]["Labels"], layers)
 
 
 def require_unaltered(app: Source, base: Source) -> None:
