@@ -109,10 +109,12 @@ class Store:
     """How an engine keeps images.
 
     Attributes:
+        podman: it is podman, which finds layers that it pulled by their digests.
         chains: it is docker's classic store, which finds a layer by all that is below it.
         zstd: it reads layers that are compressed with zstd. docker does since 23.
     """
 
+    podman: bool
     chains: bool
     zstd: bool
 
@@ -263,8 +265,8 @@ def store(command: str) -> Store:
     if (found := _engine(command, said)) is None:
         raise _silent(command, said.complaint)
     version = re.search(r'"ServerVersion":\s*"([0-9]{1,4})\.', said.text)
-    podman = found.podman
-    return Store(not podman and CONTAINERD not in said.text, podman or not version or int(version[1]) >= 23)
+    zstd = found.podman or not version or int(version[1]) >= 23
+    return Store(found.podman, not found.podman and CONTAINERD not in said.text, zstd)
 
 
 def image_names(command: str) -> list[str]:

@@ -115,7 +115,7 @@ class Shop:
 
 ENGINE = """\
 #!{python} -IS
-import json, os, shutil, sys
+import json, os, shutil, sys, tarfile
 here, words = "{folder}", sys.argv[1:]
 images = json.load(open(here + "/images.json"))
 if words[0] == "info":
@@ -133,6 +133,13 @@ elif words[0] == "save":
 elif words[0] == "load":
     with open(here + "/loaded", "wb") as out:
         shutil.copyfileobj(sys.stdin.buffer, out)
+    if "host" in json.load(open(here + "/info.json")) and not os.path.exists(here + "/pulled"):
+        with tarfile.open(here + "/loaded") as found:
+            read = lambda name: json.loads(found.extractfile(name).read())
+            manifest = read("blobs/" + read("index.json")["manifests"][0]["digest"].replace(":", "/"))
+            there = found.getnames()
+        if any("blobs/" + item["digest"].replace(":", "/") not in there for item in manifest["layers"]):
+            sys.exit("no such blob")
     if os.path.exists(here + "/full"):
         sys.exit("no space left on device")
 """
@@ -306,6 +313,16 @@ def test_an_engine_gets_what_it_lacks(shop: Shop, kind: str) -> None:
     assert shop.call("load", file) == 0
     require_whole(shop.loaded, "moved", held="a" if kind in ("old", "docker") else "")
     assert names_in(shop.loaded)[-1] == archive.DOCKER
+
+
+def test_podman_that_pulled_what_is_missing_gets_the_image_as_it_was_pushed(shop: Shop) -> None:
+    file = shop.save("moved", "app")
+    shop.engine("podman", "app")
+    (shop.folder / "pulled").write_text("")
+    (shop.folder / "saves").rename(shop.folder / "nothing is saved")
+    assert shop.call("load", file) == 0
+    require_whole(shop.loaded, "moved", held="ax")
+    assert text_in(shop.loaded, archive.INDEX)["manifests"] == text_in(file, archive.INDEX)["manifests"]
 
 
 def test_docker_is_not_asked_for_layers_that_it_finds(shop: Shop) -> None:

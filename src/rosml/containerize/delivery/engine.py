@@ -16,7 +16,7 @@ from typing import IO, BinaryIO, cast
 
 from rosml.base.errors import RosmlError
 from rosml.containerize.delivery import archive
-from rosml.containerize.delivery.load import Found, Image, Layer
+from rosml.containerize.delivery.load import Found, Image, Layer, complete
 from rosml.run import engine
 
 _NAMED = re.compile(r"(?:\./)?(?:blobs/sha256/)?([0-9a-f]{64})(?:\.tar)?")
@@ -124,16 +124,18 @@ def sources(command: str, image: Image, only: str = "") -> list[InEngine]:
     return [InEngine(command, name, frozenset(diff_ids)) for name, diff_ids in near if missing & {*diff_ids}]
 
 
-def held(command: str, image: Image) -> set[str]:
+def held(command: str, image: Image, store: engine.Store) -> set[str]:
     """The digests of the layers that docker takes from its own store: it has them in another image, on the same layers.
 
     docker's classic store keeps a layer with all below it under one name, and reads no file for a layer that it has. docker with containerd's
-    store and podman want all layers in the file.
+    store wants all layers in the file.
+
+    Args:
+        store: of the engine.
 
     Raises:
         RosmlError: the engine does not answer, or cannot read the image (exit code 2).
     """
-    store = engine.store(command)
     if not store.zstd and any(str(entry["mediaType"]).endswith("zstd") for entry in image.content["layers"]):
         text = f"{command} here is older than version 23, and cannot read layers with zstd, which {image.name or 'the image'} has"
         raise RosmlError(text, "update Docker, or take podman: ROSML_ENGINE=podman", exit_code=2)
@@ -149,12 +151,32 @@ def held(command: str, image: Image) -> set[str]:
     return {*image.order[:most]}.difference(image.order[most:])
 
 
+def takes_as_it_is(command: str, image: Image) -> bool:
+    """Lets podman load an image without the layers that the archive lacks. It takes those from its store, if it pulled them as they are in
+    the registry; then the image keeps its digest, and nothing is read from `podman save`.
+
+    Returns:
+        Whether podman has the image now.
+    """
+    lacking = {layer.digest for layer in image.missing}
+    try:
+        with loading(command) as out:
+            complete(image, [], out, held=lacking)
+    except NotLoaded:
+        return False
+    return True
+
+
+class NotLoaded(RosmlError):
+    """The engine cannot load what it got."""
+
+
 @contextlib.contextmanager
 def loading(command: str) -> Iterator[BinaryIO]:
     """Gives a pipe into `docker load` or `podman load`. The engine gets to an end only if all went well.
 
     Raises:
-        RosmlError: the engine cannot load what it got.
+        NotLoaded: the engine cannot load what it got.
     """
     with tempfile.TemporaryFile() as said:
         process = _begun(command, "load", stdin=subprocess.PIPE, stdout=said, stderr=subprocess.STDOUT)
@@ -174,7 +196,7 @@ def loading(command: str) -> Iterator[BinaryIO]:
             process.wait()
             raise
         if process.wait() or broken:
-            raise RosmlError(
+            raise NotLoaded(
                 f"{command} cannot load the image: {_last(said)}",
                 "its own message says why; docker info has its version and disk",
             )

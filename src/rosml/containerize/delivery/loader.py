@@ -40,7 +40,7 @@ class Loaded:
         into: the file that was written; empty if an engine loaded it.
         written: the digest of the image in that file.
         layers: how many layers the archive had. bytes: their size.
-        taken: how many layers came from elsewhere. held: how many of the others docker had.
+        taken: how many layers came from elsewhere. held: how many the engine found by itself.
     """
 
     image: str
@@ -92,7 +92,10 @@ class Loader:
             held: set[str] = set()
             if not into:
                 self._require_platform(image)
-                held = engine.held(command, image)
+                store = engines.store(command)
+                held = engine.held(command, image, store)
+                if store.podman and image.missing and not origins and engine.takes_as_it_is(command, image):
+                    return _loaded(image, held=len(image.missing))
             sources: list[Source] = []
             if origins:
                 sources = [found for name in origins for found in self._origin(name, image, command, stack)]
@@ -106,9 +109,7 @@ class Loader:
             out = stack.enter_context(files.whole(Path(into)) if into else engine.loading(command))
             with progress_bar.of_bytes("layers", total) as advance:
                 digest = complete(image, chosen, out, advance, held)
-        there = [layer.size for layer in image.layers.values() if layer not in image.missing]
-        counts = len(there), sum(there), sum(len(layers) for _, layers in chosen), len(held)
-        return Loaded(image.name, image.digest, image.identity, into, digest if into else "", *counts)
+        return _loaded(image, into, digest if into else "", sum(len(layers) for _, layers in chosen), len(held))
 
     def _engine(self, into: str) -> str:
         """The engine's command; empty if there is none and a file is written."""
@@ -134,6 +135,12 @@ class Loader:
             return engine.sources(command, image, found.id)
         where = references.parse(delta.complete(name, self.services, self.registries))
         return [InRegistry(self.registries(where.host), where.repository)]
+
+
+def _loaded(image: Image, into: str = "", written: str = "", taken: int = 0, held: int = 0) -> Loaded:
+    there = [layer.size for layer in image.layers.values() if layer not in image.missing]
+    counts = len(there), sum(there), taken, held
+    return Loaded(image.name, image.digest, image.identity, into, written, *counts)
 
 
 def _archive(file: str, stack: contextlib.ExitStack) -> Archive:
