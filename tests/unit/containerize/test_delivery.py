@@ -246,6 +246,15 @@ def test_a_whole_image_has_the_manifest_as_it_was_pushed(shop: Shop) -> None:
     assert ("t", entry["digest"]) in shop.server.manifests
 
 
+def test_an_image_by_its_digest_has_no_name(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
+    (entry,) = text_in(shop.save("app"), archive.INDEX)["manifests"]
+    capsys.readouterr()
+    assert shop.call("save", f"{shop.place}@{entry['digest']}", "-o", shop.folder / "out") == 0
+    assert capsys.readouterr().out.splitlines()[0] == f"{shop.place}@{entry['digest']}"
+    assert text_in(shop.folder / "out", archive.DOCKER)[0]["RepoTags"] is None
+    assert "annotations" not in text_in(shop.folder / "out", archive.INDEX)["manifests"][0]
+
+
 def test_a_connection_that_breaks_costs_nothing(shop: Shop) -> None:
     shop.server.fault("GET", "/blobs/" + oci.digest_of(PACKED["x"]), DROP, 2)
     require_whole(shop.save("more"), "more")

@@ -68,7 +68,7 @@ def main(image: str, have: tuple[str, ...], output: str, platform: str, as_json:
     if as_json:
         terminal.echo(json.dumps(found.to_json(), indent=2))
         return
-    terminal.echo(f"{found.image}@{found.digest}", err=pipe)
+    terminal.echo(f"{found.image.partition('@')[0]}@{found.digest}", err=pipe)
     terminal.echo(f"{found.platform}: {counted(found.layers, 'layer')}, {size(found.bytes)}", err=pipe)
     if have:
         terminal.echo(f"left out: {counted(found.left_out, 'layer')}, {size(found.left_out_bytes)}", err=pipe)
