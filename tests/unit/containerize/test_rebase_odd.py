@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import gzip
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
-from rebasing import BOTH, App, Place, moving
+from rebasing import BASE_FACTS, BOTH, App, Place, changed, moving, package
 
 from rosml.containerize.rebase.image import as_buildkit
 from rosml.images.join import file_lists
 from rosml.registry import oci, references
+from tests.e2e.parts import ros
 
 
 @pytest.fixture
@@ -110,6 +112,22 @@ def test_lists_of_many_parts_hide_no_file(place: Place) -> None:
     assert listed and {f"file-{number}" for number in range(7)} <= listed.entries
 
 
+def test_python_that_a_base_image_no_longer_has(place: Place) -> None:
+    had = changed(BASE_FACTS, packages=[*BASE_FACTS["packages"], package("python3-opencv", "4.6")])
+    app = place.app(place.base(said=had))
+    _, plan = place.plan(app, place.base("newer"))
+    assert plan.judgement.words == "check by link"
+    assert "python3-opencv" in plan.judgement.undecided[0]
+
+
+def test_a_framework_that_a_base_image_no_longer_has(place: Place) -> None:
+    said = {**ros().labels, "io.rosml.framework": "torch", "io.rosml.torch": "2.14.0"}
+    made = replace(ros(salt="torch"), labels=said)
+    app = place.app(made.put(place.registry, "rosml/ros", "torch", BOTH[:1]))
+    _, plan = place.plan(app, place.base("newer"))
+    assert "this base image has no torch; the app's Python may use it" in plan.judgement.undecided
+
+
 # ---- Images that say something else ----------------------------------------------------------------------------------
 
 
@@ -122,6 +140,19 @@ def test_an_index_that_says_another_platform_than_its_image(place: Place) -> Non
     content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": [entry]}
     place.registry.put_manifest("me/robot", "latest", content, oci.INDEX)
     assert "linux/arm64" in place.refused(app, new)
+
+
+def test_two_images_for_one_platform(place: Place) -> None:
+    old, new = place.base(), place.base("newer")
+    entries = []
+    for name in ("a", "b"):
+        place.app(old, name, labels={"org.opencontainers.image.revision": name})
+        found = place.registry.manifest("me/robot", name)
+        assert found
+        entries.append({**found.descriptor, "platform": {"os": "linux", "architecture": "amd64"}})
+    content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries}
+    place.registry.put_manifest("me/robot", "latest", content, oci.INDEX)
+    assert "two images for linux/amd64" in place.refused(f"{place.server.address}/me/robot:latest", new)
 
 
 @pytest.mark.parametrize("broken", ["diff_ids", "history"])
@@ -154,6 +185,23 @@ def test_layers_that_nobody_can_take_over(place: Place, kind: str) -> None:
     assert kind in place.refused(own, place.base("third"))
 
 
+def test_facts_without_libraries_prove_nothing(place: Place) -> None:
+    app = place.app(place.base())
+    text = place.refused(app, place.base("newer", changed(BASE_FACTS, libraries=[])))
+    assert "librclcpp.so" in text
+
+
+@pytest.mark.parametrize(
+    ("files", "says"),
+    [
+        (("usr/bin/env", "usr/lib/python3"), "/usr/lib/python3"),
+        (("usr/bin/env", "usr/lib/python3/angles.py/x"), "/usr/lib/python3/angles.py"),
+    ],
+)
+def test_a_folder_in_place_of_a_file(place: Place, files: tuple[str, ...], says: str) -> None:
+    assert f"{says}" in place.refused(place.app(place.base()), place.base("newer", files=files))
+
+
 def test_an_app_on_itself(place: Place) -> None:
     app = App(place.base()).put(place.registry, "latest", index=True)
     print(place.refused(app, app))
@@ -166,3 +214,22 @@ def test_an_old_base_image_that_nobody_reaches(place: Place) -> None:
     found = place.rebase(app, new)
     assert found.moved and found.verdict == "check by link"
     assert any("127.0.0.1:9" in line for line in place.said)
+
+
+def test_attestations_in_an_index_are_not_taken_over_in_silence(place: Place) -> None:
+    old, new = place.base(), place.base("newer")
+    app = App(old).put(place.registry, "latest", index=True)
+    found = place.registry.manifest("me/robot", "latest")
+    assert found
+    other = place.registry.put_manifest("me/robot", "", {"schemaVersion": 2, "mediaType": oci.IMAGE, "layers": []})
+    entry = {
+        "mediaType": oci.IMAGE,
+        "digest": other,
+        "size": 80,
+        "platform": {"os": "unknown", "architecture": "unknown"},
+    }
+    content = {**found.content, "manifests": [*found.content["manifests"], entry]}
+    place.registry.put_manifest("me/robot", "latest", content, oci.INDEX)
+    moved = place.rebase(app, new)
+    assert moved.digest == place.digest(App(new).put(place.registry, "built", index=True))
+    assert any("attestations in its index are of the old image, and stay there (1)" in line for line in place.said)

@@ -23,6 +23,8 @@ from rosml.images.join.layers import Source
 SAME = {"distribution": "ROS distribution", "os": "system", "python": "Python", "ros": "generation of ROS"}
 """The labels that the old and the new base image must have in common, by the words for people."""
 
+FRAMEWORK = f"{PREFIX}framework"
+
 VERSION = re.compile(r"[0-9]+(\.[0-9]+)+([+.-].*)?")
 """The value of a label with a version."""
 
@@ -101,7 +103,7 @@ def judge(
     app: Facts,
     old: Facts | None,
     new: Facts,
-    files: Container[str],
+    files: tuple[Container[str], Container[str]],
     labels: tuple[Mapping[str, str], Mapping[str, str]],
 ) -> Judgement:
     """Whether an app runs on another base image.
@@ -110,7 +112,7 @@ def judge(
         app: the facts of its layer.
         old: those of its present base image; None if they are gone.
         new: those of the new one.
-        files: the files of the new base image.
+        files: the files and the folders of the new base image.
         labels: of the app, and of the new base image.
 
     Raises:
@@ -119,11 +121,15 @@ def judge(
     found = Judgement()
     try:
         _packages(app, new, found)
+        if old:
+            _vanished(app, old, new, found)
     except ValueError as error:
         raise RosmlError(f"the facts of an image are damaged: {error}", AGAIN) from None
     _files(app, new, files, found)
     _parts(app, labels, found)
     _libraries(app, old, new, found)
+    if old is None:
+        found.add(Verdict.LINK, "the base image that the app was built on is gone, so nobody can compare with it")
     return found
 
 
@@ -157,22 +163,52 @@ def _packages(app: Facts, new: Facts, found: Judgement) -> None:
             found.add(Verdict.BUILD, text)
 
 
-def _files(app: Facts, new: Facts, files: Container[str], found: Judgement) -> None:
+def _vanished(app: Facts, old: Facts, new: Facts, found: Judgement) -> None:
+    """Packages that only the old base image has. Python and launch files may use them, and no list says so.
+
+    Raises:
+        ValueError: a field is damaged.
+    """
+    every = debian.Known([*new.packages, *app.packages])
+    gone = sorted({package.name for package in old.packages if package.name not in every})
+    if gone:
+        text = f"the base image until now has {_some(gone)}, and this one has not; the app's Python may use it"
+        found.add(Verdict.LINK, text)
+
+
+def _files(app: Facts, new: Facts, files: tuple[Container[str], Container[str]], found: Judgement) -> None:
     """Files that both have. Those of a package that both have in the same version are the same."""
     base = debian.Known(new.packages)
-    for package in app.packages:
-        if base.there(package.name):  # in another version it was named already
+    paths = [path for package in app.packages if not base.there(package.name) for path in package.files]
+    known: dict[str, str] = {}
+    for path in (*paths, *app.files):  # a package that is there in another version was named already
+        if GENERATED.fullmatch(path):
             continue
-        for path in package.files:
-            if path in files and not GENERATED.fullmatch(path):
-                found.add(Verdict.BUILD, f"the app and the base image both have /{path}")
-    for path in app.files:
-        if path in files and not GENERATED.fullmatch(path):
+        if path in files[0]:
             found.add(Verdict.BUILD, f"the app and the base image both have /{path}")
+        elif path in files[1]:
+            found.add(Verdict.BUILD, f"the app has a file /{path}, which is a folder in the base image")
+        elif above := _file_above(path.rpartition("/")[0], files[0], known):
+            found.add(Verdict.BUILD, f"the app has a folder /{above}, which is a file or a link in the base image")
+
+
+def _file_above(folder: str, files: Container[str], known: dict[str, str]) -> str:
+    """The folder that is a file, among a folder and those above it; empty if none is."""
+    todo = []
+    while folder and folder not in known and folder not in files:
+        todo.append(folder)
+        folder = folder.rpartition("/")[0]
+    above = known.get(folder, folder)
+    known |= dict.fromkeys(todo, above)
+    return above
 
 
 def _parts(app: Facts, labels: tuple[Mapping[str, str], Mapping[str, str]], found: Judgement) -> None:
     """Releases of parts, whose libraries have their names: one minor release runs no programs of another."""
+    lost = [name.removeprefix(PREFIX) for name in labels[0] if name.startswith(PREFIX) and name not in labels[1]]
+    lost = [name for name in lost if VERSION.fullmatch(labels[0][PREFIX + name])]
+    if lost and labels[0].get(FRAMEWORK) != labels[1].get(FRAMEWORK):
+        found.add(Verdict.LINK, f"this base image has no {listed(lost, 'or')}; the app's Python may use it")
     needed = sorted({name for library in app.libraries for name in library.needed})
     for label, old in labels[0].items():
         new, part = labels[1].get(label, ""), label.removeprefix(PREFIX)
@@ -228,7 +264,8 @@ def _libraries(app: Facts, old: Facts | None, new: Facts, found: Judgement) -> N
     for machine in {tuple(library.machine) for library in app.libraries}:
         own = _Libraries(app.libraries, machine)
         here, before = _Libraries(new.libraries, machine), _Libraries(old.libraries, machine) if old else None
-        if not new.libraries or not any(tuple(item.machine) == machine for item in new.libraries):
+        known = [*new.libraries, *(old.libraries if old else ())]
+        if not any(tuple(item.machine) == machine for item in known):
             continue  # the app has it for another processor
         used: dict[str, str] = {}
         for library in (item for item in app.libraries if tuple(item.machine) == machine):
@@ -237,12 +274,7 @@ def _libraries(app: Facts, old: Facts | None, new: Facts, found: Judgement) -> N
                 if name not in here and not DRIVER.fullmatch(name) and (before is None or name in before):
                     found.add(Verdict.BUILD, f"{_short(library)} needs {name}, which the base image lacks")
             _symbols(library, own, before, here, found)
-        if before is None:
-            if used:
-                found.add(
-                    Verdict.LINK, "the base image that the app was built on is gone, so nobody can compare libraries"
-                )
-        else:
+        if before:
             _changed(used, before, here, found)
 
 
@@ -281,9 +313,14 @@ def _changed(used: Mapping[str, str], before: _Libraries, here: _Libraries, foun
             if not same and here.named(name):
                 changed[name] = library.path
     if changed:
-        some = listed(sorted(changed)[:3]) + (f" and {len(changed) - 3} more" if len(changed) > 3 else "")
-        found.add(Verdict.LINK, f"{some} changed, and their names do not say whether their interfaces did")
+        found.add(
+            Verdict.LINK, f"{_some(sorted(changed))} changed, and their names do not say whether their interfaces did"
+        )
 
 
 def _short(library: Library) -> str:
     return library.path.removeprefix("docker-ros/ws/install/")
+
+
+def _some(names: Sequence[str]) -> str:
+    return listed(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")

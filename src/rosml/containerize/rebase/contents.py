@@ -18,7 +18,7 @@ from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME
 from rosml.images.image_set.labels import APP
 from rosml.images.join import facts, file_lists
 from rosml.images.join.facts import Facts
-from rosml.images.join.file_lists import Files, Lists
+from rosml.images.join.file_lists import Lists
 from rosml.images.join.layers import Source
 from rosml.images.join.transfer import Transfer
 from rosml.images.scan import sbom
@@ -50,12 +50,13 @@ class Known:
     Attributes:
         places: the images that it is joined from, by which lists and SBOMs are found; itself if it was built.
         facts: of all of them together.
-        files: of all of them.
+        files, folders: of all of them.
     """
 
     places: tuple[Place, ...]
     facts: Facts
     files: frozenset[str]
+    folders: frozenset[str]
 
 
 class Contents:
@@ -95,7 +96,9 @@ class Contents:
         if not places or not found or not all(lists):
             text = f"{reference} has no facts about its packages, libraries and files"
             raise RosmlError(text, "name a base image that this rosml or a later one has published", exit_code=2)
-        return Known(places, found, frozenset(path for files in lists if files for path in _paths(files)))
+        known = [files for files in lists if files]
+        paths = frozenset(path for files in known for path in _shown(files.entries))
+        return Known(places, found, paths, frozenset(path for files in known for path in _shown(files.folders)))
 
     def _facts(self, reference: str, platform: str, depth: int = 0) -> Facts | None:
         """The facts of a base image; of an app those of all below it, too. None if it is gone, or has none."""
@@ -264,9 +267,9 @@ def base_of(app: Source) -> str:
     return str(where._replace(reference=digest))
 
 
-def _paths(files: Files) -> Iterable[str]:
+def _shown(paths: Iterable[str]) -> Iterator[str]:
     """Paths of a list, as facts have them."""
-    return (path.encode("utf-8", "backslashreplace").decode() for path in files.entries)
+    return (path.encode("utf-8", "backslashreplace").decode() for path in paths)
 
 
 def _is_own(component: Mapping[str, Any], own: Facts) -> bool:

@@ -112,6 +112,9 @@ class Known:
             for [provided, *_] in relations(package.provides):
                 self._versions[provided.name].append((provided.version, package.name))
 
+    def __contains__(self, name: str) -> bool:
+        return name in self._versions
+
     def met(self, alternatives: Sequence[Relation]) -> bool:
         """Whether one of some alternatives is there."""
         return any(item.is_met_by(version) for item in alternatives for version, _ in self._versions.get(item.name, ()))

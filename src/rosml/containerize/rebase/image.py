@@ -60,12 +60,12 @@ def moved(app: Source, base: Source, labels: Mapping[str, str]) -> Joined:
     own = _own_history(app)
     _require_whole(base)
     if app.platform.split("/")[:2] != base.platform.split("/")[:2]:
-        text = f"an index says another platform than its image: {app.name} is for {app.platform}, {base.name} for {base.platform}"
-        raise RosmlError(text, "push the index again", exit_code=2)
+        said = f"{app.name} is for {app.platform}, {base.name} for {base.platform}"
+        raise RosmlError(f"an index names another platform than its image: {said}", "push the index again", exit_code=2)
     for source in (base, app):
         if strange := [layer["mediaType"] for layer in source.layers if not _LAYER.fullmatch(layer["mediaType"])]:
-            text = f"{source.name} has a layer of the type {strange[0][:100]}, which no other image can have"
-            raise RosmlError(text, AGAIN, exit_code=2)
+            problem = f"{source.name} has a layer of the type {strange[0][:100]}, which no other image can have"
+            raise RosmlError(problem, AGAIN, exit_code=2)
     config = _config(app, base, own, {**_own_labels(app), **labels})
     encoded = as_buildkit(config)
     manifest = {

@@ -22,7 +22,7 @@ from rosml.containerize.rebase.checks import Judgement, Verdict
 from rosml.containerize.rebase.contents import Contents, Known
 from rosml.containerize.rebase.trial import Pair
 from rosml.images.image_set.labels import APP, PREFIX
-from rosml.images.join.layers import Joined, Source
+from rosml.images.join.layers import Joined, Source, platform
 from rosml.images.join.transfer import Transfer, Transferred
 from rosml.images.matrix.names import DATED
 from rosml.machine.services import Services
@@ -166,6 +166,7 @@ class Rebaser:
         where, manifest = self._find(app)
         known = self._transfer.members(str(where), where, manifest)
         old = _chosen(known, platforms, str(where))
+        self._tell_left(str(where), manifest, known)
         target = references.parse(tag) if tag else where
         if references.is_digest(target.reference):
             what = "names the app by its digest" if not tag else "is a digest"
@@ -192,6 +193,21 @@ class Rebaser:
         own = where._replace(reference=manifest.digest)
         return Plan(own, str(where), target, there, found, images, old, bases, judgement, document, manifest.is_index)
 
+    def _tell_left(self, name: str, manifest: oci.Manifest, known: Mapping[str, Source]) -> None:
+        """Tells what of an app's index is not in the new one, such as attestations by buildx.
+
+        Raises:
+            RosmlError: it is an image of a platform that another one has as well (exit code 2).
+        """
+        left = {entry.digest: platform(entry.platform) for entry in manifest.members}
+        for source in known.values():
+            left.pop(source.digest, None)
+        if twice := sorted(known.keys() & left.values()):
+            text = f"{name} has two images for {twice[0]}, and nobody knows which one counts"
+            raise RosmlError(text, "push its index again with one for each platform", exit_code=2)
+        if left:
+            self.say(f"{name}: attestations in its index are of the old image, and stay there ({len(left)})")
+
     def _judge(self, app: Source, base: Source, place: str, platform: str, judgement: Judgement) -> Known:
         """Adds what the facts of both base images say for one platform. Gives what is known of the new one."""
         below, submit = contents.base_of(app), self._transfer.pool.submit
@@ -208,7 +224,7 @@ class Rebaser:
             self.say(f"the base image until now cannot be read, so nobody compares with it: {error.message}")
         if whole:
             image.require_unaltered(app, whole)
-        found = checks.judge(own, had, known.facts, known.files, labels)
+        found = checks.judge(own, had, known.facts, (known.files, known.folders), labels)
         for reason, verdict in found.reasons.items():
             judgement.add(verdict, reason)
         return known
