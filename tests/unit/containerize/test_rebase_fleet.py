@@ -20,7 +20,7 @@ from rosml.images.publish import undo
 from rosml.images.records.store import Records
 from rosml.images.scan.trivy import Report
 from rosml.registry import place as places
-from rosml.registry.client import Registries
+from rosml.registry.client import Registries, Registry
 
 
 @pytest.fixture
@@ -119,6 +119,56 @@ def test_tags_by_a_pattern(place: Place) -> None:
     with pytest.raises(RosmlError, match=r"no tag of .* matches w\*") as caught:
         run(place, Entry(app=f"{place.server.address}/me/robot:w*"))
     assert caught.value.exit_code == 2
+
+
+def test_an_app_that_is_named_twice(place: Place) -> None:
+    """Its own entry counts more than a pattern; two of the same kind have to agree."""
+    old = place.base()
+    for tag in ("v1", "v2"):
+        App(old).put(place.registry, tag)
+    new = place.base("newer")
+    name = f"{place.server.address}/me/robot"
+    every = Entry(app=f"{name}:v*")
+    for entries in ((Entry(app=f"{name}:v1", base=new), every), (every, Entry(app=f"{name}:v1", base=new))):
+        found = run(place, *entries)
+        assert {name: outcome.state for name, outcome in found.items()} == {"robot:v1": "moved", "robot:v2": "there"}
+        place.registry.tag("me/robot", place.digest(f"{name}:v2"), "v1")
+    for other in (Entry(app=f"{name}:v*", base=new), Entry(app=f"{name}:v?", check="link")):
+        with pytest.raises(RosmlError, match=r"robot:v1 is named twice, and differently") as caught:
+            run(place, every, other)
+        assert caught.value.exit_code == 2
+    assert len(run(place, every, every)) == 2
+
+
+def test_a_registry_that_has_any_tag(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
+    app = App(place.base()).put(place.registry, "latest")
+    place.base(files=("usr/bin/env", "bin", "usr/bin/new"))
+    head = Registry.head
+
+    def any_tag(self: Registry, repository: str, reference: str) -> str:
+        return head(self, repository, reference) or (f"sha256:{'1' * 64}" if "latest-" in reference else "")
+
+    monkeypatch.setattr(Registry, "head", any_tag)
+    found = run(place, Entry(app=app))
+    assert [outcome.state for outcome in found.values()] == ["failed"]
+    assert "has no free tag of the day" in found["robot:latest"].reason
+
+
+def test_a_registry_that_lists_no_tags_does_not_stop_the_others(place: Place) -> None:
+    app = App(place.base()).put(place.registry, "latest")
+    place.base(files=("usr/bin/env", "bin", "usr/bin/new"))
+    place.server.fault("GET", "me/closed/tags", 401, 100)
+    found = run(place, Entry(app=f"{place.server.address}/me/closed:v*"), Entry(app=app))
+    assert [outcome.state for outcome in found.values()] == ["failed", "moved"]
+
+
+def test_an_app_that_can_never_move_is_told(place: Place) -> None:
+    base = place.base()
+    pinned = f"{base.rpartition(':')[0]}@{place.digest(base)}"
+    app = App(pinned).put(place.registry, "latest")
+    place.base(files=("usr/bin/env", "bin", "usr/bin/new"))
+    assert run(place, Entry(app=app))["robot:latest"].state == "there"
+    assert f"{pinned} never moves, and apps that name it as their base image stay" in place.said[0]
 
 
 def test_an_app_that_is_gone_does_not_stop_the_others(place: Place) -> None:

@@ -11,7 +11,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import asdict, dataclass, field
 from fnmatch import fnmatchcase
-from itertools import chain, count
+from itertools import chain
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -37,6 +37,9 @@ MEANING = {REFERENCE: "an app with its registry, such as ghcr.io/me/robot:latest
 
 MANY = 10_000
 """Most apps of a file, after its patterns were replaced."""
+
+TIMES = 200
+"""Most dated tags of an app on one day."""
 
 _OURS = "sha256-"
 """The beginning of tags that are no app's: lists of what is attached to an image."""
@@ -132,7 +135,7 @@ class Fleet:
         Raises:
             RosmlError: a pattern matches nothing (exit code 2); a registry does not list its tags, or refuses the record.
         """
-        wanted = {name: entry for entry in entries for name in self._named(entry)}
+        wanted, failed = self._wanted([*entries])
         if len(wanted) > MANY:
             raise RosmlError(
                 f"{len(wanted):,} apps match, and at most {MANY:,} move in a run", "name fewer", exit_code=2
@@ -147,7 +150,30 @@ class Fleet:
             for outcome in chain(planned, pushed, done):
                 if isinstance(outcome, Outcome):
                     found[outcome.app] = outcome
-        return [found[name] for name in wanted]
+        return [*failed, *(found[name] for name in wanted)]
+
+    def _wanted(self, entries: Sequence[Entry]) -> tuple[dict[str, Entry], list[Outcome]]:
+        """The entry for each app: its own, or else that of a pattern. Also, what became of patterns whose registry does not answer.
+
+        Raises:
+            RosmlError: two entries say different things of an app; a pattern matches nothing (exit code 2).
+        """
+        found: dict[str, Entry] = {}
+        failed = []
+        for entry in sorted(entries, key=_is_pattern):
+            try:
+                names = self._named(entry)
+            except RosmlError as error:
+                if error.exit_code == 2:
+                    raise
+                failed.append(Outcome(entry.app, "failed", error.message, error.remedy))
+                continue
+            for name in names:
+                before = found.setdefault(name, entry)
+                if _is_pattern(before) == _is_pattern(entry) and before.model_copy(update={"app": entry.app}) != entry:
+                    text = f"{name} is named twice, and differently: by {before.app} and by {entry.app}"
+                    raise RosmlError(text, "let one entry name it", exit_code=2)
+        return found, failed
 
     def _named(self, entry: Entry) -> list[str]:
         """The complete references of an entry.
@@ -158,7 +184,7 @@ class Fleet:
         name, _, tag = entry.app.rpartition(":")
         if not name or "/" in tag:
             name, tag = entry.app, "latest"
-        if not any(character in tag for character in "*?["):
+        if not _is_pattern(entry):
             return [str(self.rebaser.where(f"{name}:{tag}"))]
         place = self.rebaser.where(f"{name}:x")
         known = self.rebaser.registries(place.host).tags(place.repository)
@@ -172,12 +198,13 @@ class Fleet:
     def _levels(self, names: Sequence[str]) -> Iterator[list[str]]:
         """The apps in the order in which they can move: those on other ones of them come later."""
         below = dict(zip(names, side_by_side(self._below, names, title="read"), strict=True))
-        left = [*names]
+        left = dict.fromkeys(names)
         while left:
             ready = [name for name in left if below[name] not in left or below[name] == name]
-            ready = ready or left  # they name each other: each stands for itself
+            ready = ready or [*left]  # they name each other: each stands for itself
             yield ready
-            left = [name for name in left if name not in ready]
+            for name in ready:
+                del left[name]
 
     def _below(self, name: str) -> str:
         """The image below an app, by its name; empty if it cannot be read, which its plan will say."""
@@ -214,19 +241,28 @@ class Fleet:
         return next(filter(None, found), "")
 
     def _moves(self, plan: Plan) -> list[Move]:
-        """The moves of an app's tags, in their order: the dated one first."""
+        """The moves of an app's tags, in their order: the dated one first.
+
+        Raises:
+            RosmlError: too many of the day are there; the registry does not answer or refuses.
+        """
         host, repository, tag = plan.target
         registry = self.rebaser.registries(host)
         name = repository.rpartition("/")[2]
         day = dated(tag, self.date)
         found = []
-        for candidate in chain([day], (f"{day}.{number}" for number in count(2))):  # the second tag of a day ends in .2
+        for candidate in (
+            day,
+            *(f"{day}.{number}" for number in range(2, TIMES)),
+        ):  # the second tag of a day ends in .2
             there = registry.head(repository, candidate)
             if not there:
                 found.append(Move(name, candidate, "", plan.digest))
             if there in ("", plan.digest):
-                break
-        return [*found, Move(name, tag, plan.there, plan.digest)]
+                return [*found, Move(name, tag, plan.there, plan.digest)]
+        raise RosmlError(
+            f"{host}/{repository} has no free tag of the day after {day}", "remove those that you do not need"
+        )
 
     def _push(self, ready: _Ready) -> _Ready | Outcome:
         """Pushes an app by its digest, and tries it in the builder."""
@@ -264,6 +300,10 @@ class Fleet:
         except RosmlError as error:
             return Outcome(ready.name, "failed", error.message, error.remedy, ready.rebased)
         return Outcome(ready.name, "moved", rebased=ready.rebased)
+
+
+def _is_pattern(entry: Entry) -> bool:
+    return any(character in entry.app for character in "*?[")
 
 
 @dataclass

@@ -355,6 +355,10 @@ class Rebaser:
                 found = app_base.find(name, self.services, platforms)
             if found.local:
                 raise RosmlError(f"{named} is in your Docker, and in no registry", "push it, and name it there", 2)
+            if not text and (DATED.search(named) or references.is_digest(named.partition("@")[2])):
+                self.say(
+                    f"{named} never moves, and apps that name it as their base image stay; give them another as base"
+                )
             self._bases[key] = _Onto(found, whole, text)
         return self._bases[key]
 
