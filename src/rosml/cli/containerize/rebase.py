@@ -102,6 +102,8 @@ def main(
         "--platform": platforms,
         "--dry-run": dry_run,
         "--command": command,
+        "--variants": variants,
+        "--check": check != "auto",
     }
     given = [name for name, value in one.items() if value]
     if variants and (base or platforms):
@@ -119,13 +121,11 @@ def main(
             return
         plans = [rebaser.plan(app, base, tag, platforms)] if not variants else _variants(rebaser, app, variants, tag)
         found = [_moved(rebaser, plan, check, command, not no_sbom, dry_run) for plan in plans]
-    if dry_run:
-        return
     if as_json:
-        documents = [item.to_json() for item in found if item]
+        documents = [item.to_json() for item in found]
         terminal.echo(json.dumps(documents if variants else documents[0], indent=2))
-    else:
-        for item in filter(None, found):
+    elif not dry_run:
+        for item in found:
             _print(item)
 
 
@@ -136,13 +136,13 @@ def _variants(rebaser: Rebaser, app: str, stacks: str, tag: str) -> list[Plan]:
     return variants.plans(rebaser, app, listed(stacks), tag)
 
 
-def _moved(rebaser: Rebaser, plan: Plan, check: str, command: str, with_sbom: bool, dry_run: bool) -> Rebased | None:
-    """Carries out a plan; None if it is only shown."""
+def _moved(rebaser: Rebaser, plan: Plan, check: str, command: str, with_sbom: bool, dry_run: bool) -> Rebased:
+    """Carries out a plan, or only tells what would come of it."""
     for reason in plan.judgement.undecided:
         say(f"check by link: {reason}")
     if dry_run:
         say(f"{plan.judgement.words}; {plan.target} would point at {plan.digest}")
-        return None
+        return plan.result
     links = check in ("link", "run") or (check == "auto" and bool(plan.judgement.undecided))
     links = links and plan.there != plan.digest
     if links:

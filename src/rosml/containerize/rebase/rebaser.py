@@ -106,6 +106,23 @@ class Plan:
         """The digest of the new image."""
         return oci.digest_of(self.document)
 
+    @property
+    def result(self) -> Rebased:
+        """What is known of the result before anything is pushed."""
+        first = next(iter(self.old.values()))
+        return Rebased(
+            app=self.named,
+            reference=str(self.target),
+            digest=self.digest,
+            before=self.app.reference,
+            base=self.base.name,
+            base_digest=self.base.digest,
+            old_base=first.labels.get(BASE_NAME, ""),
+            old_base_digest=first.labels.get(BASE_DIGEST, ""),
+            verdict=self.judgement.words,
+            reasons=[*self.judgement.reasons],
+        )
+
 
 @dataclass(frozen=True)
 class _Onto:
@@ -236,19 +253,7 @@ class Rebaser:
             RosmlError: a registry does not answer or refuses.
         """
         started = time.monotonic()
-        first = next(iter(plan.old.values()))
-        found = Rebased(
-            app=plan.named,
-            reference=str(plan.target),
-            digest=plan.digest,
-            before=plan.app.reference,
-            base=plan.base.name,
-            base_digest=plan.base.digest,
-            old_base=first.labels.get(BASE_NAME, ""),
-            old_base_digest=first.labels.get(BASE_DIGEST, ""),
-            verdict=plan.judgement.words,
-            reasons=[*plan.judgement.reasons],
-        )
+        found = plan.result
         host, repository, _ = plan.target
         for name, joined in plan.images.items():
             found.manifests[name] = self._transfer.push(joined, host, repository, found)

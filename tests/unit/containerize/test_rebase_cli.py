@@ -1,0 +1,74 @@
+"""`rosml rebase` as people call it, also wrongly."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+from rebasing import Place, moving
+
+from rosml.base.errors import RosmlError
+from rosml.cli.containerize import rebase
+from rosml.machine.services import Services
+
+
+@pytest.fixture
+def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
+    with moving(tmp_path, monkeypatch) as found:
+        monkeypatch.setattr(Services, "load", lambda *_, **__: found.services)
+        yield found
+
+
+def called(*arguments: str) -> tuple[int, str, str]:
+    """The exit code, the output and what was said. The program's own end turns errors into messages."""
+    done = CliRunner().invoke(rebase.main, [*arguments])
+    if isinstance(done.exception, RosmlError):
+        return done.exception.exit_code, done.stdout, done.exception.message
+    return done.exit_code, done.stdout, done.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        ([], "no app is named"),
+        (["--all", "FILE", "--variants", "cpu,cu130"], "--all and --variants exclude each other"),
+        (["--all", "FILE", "--check", "metadata"], "--all and --check exclude each other"),
+        (["--all", "FILE", "a/b"], "--all and APP exclude each other"),
+        (["a/b", "--fixes", "CVE-2026-1"], "--fixes looks at the apps of a file"),
+        (["a/b", "--check", "run"], "belong together"),
+        (["a/b", "--command", "x"], "belong together"),
+        (["a/b", "--variants", "cpu", "--base", "x"], "--variants chooses base images"),
+        (["--all", "FOLDER"], "FOLDER"),
+        (["--all", "EMPTY"], "EMPTY"),
+        (["a B"], "is no reference"),
+        (["-x"], "No such option"),
+        (["", "--base", "x"], "no app is named"),
+        (["localhost:1/a:b@sha256:123"], "is no reference"),
+        (["APP", "--tag", "candidate"], "is no reference"),
+        (["APP", "--platform", "arm64"], "is for linux/amd64, not for arm64"),
+        (["APP", "--base", "BASE", "--check", "auto", "--platform", "linux/arm64"], "not for linux/arm64"),
+    ],
+)
+def test_wrong_use(place: Place, tmp_path: Path, arguments: list[str], says: str) -> None:
+    (tmp_path / "FOLDER").mkdir()
+    (tmp_path / "EMPTY").write_text("")
+    (tmp_path / "FILE").write_text("apps: [{app: 'a/b:c'}]")
+    base = place.base()
+    known = {name: str(tmp_path / name) for name in ("FILE", "FOLDER", "EMPTY")} | {"BASE": base}
+    known["APP"] = place.app(base) if "APP" in arguments else ""
+    code, out, said = called(*(known.get(item, item) for item in arguments))
+    assert (code, out) == (2, "") and says in said
+
+
+def test_a_dry_run_in_json(place: Place) -> None:
+    app, new = place.app(place.base()), place.base("newer")
+    before = place.digest(app)
+    code, out, _ = called(app, "--base", new, "--dry-run", "--json")
+    [found] = [json.loads(out)]
+    assert code == 0 and place.digest(app) == before
+    assert found["verdict"] == "safe" and found["moved"] is False and found["base_digest"] == place.digest(new)
+    assert called(app, "--base", new, "--json")[0] == 0
+    assert place.digest(app) == found["digest"] != before
