@@ -20,12 +20,15 @@ MOST = 10
 
 _ENTRY = re.compile(r"([a-z][a-z0-9]{0,15})(?::([0-9]{1,5}(?:\.[0-9]{1,5}){0,3}))?")
 
+_DATED = re.compile(r"-\d{8}(\.\d+)?$")
+
 
 def chosen(context: Context) -> str:
     """The image for this machine; empty if it is the named one, or if nobody knows: of another machine, or by a full name."""
     known, own = _known(context), context.image.labels.get(STACK, "")
     name, tag = _split(context.line.image)
-    if own not in known or not tag or any(tag.endswith(f"-{stack}") for stack in known) or not context.is_here:
+    named = any(tag.endswith(f"-{stack}") for stack in known) or _DATED.search(tag)  # nothing has that name and a stack
+    if own not in known or not tag or named or not context.is_here:
         return ""
     best = _best(context, known)
     return f"{name}:{tag}-{best}" if best and best != own else ""

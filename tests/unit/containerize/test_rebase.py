@@ -342,6 +342,12 @@ def on_stack(place: Place, stack: str, said: Mapping[str, Any], driver: str = ""
     return made
 
 
+def labels_of(place: Place, tag: str) -> dict[str, str]:
+    found = place.registry.manifest("me/robot", tag)
+    assert found and found.config
+    return dict(place.registry.json_blob("me/robot", found.config.digest)["config"]["Labels"])
+
+
 def test_an_app_on_several_accelerators(place: Place) -> None:
     cpu = on_stack(place, "cpu", BASE_FACTS)
     on_stack(place, "cu130", BASE_FACTS, "580")
@@ -351,13 +357,14 @@ def test_an_app_on_several_accelerators(place: Place) -> None:
             rebaser.move(plan, rebaser.push(plan))
     config = {}
     for tag in ("latest", "latest-cpu", "latest-cu130"):
-        found = place.registry.manifest("me/robot", tag)
-        assert found and found.config
-        config[tag] = place.registry.json_blob("me/robot", found.config.digest)["config"]["Labels"]
+        config[tag] = labels_of(place, tag)
         assert config[tag]["io.rosml.variants"] == "cpu cu130:580"
     assert [config[tag]["io.rosml.stack"] for tag in config] == ["cpu", "cpu", "cu130"]
     moved = place.rebase(f"{place.server.address}/me/robot:latest-cu130", on_stack(place, "cu132", BASE_FACTS))
     assert moved.moved, "and they follow their own base images"
+    assert labels_of(place, "latest-cu130")["io.rosml.variants"] == "cpu cu130:580"
+    place.rebase(app, on_stack(place, "cu132", BASE_FACTS), f"{place.server.address}/me/robot:candidate")
+    assert "io.rosml.variants" not in labels_of(place, "candidate"), "nobody made candidate-cu130"
 
 
 @pytest.mark.parametrize(

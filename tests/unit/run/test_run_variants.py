@@ -57,6 +57,8 @@ def test_the_newest_cuda_that_the_driver_runs(tmp_path: Path, driver: str, own: 
         ("a/robot:v1", "a/robot:v1-cu132"),
         ("a/robot:v1-cu128", ""),
         ("a/robot:v1-cpu", ""),
+        ("a/robot:v1-20261127", ""),
+        ("a/robot:v1-20261127.2", ""),
         (f"a/robot@sha256:{'1' * 64}", ""),
         (f"a/robot:v1@sha256:{'1' * 64}", ""),
     ],

@@ -52,7 +52,7 @@ def moved(app: Source, base: Source, labels: Mapping[str, str]) -> Joined:
     """An app on another base image, both for one platform.
 
     Args:
-        labels: the app's labels about its new base image.
+        labels: the app's labels about its new base image. An empty `VARIANTS` takes that label away.
 
     Raises:
         RosmlError: it is no app, or it cannot be put on another base image (exit code 2).
@@ -60,13 +60,14 @@ def moved(app: Source, base: Source, labels: Mapping[str, str]) -> Joined:
     own = _own_history(app)
     _require_whole(base)
     if app.platform.split("/")[:2] != base.platform.split("/")[:2]:
-        said = f"{app.name} is for {app.platform}, {base.name} for {base.platform}"
-        raise RosmlError(f"an index names another platform than its image: {said}", "push the index again", exit_code=2)
+        both = f"{app.name} is for {app.platform}, {base.name} for {base.platform}"
+        raise RosmlError(f"an index names another platform than its image: {both}", "push the index again", exit_code=2)
     for source in (base, app):
         if strange := [layer["mediaType"] for layer in source.layers if not _LAYER.fullmatch(layer["mediaType"])]:
             problem = f"{source.name} has a layer of the type {strange[0][:100]}, which no other image can have"
             raise RosmlError(problem, AGAIN, exit_code=2)
-    config = _config(app, base, own, {**_own_labels(app), **labels})
+    said = {name: text for name, text in {**_own_labels(app), **labels}.items() if text or name != VARIANTS}
+    config = _config(app, base, own, said)
     encoded = as_buildkit(config)
     manifest = {
         "schemaVersion": 2,

@@ -197,9 +197,10 @@ class Rebaser:
         place = references.parse(f"{found.repository}@{found.digest}")
         new = self._transfer.platforms(str(place))
         images, bases, judgement = {}, {}, Judgement()
+        more = extra or ({} if target == where else {image.VARIANTS: ""})  # the label names tags beside the app's own
         for name, source in old.items():
             checks.require_fit(source, new[name])
-            images[name] = image.moved(source, new[name], self._labels(source, onto) | dict(extra or {}))
+            images[name] = image.moved(source, new[name], self._labels(source, onto) | dict(more))
             bases[name] = self._judge(source, new[name], str(place), name, judgement)
         _require_no_build(judgement, str(where), found)
         if manifest.is_index:
