@@ -286,7 +286,15 @@ def elf_of(document: bytes, folder: Path) -> object:
     return script("elf").elf(folder / "file"), script("elf").symbols(folder / "file")
 
 
-LIBRARY = {"path": "a.so", "id": "0" * 40, "soname": "a", "machine": [2, 1, 62], "needed": ["b"], "symbols": "AAAA", "uses": ["c@D"]}
+LIBRARY = {
+    "path": "a.so",
+    "id": "0" * 40,
+    "soname": "a",
+    "machine": [2, 1, 62],
+    "needed": ["b"],
+    "symbols": "AAAA",
+    "uses": ["c@D"],
+}
 FACTS = {
     "packages": [{"name": "a", "architecture": "all", "version": "1", "depends": "b (>= 1)", "files": ["c"]}],
     "libraries": [LIBRARY],
