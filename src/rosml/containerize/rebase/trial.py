@@ -19,8 +19,8 @@ from rosml.machine.services import Services
 LINES = 10_000
 """Most lines about what an app does not find."""
 
-SECONDS = 300
-"""How long the user's command may take."""
+SECONDS = 120
+"""How long the user's command may take: other builds wait meanwhile."""
 
 _LINK = """FROM {0} AS {0}-linked
 USER root
@@ -29,7 +29,8 @@ RUN --network=none --mount=type=bind,from=scripts,source=containerize/link.py,ta
 """
 _RUN = """FROM app
 ARG TRIAL
-RUN timeout --kill-after=10 {0} /entrypoint.sh bash -c "$TRIAL"
+RUN timeout --kill-after=10 {0} /entrypoint.sh bash -c "$TRIAL" || {{ code=$?; [ "$code" != 124 ] || \\
+    echo "error: the command did not end within {0} s; name one that ends by itself"; exit "$code"; }}
 """
 
 
