@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rosml.containerize.rebase import debian
+from rosml.images.join import facts
 
 VERSIONS = [
     "1.0",
@@ -109,3 +110,18 @@ def test_packages_that_cannot_stand_together() -> None:
 def test_what_is_no_relation_is_refused(field: str) -> None:
     with pytest.raises(ValueError, match="names no package"):
         debian.relations(field)
+
+
+def test_packages_that_were_made_to_take_long() -> None:
+    """360 kB of facts kept a process busy for minutes."""
+    versions = [f"v (= {number})" for number in range(6000)]
+    base = [
+        facts.Package(name=f"b{number}", architecture="all", version="1", provides=", ".join(versions))
+        for number in range(2)
+    ]
+    known = debian.Known(base)
+    with pytest.raises(ValueError, match="more often than any real ones"):
+        known.met(debian.relations(" | ".join(versions).replace("= ", "= x"))[0])
+    app = facts.Package(name="a", architecture="all", version="1", conflicts=", ".join("v (<< 0)" for _ in versions))
+    with pytest.raises(ValueError, match="more often than any real ones"):
+        list(debian.Known(base).conflicts(app))

@@ -167,7 +167,9 @@ class Contents:
         there = {entry.get("artifactType") for entry in registry.referrers(repository, subject["digest"])}
         before, own = registry.sent_by_this_thread, self.own(app)
         if facts.ARTIFACT not in there:
-            for layer in self._artifacts(Place(app.host, app.repository, app.digest), facts.ARTIFACT)[:1]:
+            for layer in self._artifacts(
+                Place(app.host, app.repository, app.digest), facts.ARTIFACT
+            ):  # all count, as in `own`
                 data = self._transfer.registries(app.host).part(app.repository, layer.layers[0], facts.PACKED)
                 registry.attach(repository, subject, facts.ARTIFACT, data, facts.MEDIA_TYPE)
         if file_lists.ARTIFACT not in there:
@@ -227,10 +229,10 @@ class Contents:
         Raises:
             RosmlError: an SBOM is damaged, or the registry does not answer or refuses.
         """
-        own = self.own(app)
+        own = _Own(self.own(app))
         there = [*self._components(Place(app.host, app.repository, app.digest))]
         known = [item for place in base.places for item in self._components(place)]
-        every = {item["bom-ref"]: item for item in (*known, *(item for item in there if _is_own(item, own)))}
+        every = {item["bom-ref"]: item for item in (*known, *(item for item in there if own.has(item)))}
         document = {
             "$schema": "http://cyclonedx.org/schema/bom-1.5.schema.json",
             "bomFormat": "CycloneDX",
@@ -272,23 +274,21 @@ def _shown(paths: Iterable[str]) -> Iterator[str]:
     return (path.encode("utf-8", "backslashreplace").decode() for path in paths)
 
 
-def _is_own(component: Mapping[str, Any], own: Facts) -> bool:
-    """Whether a component of an app's SBOM is of the app, and not of its base image."""
-    purl = str(component.get("purl", ""))
-    if purl.startswith("pkg:generic/ros/"):
-        return True
-    name, version = str(component.get("name", "")), str(component.get("version", ""))
-    if purl.startswith("pkg:deb/"):
-        return any((item.name, item.version) == (name, version) for item in own.packages)
-    paths = (*own.files, *(path for package in own.packages for path in package.files))
-    return any(_is_of(path, name, version) for path in paths if "-info" in path)
+class _Own:
+    """The packages of an app, by name and version, to find its components among those of its base image."""
 
+    def __init__(self, facts: Facts) -> None:
+        self._apt = {(item.name, item.version) for item in facts.packages}
+        paths = (*facts.files, *(path for package in facts.packages for path in package.files))
+        matches = (_PYTHON.fullmatch(path) for path in paths if "-info" in path)
+        self._python = {(_plain(found[1]), found[2]) for found in matches if found}
 
-def _is_of(path: str, name: str, version: str) -> bool:
-    found = _PYTHON.fullmatch(path)
-    if found is None or found[2] != version:
-        return False
-    return _plain(found[1]) == _plain(name)
+    def has(self, component: Mapping[str, Any]) -> bool:
+        """Whether a component of an SBOM is of the app, and not of its base image."""
+        purl, name, version = (str(component.get(key, "")) for key in ("purl", "name", "version"))
+        if purl.startswith("pkg:deb/"):
+            return (name, version) in self._apt
+        return purl.startswith("pkg:generic/ros/") or (_plain(name), version) in self._python
 
 
 def _plain(name: str) -> str:

@@ -13,6 +13,9 @@ from itertools import zip_longest
 from typing import NamedTuple, Protocol
 
 _RELATION = re.compile(r"([a-z0-9][a-z0-9+.-]*)(:[a-z0-9-]+)?\s*(?:\(\s*(<<|<=|=|>=|>>|<|>)\s*([^\s()]+)\s*\))?")
+COMPARISONS = 2_000_000
+"""The most versions that are compared for one image, which take some seconds."""
+
 _RUN = re.compile(r"(\D*)(\d*)")
 
 
@@ -106,6 +109,7 @@ class Known:
     """
 
     def __init__(self, packages: Iterable[Package]) -> None:
+        self._left = COMPARISONS
         self._versions: defaultdict[str, list[tuple[str, str]]] = defaultdict(list)
         for package in packages:
             self._versions[package.name].append((package.version, package.name))
@@ -116,16 +120,32 @@ class Known:
         return name in self._versions
 
     def met(self, alternatives: Sequence[Relation]) -> bool:
-        """Whether one of some alternatives is there."""
-        return any(item.is_met_by(version) for item in alternatives for version, _ in self._versions.get(item.name, ()))
+        """Whether one of some alternatives is there.
+
+        Raises:
+            ValueError: it would take too long.
+        """
+        return any(
+            self._is_met(item, version) for item in alternatives for version, _ in self._versions.get(item.name, ())
+        )
+
+    def _is_met(self, item: Relation, version: str) -> bool:
+        self._left -= 1 + (len(version) + len(item.version)) // 64
+        if self._left < 0:
+            raise ValueError("packages name each other more often than any real ones")
+        return item.is_met_by(version)
 
     def there(self, name: str) -> str:
         """The version of a package; empty if it is not there."""
         return next((version for version, owner in self._versions.get(name, ()) if owner == name), "")
 
     def conflicts(self, package: Package) -> Iterator[tuple[str, Relation]]:
-        """The packages that another package cannot stand beside, with what it says."""
+        """The packages that another package cannot stand beside, with what it says.
+
+        Raises:
+            ValueError: a field is damaged, or it would take too long.
+        """
         for [named, *_] in relations(package.conflicts):
             for version, owner in self._versions.get(named.name, ()):
-                if owner != package.name and named.is_met_by(version):
+                if owner != package.name and self._is_met(named, version):
                     yield owner, named
