@@ -428,11 +428,10 @@ class Registry:
         """
         path = f"{repository}/blobs/uploads/?mount={_quoted(digest)}&from={_quoted(source_repository)}"
         also = (_scope(source_repository, "pull"),)
-        answer = self._ask("POST", path, repository, push=True, also=also, allow=(202,))
-        if answer.status_code == 201:
-            return True
-        self._give_up(repository, answer)  # the registry began an upload instead
-        return False
+        answer = self._ask("POST", path, repository, push=True, also=also, allow=(202, 400, 404, 405))
+        if answer.status_code == 202:
+            self._give_up(repository, answer)  # the registry began an upload instead
+        return answer.status_code == 201
 
     def copy_blob(self, repository: str, digest: str, size: int, source: Registry, source_repository: str) -> None:
         """Copies a blob from another repository or registry, without keeping it on this machine.

@@ -73,10 +73,13 @@ def test_no_layer_is_pulled_and_little_is_sent(place: Place) -> None:
     assert len(requests) <= 60, "in a registry without the API of referrers, which takes 14 more"
 
 
-def test_a_registry_that_mounts_nothing(place: Place) -> None:
+@pytest.mark.parametrize("answer", [202, 400, 404, 405])
+def test_a_registry_that_mounts_nothing(place: Place, answer: int) -> None:
     old, new = place.base(), place.base("newer")
     app = place.app(old)
     place.server.mounts = False
+    if answer != 202:  # not as the specification asks
+        place.server.fault("POST", "mount=", answer, 100)
     found = place.rebase(app, new, with_sbom=False)
     assert found.copied == 1 and found.digest == place.digest(App(new).put(place.registry, "built"))
 
