@@ -70,7 +70,7 @@ def test_no_layer_is_pulled_and_little_is_sent(place: Place) -> None:
     assert not pulled and place.registry.uploaded == before
     assert sum(int(item.get("content-length", 0)) for item in headers) == found.uploaded < 10_000
     assert (found.mounted, found.present, found.copied) == (1, 1, 0)
-    assert len(requests) <= 60, "in a registry without the API of referrers, which takes 14 more"
+    assert len(requests) <= 62, "in a registry without the API of referrers, which takes 14 more"
 
 
 @pytest.mark.parametrize("answer", [202, 400, 404, 405])

@@ -233,3 +233,31 @@ def test_attestations_in_an_index_are_not_taken_over_in_silence(place: Place) ->
     moved = place.rebase(app, new)
     assert moved.digest == place.digest(App(new).put(place.registry, "built", index=True))
     assert any("attestations in its index are of the old image, and stay there (1)" in line for line in place.said)
+
+
+def test_an_index_of_more_images_than_any_real_one(place: Place) -> None:
+    old, new = place.base(), place.base("newer")
+    place.app(old)
+    found = place.registry.manifest("me/robot", "latest")
+    assert found
+    entries = [
+        {**found.descriptor, "platform": {"os": "linux", "architecture": f"a{number}"}} for number in range(5000)
+    ]
+    content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries}
+    place.registry.put_manifest("me/robot", "latest", content, oci.INDEX)
+    assert "is an index of 5,000 images" in place.refused(f"{place.server.address}/me/robot:latest", new)
+
+
+@pytest.mark.parametrize("how", ["tag", "artifact", ""])
+def test_a_signature_is_of_the_old_image(place: Place, how: str) -> None:
+    app, new = place.app(place.base()), place.base("newer")
+    found = place.registry.manifest("me/robot", "latest")
+    assert found
+    if how == "tag":
+        place.registry.tag("me/robot", found.digest, f"{found.digest.replace(':', '-')}.sig")
+    elif how:
+        kind = "application/vnd.dev.sigstore.bundle.v0.3+json"
+        place.registry.attach("me/robot", found.descriptor, kind, b"{}", kind)
+    moved = place.rebase(app, new)
+    said = f"{app} is signed, and the new image is not: sign {place.server.address}/me/robot@{moved.digest}"
+    assert (said in place.said) == bool(how)

@@ -34,6 +34,10 @@ OTHER_TAG = "name all its platforms, or none; or give this image a tag of its ow
 """The remedy if a tag would lose a platform."""
 
 
+SIGNED = ("sigstore", "cosign", "notary")
+"""Words in the types of artifacts that are signatures."""
+
+
 @dataclass
 class Rebased(Transferred):
     """An app on another base image.
@@ -260,8 +264,17 @@ class Rebaser:
             found.manifests[name] = self._transfer.push(joined, host, repository, found)
             app, base = plan.old[name], plan.known[name]
             found.uploaded += self._contents.attach(app, base, host, repository, joined.manifest, with_sbom)
+        if self._is_signed(plan.app):
+            self.say(f"{plan.named} is signed, and the new image is not: sign {host}/{repository}@{plan.digest}")
         found.seconds = time.monotonic() - started
         return found
+
+    def _is_signed(self, app: Reference) -> bool:
+        """Whether cosign or notation has signed an app."""
+        registry = self.registries(app.host)
+        kinds = [str(item.get("artifactType")) for item in registry.referrers(*app[1:])]
+        known = any(word in kind for kind in kinds for word in SIGNED)
+        return known or bool(registry.head(app.repository, f"{app.reference.replace(':', '-')}.sig"))
 
     def sbom(self, app: Source) -> bytes:
         """The SBOM that is attached to an app.

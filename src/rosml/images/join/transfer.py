@@ -19,6 +19,9 @@ from rosml.registry.references import Reference
 THREADS = 8
 """How many requests are sent at a time: a distant registry takes a tenth of a second for each."""
 
+MEMBERS = 200
+"""The most images of an index, with attestations. Each takes two requests."""
+
 
 @dataclass
 class Transferred:
@@ -101,7 +104,13 @@ class Transfer:
             name: the user's name of the image, for messages.
             where: its place.
             manifest: its manifest or index.
+
+        Raises:
+            RosmlError: the index lists more than any real one; the registry does not answer or refuses.
         """
+        if len(manifest.members) > MEMBERS:
+            text = f"{name} is an index of {len(manifest.members):,} images, and at most {MEMBERS} are read"
+            raise RosmlError(text, "name another image", exit_code=2)
         if not manifest.is_index:
             source = self.source(name, where._replace(reference=manifest.digest), manifest)
             return {source.platform: source}
