@@ -97,6 +97,7 @@ class Settings(_Shape):
     Labels: dict[str, str] | None = None
     User: str | None = None
     Entrypoint: list[str] | None = None
+    Cmd: list[str] | None = None
     Shell: list[str] | None = None
     WorkingDir: str | None = None
 

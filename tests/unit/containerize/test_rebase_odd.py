@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 from rebasing import BASE_FACTS, BOTH, App, Place, changed, moving, package
 
+from rosml.base.errors import RosmlError
 from rosml.containerize.rebase.image import as_buildkit
 from rosml.images.join import file_lists
 from rosml.registry import oci, references
@@ -79,6 +80,7 @@ def test_a_tag_loses_no_platform(place: Place) -> None:
         (lambda it: it["history"].append({"created_by": "USER me", "empty_layer": True}), "USER me"),
         (lambda it: it["history"].append({"created_by": 'ENTRYPOINT ["/x"]', "empty_layer": True}), "ENTRYPOINT"),
         (lambda it: it["config"].update(User="me"), "User"),
+        (lambda it: it["config"].update(OnBuild=["RUN x"]), "ONBUILD"),
         (lambda it: it["config"].update(Healthcheck={"Test": ["CMD", "true"]}), "Healthcheck"),
         (lambda it: it["config"].update(Entrypoint=["/mine"]), "Entrypoint"),
         (lambda it: it["config"].update(ExposedPorts={"80/tcp": {}}), "ExposedPorts"),
@@ -204,7 +206,15 @@ def test_a_folder_in_place_of_a_file(place: Place, files: tuple[str, ...], says:
 
 def test_an_app_on_itself(place: Place) -> None:
     app = App(place.base()).put(place.registry, "latest", index=True)
-    print(place.refused(app, app))
+    assert "is the app itself" in place.refused(app, app)
+
+
+def test_a_command_that_is_no_list(place: Place) -> None:
+    app = altered(place, place.app(place.base()), lambda it: it["config"].update(Cmd="bash"))
+    before = place.digest(app)
+    with pytest.raises(RosmlError, match=r"its config is damaged: config\.Cmd"):
+        place.rebase(app, place.base("newer"))
+    assert place.digest(app) == before
 
 
 def test_an_old_base_image_that_nobody_reaches(place: Place) -> None:

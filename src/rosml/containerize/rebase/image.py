@@ -94,8 +94,10 @@ def require_unaltered(app: Source, base: Source) -> None:
     expected = _config(app, base, _own_history(app), _own_labels(app))["config"]
     mine = _ordered(given, _SETTINGS)
     differing = [name for name in _SETTINGS if mine.get(name) != expected.get(name) and name not in ("Env", "Labels")]
-    variables = {*app.config.environment} ^ {*expected.get("Env", ())}
-    differing += sorted({f"variable {entry.partition('=')[0][:100]}" for entry in variables})
+    has, should = (
+        dict(it.partition("=")[::2] for it in found) for found in (app.config.environment, expected.get("Env", ()))
+    )
+    differing += sorted({f"variable {name[:100]}" for name, _ in has.items() ^ should.items()})
     labels = {*app.labels.items()} ^ {*expected.get("Labels", {}).items()}
     differing += sorted({f"label {name[:100]}" for name, _ in labels})
     if differing:
@@ -195,8 +197,10 @@ def _require_whole(source: Source) -> None:
 def _config(app: Source, base: Source, own: Iterable[Mapping[str, Any]], labels: Mapping[str, str]) -> dict[str, Any]:
     known, settings = base.config.content, base.config.content.get("config") or {}
     mine = app.config.content.get("config") or {}
-    if settings.get("OnBuild"):
-        raise RosmlError(f"{base.name} has ONBUILD instructions, which only a build carries out", AGAIN, exit_code=2)
+    for source, said in ((base, settings), (app, mine)):
+        if said.get("OnBuild"):
+            text = f"{source.name} has ONBUILD instructions, which only a build carries out"
+            raise RosmlError(text, AGAIN, exit_code=2)
     new = {**settings, "Env": _environment(app, base, own), "Labels": dict(sorted({**base.labels, **labels}.items()))}
     new |= {name: mine[name] for name in ("Cmd", "ArgsEscaped") if name in mine}
     facts = app.config.content

@@ -198,6 +198,8 @@ class Rebaser:
         _require_one_base(old, str(where))
         onto = self._base(base, tuple(old), next(iter(old.values())))
         found = onto.base
+        if found.digest == manifest.digest:
+            raise RosmlError(f"{where} is the app itself, and no base image for it", "name another one with --base", 2)
         place = references.parse(f"{found.repository}@{found.digest}")
         new = self._transfer.platforms(str(place))
         images, bases, judgement = {}, {}, Judgement()
