@@ -323,4 +323,4 @@ def _short(library: Library) -> str:
 
 
 def _some(names: Sequence[str]) -> str:
-    return listed(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
+    return listed([*names[:3], *([f"{len(names) - 3} more"] if len(names) > 3 else [])])
