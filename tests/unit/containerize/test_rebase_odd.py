@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import gzip
+import time
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -12,8 +14,11 @@ import pytest
 from rebasing import BASE_FACTS, BOTH, App, Place, changed, moving, package
 
 from rosml.base.errors import RosmlError
+from rosml.containerize.rebase import trial
 from rosml.containerize.rebase.image import as_buildkit
 from rosml.images.join import file_lists
+from rosml.machine import exported
+from rosml.machine.services import Services
 from rosml.registry import oci, references
 from tests.e2e.parts import ros
 
@@ -271,3 +276,30 @@ def test_a_signature_is_of_the_old_image(place: Place, how: str) -> None:
     moved = place.rebase(app, new)
     said = f"{app} is signed, and the new image is not: sign {place.server.address}/me/robot@{moved.digest}"
     assert (said in place.said) == bool(how)
+
+
+def test_two_trials_of_an_app_take_turns(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """They leave their lines in the same place; and an app's name may be longer than one of a file."""
+    services = Services.load(tmp_path, required=False)
+    running, most = [0.0], [0.0]
+
+    def build(*_: object) -> None:
+        running[0] += 1
+        most[0] = max(most[0], running[0])
+        time.sleep(0.1)
+
+    def read(*_: object) -> bytes:
+        running[0] -= 0.5  # it is called twice
+        return b""
+
+    monkeypatch.setattr(trial.Trial, "_build", build)
+    monkeypatch.setattr(exported, "unpack", lambda *_: None)
+    monkeypatch.setattr(exported, "read", read)
+    name = f"localhost:5000/{'a' * 300}:latest"
+    with ThreadPoolExecutor(3) as pool:
+        work = [
+            pool.submit(lambda: trial.Trial(services, name).link({"linux/amd64": trial.Pair("a", "b")}))
+            for _ in range(3)
+        ]
+        assert [item.result() for item in work] == [None] * 3
+    assert most == [1]

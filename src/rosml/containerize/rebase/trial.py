@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import contextlib
+import hashlib
 import json
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rosml.base import files, untrusted
+from rosml.base import files, terminal, untrusted
 from rosml.base.errors import RosmlError
+from rosml.base.file_lock import turn
 from rosml.base.problems import SHOWN
 from rosml.containerize.app_bake_file import SCRIPTS
 from rosml.containerize.rebase.image import AGAIN
@@ -52,7 +56,8 @@ class Trial:
 
     def __init__(self, services: Services, name: str) -> None:
         self._services = services
-        self._state = services.state / "rebase" / name.replace("/", "+").replace(":", "=").replace("@", "+")
+        short = re.sub(r"[^A-Za-z0-9._-]", "+", name)[-80:]
+        self._state = services.state / "rebase" / f"{short}-{hashlib.sha256(name.encode()).hexdigest()[:12]}"
         self._state.mkdir(parents=True, exist_ok=True)
 
     def link(self, images: Mapping[str, Pair]) -> None:
@@ -64,6 +69,15 @@ class Trial:
         Raises:
             RosmlError: it lacks something (exit code 2), or the step failed.
         """
+        with self._turn():
+            self._link(images)
+
+    def _turn(self) -> contextlib.AbstractContextManager[int]:
+        return turn(
+            self._state / "lock", lambda: terminal.echo("another process tries the same app; waiting", err=True)
+        )
+
+    def _link(self, images: Mapping[str, Pair]) -> None:
         for platform, pair in images.items():
             archive = self._state / "linked.tar"
             archive.unlink(missing_ok=True)
@@ -101,7 +115,8 @@ class Trial:
                 "args": {"TRIAL": command.replace("${", "$${").replace("%{", "%%{")},
                 "output": ["type=cacheonly"],
             }
-            self._build("run", platform, target)
+            with self._turn():
+                self._build("run", platform, target)
 
     def _build(self, name: str, platform: str, target: Mapping[str, Any]) -> None:
         self._services.require_builder(platform)
