@@ -19,3 +19,9 @@ def duration(seconds: float) -> str:
         return f"{seconds:.1f} s"
     whole = round(seconds)
     return f"{whole // 60} min {whole % 60} s"
+
+
+def time_taken(seconds: float, waited: float) -> str:
+    """A duration, and how much of it was spent waiting for another build, if that is a second or more."""
+    wait = f" ({duration(waited)} of it waiting for another build)" if waited >= 1 else ""
+    return f"{duration(seconds)}{wait}"

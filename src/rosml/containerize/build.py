@@ -16,7 +16,7 @@ from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.base.problems import SHOWN, counted
-from rosml.base.units import duration
+from rosml.base.units import time_taken
 from rosml.containerize import (
     adopt,
     app_bake_file,
@@ -81,6 +81,7 @@ class Built:
         downstream_tests: the tests of packages that use the app's.
         reports: the folder of their JUnit files; empty if an earlier build passed them.
         seconds: the time that it took.
+        waited: how much of it other builds had the builder.
     """
 
     base: str
@@ -97,6 +98,7 @@ class Built:
     downstream_tests: junit.Tests = field(default_factory=junit.Tests)
     reports: str = ""
     seconds: float = 0.0
+    waited: float = 0.0
 
     def to_json(self) -> dict[str, Any]:
         """For `--json`."""
@@ -150,7 +152,7 @@ class Built:
             yield "lock", self.locked
         if self.described:
             yield "sbom", f"beside {' and '.join(self.described)} in the registry"
-        yield "time", duration(self.seconds)
+        yield "time", time_taken(self.seconds, self.waited)
 
 
 class App:
@@ -213,7 +215,7 @@ class App:
             return self._build()
 
     def _build(self) -> Built:
-        started = time.monotonic()
+        started, waited = time.monotonic(), buildx.waited()
         locked = None if self._renew else lock.read(self._lock_file, self._folder)
         named = self._values.base_image
         digest = locked.base_image.of(named) if locked else ""
@@ -245,7 +247,7 @@ class App:
                     "it has no versions of the ROS that was installed on the base image: keep that image with --cache"
                 )
                 self._say(f"{self._lock_file}: {text}")
-        built.seconds = time.monotonic() - started
+        built.seconds, built.waited = time.monotonic() - started, buildx.waited() - waited
         return built
 
     def _make(

@@ -9,7 +9,8 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal
@@ -97,6 +98,9 @@ _PUSH = re.compile(r"failed to push (\S+): (.*)", re.DOTALL)
 _STATUS = re.compile(r"unexpected status(?: code)?(?: from \w+ request to)?(?: \S+)?: (\d{3}\b[\w ]*)")
 _CUT_OFF = re.compile(r"\bEOF\b|connection (?:reset|refused)|broken pipe|timeout|timed out|no such host", re.IGNORECASE)
 """BuildKit's messages about a failed push, a registry's answer, and a registry without one."""
+
+_waits: list[float] = []
+"""Seconds for which each build of this process waited for its turn."""
 
 STEP_NETWORK = "STEP_NETWORK"
 """The variable of bake files with the network of steps: `host` for this machine's, or the builder's default."""
@@ -189,6 +193,28 @@ def turn_file(services: Services) -> Path:
     return (services.buildx_config or services.state) / "turns" / services.builder
 
 
+def waited() -> float:
+    """Seconds for which the builds of this process have waited for other processes' builds until now."""
+    return sum(_waits)
+
+
+@contextmanager
+def _turn(services: Services) -> Iterator[None]:
+    """Waits for the builder, and says when that begins and ends."""
+    progress, asked, others = BuildProgress(sys.stderr), time.monotonic(), False
+
+    def say() -> None:
+        nonlocal others
+        others = True
+        progress.say(f"waiting for another build in builder '{services.builder}'")
+
+    with turn(turn_file(services), say):
+        if others:
+            _waits.append(time.monotonic() - asked)
+            progress.say("the other build has ended: this one begins, and counts from 0:00")
+        yield
+
+
 def run(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, str]]:
     """Builds a target. Lines for people go to standard error, everything goes to `.state/log/<name>.log`.
 
@@ -207,12 +233,11 @@ def run(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, str]]:
         RosmlError: the build failed; the message has the failed step's last lines.
         KeyboardInterrupt: the user stopped it, and the builder has stopped.
     """
-    waits = f"waiting for another build in builder '{services.builder}'"
     attempt = 0
     while True:
         attempt += 1
         try:
-            with turn(turn_file(services), lambda: BuildProgress(sys.stderr).say(waits)):
+            with _turn(services):
                 return _run(services, bake, "w" if attempt == 1 else "a")
         except Unanswered as error:
             seconds = _pause(services, error, attempt)

@@ -20,3 +20,10 @@ def test_size() -> None:
 )
 def test_duration(seconds: float, text: str) -> None:
     assert units.duration(seconds) == text
+
+
+@pytest.mark.parametrize(
+    ("waited", "text"), [(0.4, "2 min 38 s"), (85, "2 min 38 s (1 min 25 s of it waiting for another build)")]
+)
+def test_time_taken(waited: float, text: str) -> None:
+    assert units.time_taken(158, waited) == text

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import threading
 from collections.abc import Callable
@@ -36,7 +37,7 @@ from stubs import services
 from rosml.base import clock as moments
 from rosml.base import side_by_side
 from rosml.base.errors import RosmlError
-from rosml.cli.images import tables
+from rosml.cli.images import report, tables
 from rosml.images.bake.inputs import Inputs
 from rosml.images.builds import base_images, contents, maker, part, sync
 from rosml.images.builds.maker import BuildKitMaker
@@ -326,6 +327,20 @@ def test_a_build_that_fails_is_told_with_what_waits_for_it(registry: Publisher, 
     mended = registry.publish(image_set)
     assert not mended.failed
     assert not done & set(mended.made)
+
+
+def test_the_wait_for_another_build_is_told_and_does_not_count_as_work(
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Estimates of the next run are made from the records, and the next run may not have to wait."""
+    waits = itertools.count(step=85)
+    monkeypatch.setattr(buildx, "waited", lambda: float(next(waits)))
+    run = registry.publish(image_set)
+    built = next(outcome for outcome in run.outcomes if outcome.step == "build")
+    entry = run.state.known[built.target, built.architecture]
+    assert built.waited == 85
+    assert entry.seconds["build"] == round(built.seconds - 85, 2)
+    assert "(1 min 25 s of it waiting for another build)" in report.markdown(run)
 
 
 def test_an_index_waits_for_all_architectures(registry: Publisher, image_set: ImageSet) -> None:

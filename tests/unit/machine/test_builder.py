@@ -171,6 +171,7 @@ def test_builds_in_one_builder_take_turns(
         text = f"echo begin >>{tmp_path}/order; sleep 0.3; echo end >>{tmp_path}/order"
         builder.run(having(root, registry, text, buildx_config=str(shared)), bake)
 
+    before = builder.waited()
     for root in roots:
         root.mkdir()
     threads = [threading.Thread(target=build, args=(root,)) for root in roots]
@@ -179,7 +180,10 @@ def test_builds_in_one_builder_take_turns(
     for thread in threads:
         thread.join()
     assert (tmp_path / "order").read_text().split() == ["begin", "end"] * 2
-    assert capfd.readouterr().err.count("waiting for another build in builder 'rosml'") == 1
+    said = capfd.readouterr().err
+    assert said.count("waiting for another build in builder 'rosml'") == 1
+    assert said.count("this one begins") == 1, "the end of the wait is seen as well"
+    assert 0.1 < builder.waited() - before < 30, "a summary says how long it was"
 
 
 @pytest.mark.parametrize("content", ["", "{", "{}", '{"b": {"containerimage.digest": "x"}}', "[]", '{"a": null}'])

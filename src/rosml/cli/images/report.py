@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from rosml.base import github, terminal
 from rosml.base.problems import counted, listed, some
-from rosml.base.units import duration, size
+from rosml.base.units import duration, size, time_taken
 from rosml.cli.images import tables
 from rosml.images.builds import disk
 from rosml.images.image_set.missing import UNLOCKED
@@ -98,7 +98,7 @@ def tell_outcomes(outcomes: list[Outcome], date: str, uploaded: int, started: fl
     rows = []
     for it in _interesting(outcomes):
         state = tables.coloured(it.state, colours[it.state])
-        rows.append((it.step, it.target, it.architecture, state, duration(it.seconds), _first(it)))
+        rows.append((it.step, it.target, it.architecture, state, time_taken(it.seconds, it.waited), _first(it)))
     tables.show(("step", "image", "architecture", "state", "time", "what"), rows, right=["time"], wrapped=["what"])
     out = terminal.console()
     for reason, number in _waiting(outcomes).items():
@@ -161,7 +161,7 @@ def markdown(run: Run) -> str:
             f"`{entry.digest[:19]}`" if entry and entry.digest else "",
         )
         what = (outcome.step, f"`{outcome.target}`", outcome.architecture, outcome.state)
-        rows.append((*what, duration(outcome.seconds), *facts, _first(outcome)))
+        rows.append((*what, time_taken(outcome.seconds, outcome.waited), *facts, _first(outcome)))
     if rows:
         columns = ("step", "image", "architecture", "state", "time", "size", "digest", "what")
         lines += [github.table(columns, rows)]

@@ -6,7 +6,7 @@ from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from rosml.base.errors import RosmlError
-from rosml.base.units import duration, size
+from rosml.base.units import size, time_taken
 from rosml.cli import checkout
 from rosml.images.builds import base_images
 from rosml.images.image_set.model import Image, tags_of
@@ -36,6 +36,7 @@ class Summary:
         failed: structure tests.
         versions: of packages and programs found in the image.
         seconds: time by step.
+        waited: how much of it other builds had the builder, by step.
         made: targets that this call built or joined.
         builder: the command that builds a Dockerfile on top of the image with the same builder.
     """
@@ -54,6 +55,7 @@ class Summary:
     failed: int = 0
     versions: dict[str, str] = field(default_factory=dict)
     seconds: dict[str, float] = field(default_factory=dict)
+    waited: dict[str, float] = field(default_factory=dict)
     made: list[str] = field(default_factory=list)
     builder: str = ""
 
@@ -69,7 +71,7 @@ class Summary:
             ("tags", ", ".join(tag.rsplit("/", 1)[1] for tag in self.tags)),
             ("tags moved", ", ".join(self.moved) or "none: all pointed here already"),
         ]
-        seconds = ", ".join(f"{name} {duration(value)}" for name, value in self.seconds.items())
+        times = (f"{name} {time_taken(value, self.waited.get(name, 0.0))}" for name, value in self.seconds.items())
         rows = [
             ("FROM", self.reference),
             *(tagged if self.tags else [("tags", "none: a tag is for all platforms of an image")]),
@@ -79,7 +81,7 @@ class Summary:
             ("new in registry", size(self.uploaded)),
             ("made now", ", ".join(self.made) or "nothing: all of it was there"),
             ("structure tests", f"{self.passed} passed, {self.failed} failed"),
-            ("time", seconds or "nothing to do"),
+            ("time", ", ".join(times) or "nothing to do"),
         ]
         width = max(len(name) for name, _ in rows)
         title = f"{self.target} is built, tested and {'published' if self.tags else 'pushed by its digest'}"
@@ -148,9 +150,11 @@ def of_image(run: Run, image: Image, architecture: str, moves: list[Move] | None
     entry = state.known[image.target, architecture]
     parts = [state.known[state.image_set.part_by_name[name].target, architecture] for name in image.parts]
     seconds: dict[str, float] = {}
+    waited: dict[str, float] = {}
     for outcome in run.outcomes:
         if outcome.seconds:
             seconds[outcome.step] = seconds.get(outcome.step, 0.0) + outcome.seconds
+            waited[outcome.step] = waited.get(outcome.step, 0.0) + outcome.waited
     done = [outcome for outcome in run.outcomes if outcome.state == "done"]
     found = Summary(
         image.target,
@@ -164,6 +168,7 @@ def of_image(run: Run, image: Image, architecture: str, moves: list[Move] | None
         failed=len(entry.failures),
         versions=dict(entry.versions),
         seconds=seconds,
+        waited=waited,
         made=[outcome.target for outcome in done if outcome.step in ("build", "join")],
         builder=buildx.command_on_it(state.request.services),
     )

@@ -22,6 +22,7 @@ from rosml.images.publish import provenance
 from rosml.images.publish.cosign import Signer
 from rosml.images.publish.state import ELSEWHERE, Item, State
 from rosml.images.records.store import INDEX, Entry, Records
+from rosml.machine import buildx
 
 Work = Callable[[Item, Entry], Entry]
 """Does a step's work on an item; gives the item's new entry."""
@@ -45,6 +46,7 @@ class Outcome:
         state: done; failed; or waits, if something is missing.
         reason: what was done, or why it failed or waits.
         seconds: wall time.
+        waited: how much of it other builds had the builder.
         uploaded: bytes sent to the registry.
     """
 
@@ -55,6 +57,7 @@ class Outcome:
     reason: str = ""
     seconds: float = 0.0
     uploaded: int = 0
+    waited: float = 0.0
 
     def to_json(self) -> dict[str, Any]:
         """For `--json`."""
@@ -180,17 +183,17 @@ class Run:
             self._may_push = True
         self.say(f"{step} {item.target} for {item.architecture} {which}: {'; '.join(why)}")
         entry = self.state.known.get(item.key) or Entry(*item.key)
-        started, before = time.monotonic(), self.uploaded
+        started, before, waits = time.monotonic(), self.uploaded, buildx.waited()
         try:
             entry = work(item, entry)
         except RosmlError as error:
             entry = replace(entry, failed=failure(step, error.message, error.remedy))
             self.say(f"failed: {error.message}" + (f"; {error.remedy}" if error.remedy else ""))
-        seconds = time.monotonic() - started
-        self.write(item, replace(entry, seconds={**entry.seconds, step: round(seconds, 2)}))
+        seconds, waited = time.monotonic() - started, buildx.waited() - waits
+        self.write(item, replace(entry, seconds={**entry.seconds, step: round(seconds - waited, 2)}))
         reason = entry.failed.get("reason", "") if entry.failed else "; ".join(why)
         state: Literal["done", "failed"] = "failed" if entry.failed else "done"
-        self.outcomes.append(Outcome(step, *item.key, state, reason, seconds, self.uploaded - before))
+        self.outcomes.append(Outcome(step, *item.key, state, reason, seconds, self.uploaded - before, waited))
 
     def write(self, item: Item, entry: Entry) -> None:
         """Records the new entry of an item."""
