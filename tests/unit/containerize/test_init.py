@@ -22,6 +22,7 @@ from rosml.containerize import app_inputs, workspace
 from rosml.containerize.conditions import holds
 from rosml.containerize.init import contents, forge
 from rosml.containerize.left_out import LeftOut
+from rosml.images.builds import base_images
 from rosml.images.image_set import load
 from rosml.images.image_set.model import ImageSet
 from rosml.machine import git
@@ -776,6 +777,20 @@ def test_what_comes_next(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     assert said["next"][0] == f"{own} containerize"
     assert "BASE_IMAGE=127.0.0.1:5000/rosml/ros:jazzy-base" in said["next"][2]
     assert said["packages"] == [{"name": "robot", "folder": ".", "languages": []}]
+
+
+def test_a_base_image_in_a_registry_is_published_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    write(tmp_path, {"package.xml": manifest("robot")})
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
+    line = f"{ROOT}/rosml publish all --registry ghcr.io/me/rosml --only jazzy-base{{}} --serve amd64"
+    said = json.loads(called(tmp_path, "--json", *REGISTRY).stdout)
+    assert said["next"][0] == line.format("")
+    assert said["next"][1] == f"{ROOT}/rosml containerize"
+    said = json.loads(called(tmp_path, "--json", "--ci", "github", *REGISTRY).stdout)
+    assert said["next"][0] == line.format(" --only jazzy-base-run"), "CI makes a slim image, too"
+    monkeypatch.setattr(init, "IN_CHECKOUT", False)
+    assert "in a clone of rosml: publishes" in called(tmp_path, "--yes", *REGISTRY).stdout
 
 
 @pytest.mark.parametrize(

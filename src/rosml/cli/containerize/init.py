@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from rosml.containerize.init.contents import Project
     from rosml.containerize.init.folder import File
     from rosml.containerize.init.packages import Found
+    from rosml.images.image_set.model import Image, ImageSet
 
 KEPT = "interrupted: nothing was written"
 """The message after Ctrl-C."""
@@ -164,7 +165,7 @@ def main(
     chosen = {**decided.choices, "ci": jobs.forge}
     if pushed := jobs.images or jobs.usual:
         chosen["push to"] = choices.Choice(pushed, "you ask for it" if jobs.images else "the repository's own place")
-    calls = _calls(folder, decided, project, wanted)
+    calls = [*_published(image_set, decided.image, project), *_calls(folder, decided, project, wanted)]
     if as_json:
         terminal.echo(json.dumps(_as_json(folder, found, chosen, project, wanted, calls), indent=2))
     else:
@@ -271,6 +272,30 @@ def _kept(folder: Path, wanted: Sequence[File], project: Project) -> Iterator[tu
             if found:
                 lacks, lines = (", and ".join(texts) for texts in zip(*found, strict=True))
                 yield f"{file.path} stays as it is, and {lacks}", f"{lines}; rosml init --dry-run prints ours"
+
+
+def _published(image_set: ImageSet, image: Image, project: Project) -> Calls:
+    """The line that publishes the base image; with CI also the one for its slim image. Nobody asks the registry whether it is there."""
+    from rosml.containerize.init import contents
+    from rosml.images.builds import base_images
+    from rosml.images.matrix import rules
+
+    if not project.place:
+        return []
+    targets = [image.target]
+    if project.forge in contents.FORGES:
+        kind = (image.distribution, rules.runtime(image_set.matrix, image.distribution, image.component))
+        slim = (*kind, image.framework, image.stack)
+        targets += [
+            other.target
+            for other in image_set.images
+            if (other.distribution, other.component, other.framework, other.stack) == slim
+        ]
+    only = "".join(f" --only {target}" for target in targets)
+    own, where = (checkout.call(), "") if IN_CHECKOUT else ("./rosml", "in a clone of rosml: ")
+    what = "publishes the base image" + (", and the one for slim images" if targets[1:] else "")
+    line = f"{own} publish all --registry {project.place}{only} --serve {base_images.native_architecture()}"
+    return [(line, f"{where}{what}, if nobody has yet")]
 
 
 def _calls(folder: Path, decided: Decided, project: Project, wanted: Sequence[File]) -> Calls:
