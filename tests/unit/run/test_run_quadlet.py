@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 import shutil
 import subprocess
 from dataclasses import replace
@@ -11,6 +12,7 @@ from typing import Any
 
 import pytest
 import units
+from conftest import ROOT
 from exports import ME, PODMAN, text
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
@@ -18,6 +20,7 @@ from hypothesis import strategies as st
 from rosml.base.errors import RosmlError
 from rosml.run import export, quadlet, words
 from rosml.run.context import Engine, Host
+from tests.pages import blocks, commands
 
 QUIET = ("--no-tz", "--no-user")
 GENERATOR = shutil.which("quadlet", path=f"/usr/libexec/podman:/usr/lib/podman:{os.environ['PATH']}")
@@ -37,6 +40,13 @@ def options(*line: str, **facts: Any) -> list[str]:
 def keys(*line: str, **facts: Any) -> dict[str, str]:
     """The keys outside of the container's part."""
     return {key: value for part, key, value in units.values(unit(*line, **facts)) if part != "[Container]"}
+
+
+def test_the_file_that_the_page_shows() -> None:
+    shown = [block for block in blocks(ROOT / "docs/deploy.md") if block.section == "Start at boot"]
+    command = shlex.split(next(commands(shown[0])).partition(">")[0])
+    assert command[:4] == ["rosml", "run", "--export", "quadlet"]
+    assert next(block.text for block in shown if block.title == "robot.container") == unit(*command[4:])
 
 
 def test_a_whole_file() -> None:
