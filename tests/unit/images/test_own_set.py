@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
+import sys
 import xml.etree.ElementTree
 from datetime import date
 from pathlib import Path
 
 import pytest
 from conftest import ROOT
+from registry_stand_in import standing_in
 
 from rosml.base.problems import InputError
 from rosml.cli import options
@@ -355,6 +358,24 @@ def test_a_new_set_is_what_it_says(tmp_path: Path, real: ImageSet, upstream: Ups
     assert made.matrix.default.targets == ("jazzy-base-torch-cu130",)
     assert made.matrix.source == "https://github.com/robots/images"
     assert not (folder / own_set.WORKFLOW).exists() and (folder / own_set.NIGHT).exists(), "rosml is not on GitHub"
+
+
+def test_each_command_of_a_night_reads_the_set(tmp_path: Path, real: ImageSet, upstream: Upstream) -> None:
+    """The script of a night with this rosml and a registry that lets nobody in: that is all that its commands lack."""
+    folder = written(tmp_path / "own", real, upstream)
+    skipped = 'case "$*" in setup*|"publish rosdep"*) exit ;; esac; echo "called $@" >&2'
+    (folder / "rosml").write_text(f'#!/bin/sh\n{skipped}\nexec "{sys.executable}" "{ROOT}/src" "$@"\n')
+    environment = {**os.environ, "ROSML_MATRIX": str(folder / "set.yaml")}
+    with standing_in() as server:
+        server.users = {"somebody": "secret"}
+        text = (folder / "set.yaml").read_text().replace("registry.example.com", server.address)
+        (folder / "set.yaml").write_text(text)
+        called = ["bash", folder / own_set.NIGHT]
+        done = subprocess.run(called, env=environment, capture_output=True, text=True, check=False)
+    said = done.stderr.splitlines()
+    errors = [line for line in said if line.startswith("error: ")]
+    assert done.returncode == 1 and len(errors) == sum(line.startswith("called ") for line in said) > 3, done.stderr
+    assert all(line.startswith(f"error: {server.address}: ") for line in errors), errors
 
 
 def test_every_distribution_and_framework_can_begin_a_set(tmp_path: Path, real: ImageSet) -> None:

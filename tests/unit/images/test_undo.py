@@ -120,6 +120,17 @@ def test_prune_needs_a_registry_alone(server: StandIn, clone: Path, capsys: pyte
     assert not (clone / ".state").exists()
 
 
+def test_prune_reads_a_set(server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Whose file has neither components nor systems of its own."""
+    own = clone / "set.yaml"
+    own.write_text("extends: rosml\ndistributions:\n  jazzy:\ndefault: {targets: [jazzy-core], group: [jazzy-core]}\n")
+    place = f"{server.address}/{PREFIX}"
+    with Registry(server.address) as client:
+        published(client)
+    assert command.run(script.main, arguments=["prune", "--registry", place, "--matrix", str(own), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["kept"] == 3
+
+
 def test_moves_are_reported_as_a_table_too(server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str]) -> None:
     with Registry(server.address) as client:
         published(client)

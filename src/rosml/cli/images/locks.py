@@ -91,9 +91,8 @@ def main(
     from rosml.cli.images import tables
     from rosml.images.image_set import load, locked
     from rosml.images.locks.resolve import lock, moves
-    from rosml.images.matrix import extends
 
-    image_set = load.image_set(extends.read(matrix))
+    image_set = load.without_locks(matrix)
     require_alone(
         upstream, installs, bases, {"--upgrade": upgrade, "--bases": bases, "--check": check, "--stack": stacks}
     )

@@ -86,12 +86,11 @@ def repositories(plan_file: Path, matrix: Path, as_json: bool) -> None:
     from rosml.base.errors import RosmlError
     from rosml.containerize import rosdep_index
     from rosml.images.image_set import load as loading
-    from rosml.images.matrix import source
     from rosml.images.publish.plan import read_plan
 
     plan = read_plan(plan_file)
     place = place_of(plan.registry, ROOT)
-    found = plan.repositories(loading.image_set(source.read(matrix)))  # without its locks: it names repositories
+    found = plan.repositories(loading.without_locks(matrix))
     made, failed = list[str](), dict[str, str]()
     with place.client:
         for name in [*found, rosdep_index.NAME] if found else []:  # a nightly job also writes rosdep's lists
@@ -383,11 +382,10 @@ def prune(days: int, newest: int, apply: bool, **options: Any) -> None:
     """
 
     from rosml.images.image_set import load as loading
-    from rosml.images.matrix import source
     from rosml.images.publish.prune import STAYS, Pruner
 
     call = Call(**options)
-    image_set = loading.image_set(source.read(call.matrix))  # without its locks: it names repositories
+    image_set = loading.without_locks(call.matrix)
     place = place_of(call.registry, ROOT)
     with place.client:
         pruner = Pruner(place, image_set, datetime.now(UTC).date(), days, newest)

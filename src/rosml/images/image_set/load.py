@@ -54,8 +54,13 @@ def lacking_keys(matrix: Matrix, root: Path) -> Iterator[tuple[KeyPath, str]]:
                 yield ("distributions", name, "archive", "key"), text
 
 
+def without_locks(file: Path, root: Path = ROOT) -> ImageSet:
+    """The image set of a matrix, or of a set that extends it, for those who need only its names; raises as `load` does."""
+    return image_set(extends.read(file, root / "matrix.yaml"))
+
+
 def image_set(document: Document) -> ImageSet:
-    """The image set of a parsed matrix; raises as `load` does."""
+    """The image set of a matrix as `extends.read` gives it; raises as `load` does."""
     result = expand(validate(document))
     if found := [document.problem(path, text) for path, text in collisions(result)]:
         raise InputError(document.name, found)
