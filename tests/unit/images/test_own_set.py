@@ -370,7 +370,7 @@ def test_each_command_of_a_night_reads_the_set(tmp_path: Path, real: ImageSet, u
         server.users = {"somebody": "secret"}
         text = (folder / "set.yaml").read_text().replace("registry.example.com", server.address)
         (folder / "set.yaml").write_text(text)
-        called = ["bash", folder / own_set.NIGHT]
+        called = ["bash", str(folder / own_set.NIGHT)]
         done = subprocess.run(called, env=environment, capture_output=True, text=True, check=False)
     said = done.stderr.splitlines()
     errors = [line for line in said if line.startswith("error: ")]

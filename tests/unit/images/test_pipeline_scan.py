@@ -10,20 +10,23 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from conftest import ROOT
 from memory_registry import DAY, NEXT, Publisher, Run, publisher, waiting
 from projects import BASE
 from scanning import World, advisory, rules
 from stubs import services
 
+from rosml.images.image_set import load
 from rosml.images.image_set.labels import COVERED
 from rosml.images.image_set.model import ImageSet, Part
 from rosml.images.publish import scan_results
 from rosml.images.publish.steps import STEPS
-from rosml.images.publish.steps.scan import policy_digest, scan
+from rosml.images.publish.steps.scan import left_out, policy_digest, scan
 from rosml.images.records.store import INDEX
 from rosml.images.scan import judge as judging
 from rosml.images.scan.judge import Outcome, summarise
 from rosml.images.scan.policy import Rules
+from rosml.images.scan.policy import load as load_policy
 from rosml.images.scan.results import Results
 from rosml.images.scan.sbom import FORMAT, MEDIA_TYPE
 from rosml.images.scan.trivy import ScannerFailed
@@ -262,3 +265,25 @@ def test_a_part_of_the_images_says_nothing_of_an_ignore_entry(
         patch.setattr(judging, "summarise", judge)
         scan(run, rules(), ScannerFailed("none", "rosml setup scanner"))
     assert found == [False, True, True]
+
+
+def test_a_set_leaves_out_what_the_matrix_that_it_extends_has(tmp_path: Path, real: ImageSet) -> None:
+    """With rosml's own scan.yaml, whose entries are for images of many distributions and stacks: none is a problem of the set."""
+    file = tmp_path / "set.yaml"
+    file.write_text("extends: rosml\ndistributions:\n  jazzy:\ndefault: {targets: [jazzy-core], group: [jazzy-core]}\n")
+    own, policy = load.load(file, ROOT), load_policy(ROOT / "scan.yaml")
+    assert left_out(own) == set(real.by_target) - set(own.by_target) and not left_out(real)
+    assert policy.for_nobody(own.by_target), "rosml's policy has entries for other distributions"
+    found = summarise([], policy, date(2026, 11, 26), True, own.by_target, left_out(own))
+    assert found.problems == ()
+
+
+def test_a_night_of_a_set_passes_entries_for_other_images(
+    registry: Publisher, image_set: ImageSet, world: World, real: ImageSet
+) -> None:
+    entry = "- {id: CVE-2026-7, targets: 'noetic-*', reason: not reachable, expires: 2027-01-31}\n"
+    for base, failed in ((None, 1), (real.matrix, 0)):
+        run = scanned(registry, replace(image_set, base=base), world, policy=rules(entry), only="alpha-core")
+        assert (
+            len([it for it in run.outcomes if (it.step, it.target, it.state) == ("scan", "policy", "failed")]) == failed
+        )

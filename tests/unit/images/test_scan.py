@@ -525,6 +525,30 @@ def test_an_entry_for_other_images_matches_nothing_here(world: World) -> None:
     assert "ignore[0]: 'omega-*' matches no image of the matrix" in problem
 
 
+@pytest.mark.parametrize(
+    ("entry", "said"),
+    [
+        ('targets: "omega-*"', ""),
+        ('expires: 2026-11-01, targets: "omega-*"', ""),
+        ("", ""),
+        ('targets: "alpha-*"', "ignore[0]: CVE-2026-9 is in no image that the entry is for"),
+        ('expires: 2026-11-01, targets: "*"', "ignore[0]: CVE-2026-9 was ignored until 2026-11-01"),
+        ('targets: "omga-*"', "ignore[0]: 'omga-*' matches no image of the matrix"),
+    ],
+)
+def test_entries_about_images_that_a_set_leaves_out_are_silent(world: World, entry: str, said: str) -> None:
+    """They are in the policy of the matrix that it extends, whose own run names those of no use."""
+    text = IGNORE.replace("CVE-2026-1", "CVE-2026-9")
+    if "expires" in entry:
+        text = text.replace(", expires: 2027-01-31", "")
+    found = rules(text.replace("reason", f"{entry}, reason") if entry else text)
+    bash = image("alpha-base", world.part("c", "bash", ros=True))
+    run = scanned(world, bash, rules=found, targets=["alpha-base"], left_out=["omega-base"])
+    assert [said in problem for problem in run.problems] == [True] * bool(said)
+    whole = scanned(world, bash, rules=found, targets=["alpha-base", "omega-base"], whole=False)
+    assert bool(whole.problems) == ("expires" in entry or "omga" in entry)
+
+
 @pytest.mark.parametrize("case", ["a part of the run", "an image of which nothing is known"])
 def test_an_entry_is_not_called_useless_too_soon(world: World, case: str) -> None:
     found = rules(IGNORE.replace("CVE-2026-1", "CVE-2026-9"))

@@ -362,6 +362,7 @@ def scan_images(
     now: datetime,
     whole: bool,
     targets: Collection[str] = (),
+    left_out: Collection[str] = (),
     say: Callable[[str], None] = lambda line: None,
     keep: Callable[[Scanned], None] = lambda image: None,
 ) -> Run:
@@ -375,6 +376,7 @@ def scan_images(
         now: the run's time, in UTC. It decides which ignore entries have expired, and whether the database is too old.
         whole: whether these are all images, so that we can name ignore entries that match none of them.
         targets: the targets of all images of the matrix, so that we can name ignore entries that are for none of them.
+        left_out: as `summarise` takes it.
         say: gets messages, a line each.
         keep: gets each image once it is scanned. If the database has changed by the end, it gets each again, as a failed scan.
     """
@@ -392,7 +394,7 @@ def scan_images(
             raise ScannerFailed(text, "let only one run at a time fetch it")
     except ScannerFailed as error:
         found = unscanned(images, error, keep)
-    return summarise(found, rules, now.date(), whole, targets)
+    return summarise(found, rules, now.date(), whole, targets, left_out)
 
 
 def unscanned(
@@ -406,7 +408,14 @@ def unscanned(
     return found
 
 
-def summarise(images: Iterable[Scanned], rules: Rules, today: date, whole: bool, targets: Collection[str] = ()) -> Run:
+def summarise(
+    images: Iterable[Scanned],
+    rules: Rules,
+    today: date,
+    whole: bool,
+    targets: Collection[str] = (),
+    left_out: Collection[str] = (),
+) -> Run:
     """The result of a run, with the problems of the policy's own entries.
 
     Args:
@@ -416,16 +425,23 @@ def summarise(images: Iterable[Scanned], rules: Rules, today: date, whole: bool,
         whole: whether these are all images. Images of the matrix that were never built are not among them, so they judge an ignore
             entry only if it is for one of them.
         targets: the targets of all images of the matrix.
+        left_out: the targets that a set does not have, and the matrix that it extends has. An entry that is for one of them says
+            something about rosml's images: this run knows too little to call it useless.
     """
     found = tuple(images)
+    entries = rules.policy.ignore
+    elsewhere = {index for index, entry in enumerate(entries) if any(map(entry.is_for, left_out))}
+    only_there = {index for index in elsewhere if not any(map(entries[index].is_for, targets))}
     expired = rules.expired(today)
-    problems = [*expired.values(), *(rules.for_nobody(targets) if targets else [])]
+    problems = [problem for index, problem in expired.items() if index not in only_there]
+    problems += rules.for_nobody([*targets, *left_out]) if targets else []
     if whole:
         matched = {index for image in found for index in image.matched}
         judged = [
             index
-            for index, entry in enumerate(rules.policy.ignore)
+            for index, entry in enumerate(entries)
             if index not in expired
+            and index not in elsewhere
             and any(entry.is_for(image.target) for image in found)
             # It may match an image whose scan failed.
             and not any(image.outcome is Outcome.SCANNER_FAILED and entry.is_for(image.target) for image in found)

@@ -11,6 +11,8 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
+from rosml.images.image_set.expand import expand
+from rosml.images.image_set.model import ImageSet
 from rosml.images.publish.run import Outcome, Run
 from rosml.images.publish.state import State
 from rosml.images.records.store import Entry
@@ -64,11 +66,12 @@ def scan(
     there = {item.key for item in state.items if item.kind != "part"} & state.present
     whole = wanted.keys() == there and len(state.images) == len(state.image_set.images)
     started, date, targets = time.monotonic(), _time(state.date), state.image_set.by_target
+    missing = left_out(state.image_set)
     images = list(wanted.values())
     if isinstance(trivy, ScannerFailed):
-        found = judge.summarise(judge.unscanned(images, trivy, keep), rules, date.date(), whole, targets)
+        found = judge.summarise(judge.unscanned(images, trivy, keep), rules, date.date(), whole, targets, missing)
     else:
-        facts: dict[str, Any] = {"now": date, "whole": whole, "targets": targets}
+        facts: dict[str, Any] = {"now": date, "whole": whole, "targets": targets, "left_out": missing}
         shelf = Shelf(state.place.client, {entry.digest: entry.sbom for entry in state.known.values() if entry.sbom})
         found = judge.scan_images(images, rules, trivy, shelf, **facts, say=run.say, keep=keep)
     seconds = (time.monotonic() - started) / max(1, len(found.images))
@@ -81,6 +84,11 @@ def scan(
         sarif.write(reports, found)
     run.outcomes += [Outcome("scan", "policy", "", "failed", problem) for problem in found.problems]
     return found
+
+
+def left_out(image_set: ImageSet) -> set[str]:
+    """The targets that a set does not have, and the matrix that it extends has; none if it is no set."""
+    return set(expand(image_set.base).by_target) - set(image_set.by_target) if image_set.base else set()
 
 
 def _wanted(run: Run, clean: Callable[[Entry], bool]) -> dict[tuple[str, str], judge.Image]:
