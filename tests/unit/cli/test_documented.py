@@ -119,7 +119,7 @@ def test_a_night_without_github(tmp_path: Path, real: ImageSet, whose: str, fail
         return
     assert calls[1] == ["setup", "scanner"]
     steps = [call[1] if call[0] == "publish" else call[0] for call in calls[2:]]
-    assert steps == ["scan", "all", "status", "prune"]
+    assert steps == ["scan", "all", "rosdep", "status", "prune"]
     night = (ROOT / ".github/workflows/nightly.yml").read_text()
     options = {word for call in calls[2:] for word in call if word.startswith("--")}
     assert [option for option in sorted(options) if option not in night] == []

@@ -68,6 +68,7 @@ def begin(
     nightly = "the workflow publishes the set every night" if upstream.on_github else nightly
     calls = [
         (f"{where}./rosml list", "all images of the set; the first call fetches rosml"),
+        ("./rosml setup", "a registry and a builder on this machine, which plan, image and publish need"),
         ("./rosml plan --everywhere", "what is to be built, how long it takes, and how large the registry gets"),
         (f"./rosml image {found.image.target}", "builds and tests an image on this machine"),
         ("git init && git add --all && git commit -m 'Our images' && git push", nightly),

@@ -235,6 +235,7 @@ code=0 last=0
 trap 'last=$?; test $code -ne 0 || code=$last' ERR
 ./rosml publish scan --fetch
 ./rosml publish all --require-scan --serve @native@
+./rosml publish rosdep # rosdep's lists from GitHub, for rosml containerize
 ./rosml status
 ./rosml publish prune # says what could go; --apply removes it
 exit $code
@@ -318,6 +319,7 @@ A set of images in `{found.registry}`, which extends [rosml]({upstream.repositor
 
 ```sh
 ./rosml list                                # all images of the set
+./rosml setup                               # a registry and a builder on this machine
 ./rosml plan --everywhere --shards 4        # what is to be built, how long it takes, how large the registry gets
 ./rosml image {found.image.target}
 ./rosml publish all --serve {native}        # builds, tests and publishes what is missing, for this architecture alone
