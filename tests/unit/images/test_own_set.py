@@ -10,6 +10,7 @@ from datetime import date
 from pathlib import Path
 
 import pytest
+import yaml
 from conftest import ROOT
 from registry_stand_in import standing_in
 
@@ -376,6 +377,16 @@ def test_each_command_of_a_night_reads_the_set(tmp_path: Path, real: ImageSet, u
     errors = [line for line in said if line.startswith("error: ")]
     assert done.returncode == 1 and len(errors) == sum(line.startswith("called ") for line in said) > 3, done.stderr
     assert all(line.startswith(f"error: {server.address}: ") for line in errors), errors
+
+
+def test_gitlabs_job_fails_with_the_night_and_keeps_its_log(tmp_path: Path) -> None:
+    [text] = [block.text for block in blocks(walk.OWN_SET) if block.title == ".gitlab-ci.yml of a set"]
+    job = yaml.safe_load(text)["night"]
+    (tmp_path / own_set.NIGHT).write_text("echo built >&2; exit 3\n")
+    done = subprocess.run(["bash", "-ec", "\n".join(job["script"])], cwd=tmp_path, capture_output=True, check=False)
+    assert done.returncode == 3
+    assert [(tmp_path / name).read_text() for name in job["artifacts"]["paths"]] == ["built\n"]
+    assert job["artifacts"]["when"] == "always" and job["variables"]["GIT_CLEAN_FLAGS"].endswith("-e .rosml")
 
 
 def test_every_distribution_and_framework_can_begin_a_set(tmp_path: Path, real: ImageSet) -> None:
