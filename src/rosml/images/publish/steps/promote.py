@@ -1,7 +1,7 @@
 """Moves tags to indexes whose images passed everything.
 
 The order matters. First the index is signed, if the run signs, and the entries are attached to its images. Then the run
-records where tags were. Then tags move: first the dated tag, which never moves again, then tags that spell versions
+records where tags were. Then tags move: first the dated tag, which no later run moves, then tags that spell versions
 out, and last the floating ones. A tag never moves to something older, or to fewer architectures.
 """
 
