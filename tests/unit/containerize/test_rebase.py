@@ -29,6 +29,7 @@ from stubs import script_of_a_build
 
 from rosml.base.errors import RosmlError
 from rosml.containerize.app_bake_file import LOCK, REPLACED
+from rosml.containerize.lock import Image, Lock
 from rosml.containerize.rebase import variants
 from rosml.images.join import facts, file_lists
 from rosml.images.scan import sbom
@@ -57,6 +58,36 @@ def test_it_is_what_a_build_gives(place: Place, platforms: Sequence[str]) -> Non
     assert place.rebase(app, new, found.reference).moved is False, "again"
     back = place.rebase(found.reference, old)
     assert back.digest == place.digest(app) and back.before == built, "and back, with its own tag"
+
+
+@pytest.mark.parametrize("short", [False, True])
+def test_the_way_back_keeps_the_tag(place: Place, short: bool) -> None:
+    """`NAME:TAG@DIGEST` is the image of the digest, named by the tag: the old digest comes out, and the next night moves the app again."""
+    full = place.base()
+    place.services = replace(place.services, registry=place.server.address)
+    old = place.digest(full)
+    lock = Lock(base_image=Image(name="ros:core" if short else full, digest=old)).line()
+    app = place.app(full, labels={LOCK: lock})
+    before = place.digest(app)
+    place.base(files=("usr/bin/env", "bin", "usr/bin/new"))
+    found = place.rebase(app, "")
+    assert found.moved and found.back == f"{'ros:core' if short else full}@{old}"
+    newer = found.digest
+    assert place.rebase(app, found.back).digest == before == place.digest(app)
+    assert place.rebase(app, f"{full}@{old}").moved is False, "another spelling of the same tag changes nothing"
+    assert place.rebase(app, "").digest == newer, "and it follows the tag again"
+    assert not any("stays there" in line for line in place.said)
+
+
+def test_a_base_image_by_its_digest_alone_is_told(place: Place) -> None:
+    full = place.base()
+    app, pin = place.app(full), f"{full.rpartition(':')[0]}@{place.digest(full)}"
+    place.base(files=("usr/bin/env", "bin", "usr/bin/new"))
+    place.rebase(app, "")
+    found = place.rebase(app, pin)
+    assert f"{pin} has no tag, so the app stays there" in place.said[-1]
+    assert place.rebase(app, full).back == pin and found.moved, "its digest stands once"
+    assert f"there is no image {full}@sha256:{'0' * 64}" in place.refused(app, f"{full}@sha256:{'0' * 64}")
 
 
 def test_no_layer_is_pulled_and_little_is_sent(place: Place) -> None:

@@ -72,3 +72,13 @@ def test_a_dry_run_in_json(place: Place) -> None:
     assert found["verdict"] == "safe" and found["moved"] is False and found["base_digest"] == place.digest(new)
     assert called(app, "--base", new, "--json")[0] == 0
     assert place.digest(app) == found["digest"] != before
+
+
+def test_the_output_names_the_way_back(place: Place) -> None:
+    base = place.base()
+    old, app = place.digest(base), place.app(base)
+    place.base(files=("usr/bin/env", "bin", "usr/bin/new"))
+    code, out, _ = called(app)
+    assert code == 0 and f"before  {base}@{old}; back: rosml rebase {app} --base {base}@{old}\n" in out
+    pin = f"{base.rpartition(':')[0]}@{old}"
+    assert f"base    {pin}\n" in called(app, "--base", pin)[1]

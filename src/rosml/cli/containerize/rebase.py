@@ -77,7 +77,7 @@ def main(
     """Puts APP on another base image, such as tonight's, and moves its tag there.
 
     APP is a run or slim image of 'rosml containerize' in a registry. The result is the image that a build of the same packages on that
-    base image would give. Only a manifest and a config are pushed: nothing is built or pulled. With an older --base it moves back.
+    base image would give. Only a manifest and a config are pushed: nothing is built or pulled. --base NAME:TAG@DIGEST moves back.
 
     Before it writes anything, it compares packages, files and libraries of the app and of both base images, and refuses what does not
     fit. If C++ libraries changed in a way that these facts do not decide, the builder links the app in the new image first.
@@ -244,13 +244,19 @@ def _start(found: Rebased, pairs: dict[str, Pair], command: str) -> None:
 
 def _print(found: Rebased) -> None:
     from rosml.base.units import duration, size
+    from rosml.containerize.rebase.rebaser import in_full
 
     terminal.echo(f"{found.reference}@{found.digest}")
     if not found.moved:
         terminal.echo("it was there already")
         return
-    terminal.echo(f"base    {found.base}@{found.base_digest}")
-    terminal.echo(f"before  {found.old_base}@{found.old_base_digest}")
+    terminal.echo(f"base    {in_full(found.base, found.base_digest)}")
+    back = (
+        f"; back: rosml rebase {found.reference} --base {found.back}"
+        if found.back and found.app == found.reference
+        else ""
+    )
+    terminal.echo(f"before  {in_full(found.old_base, found.old_base_digest) or 'an unknown base image'}{back}")
     terminal.echo(f"check   {found.verdict}{', and the linker finds everything' if found.linked else ''}")
     counts = ((found.mounted, "mounted"), (found.present, "there already"), (found.copied, "copied"))
     ways = ", ".join(f"{number} {what}" for number, what in counts if number)

@@ -51,6 +51,7 @@ class Rebased(Transferred):
         base_digest: its digest.
         old_base: the base image until now, as the app names it.
         old_base_digest: its digest.
+        back: the `--base` that moves it back, and keeps the tag as its base image.
         moved: whether the tag points elsewhere than before.
         verdict: what the facts of both base images say: `safe` or `check by link`.
         reasons: why.
@@ -65,6 +66,7 @@ class Rebased(Transferred):
     base_digest: str = ""
     old_base: str = ""
     old_base_digest: str = ""
+    back: str = ""
     moved: bool = False
     verdict: str = ""
     reasons: list[str] = field(default_factory=list)
@@ -91,6 +93,7 @@ class Plan:
         judgement: what the facts of both base images say.
         document: the manifest or the index to which the tag will point.
         is_index: whether it is an index.
+        back: the `--base` that moves the app back; empty if it does not say which base image it is on.
     """
 
     app: Reference
@@ -104,6 +107,7 @@ class Plan:
     judgement: Judgement
     document: bytes
     is_index: bool
+    back: str = ""
 
     @property
     def digest(self) -> str:
@@ -123,6 +127,7 @@ class Plan:
             base_digest=self.base.digest,
             old_base=first.labels.get(BASE_NAME, ""),
             old_base_digest=first.labels.get(BASE_DIGEST, ""),
+            back=self.back,
             verdict=self.judgement.words,
             reasons=[*self.judgement.reasons],
         )
@@ -135,7 +140,7 @@ class _Onto:
     Attributes:
         base: the image itself.
         whole: the image with compilers that the user named, if `base` is the one without that belongs to it; else the same.
-        text: as the user wrote it; empty for the app's own.
+        text: as the user wrote it, without a digest that follows a tag; empty for the app's own.
     """
 
     base: Base
@@ -215,7 +220,10 @@ class Rebaser:
         else:
             document = next(iter(images.values())).manifest
         own = where._replace(reference=manifest.digest)
-        return Plan(own, str(where), target, there, found, images, old, bases, judgement, document, manifest.is_index)
+        back = self._back(next(iter(old.values())))
+        return Plan(
+            own, str(where), target, there, found, images, old, bases, judgement, document, manifest.is_index, back
+        )
 
     def _tell_left(self, name: str, manifest: oci.Manifest, known: Mapping[str, Source]) -> None:
         """Tells what of an app's index is not in the new one, such as attestations by buildx.
@@ -370,18 +378,60 @@ class Rebaser:
             raise RosmlError(f"{app.name} does not say which base image it is on", "name one with --base", 2)
         key = named, platforms, slim
         if key not in self._bases:
-            whole = found = app_base.find(named, self.services, platforms)
-            if slim and (name := app_base.runtime(whole)):
-                self.say(f"{named} has compilers: the slim image goes onto {name}")
-                found = app_base.find(name, self.services, platforms)
+            name, digest = pinned(named)
+            whole = found = self._read_base(name, digest, platforms)
+            if slim and (other := app_base.runtime(whole)):
+                if digest:
+                    text = f"{named} has compilers, and its digest does not say which image without them the slim image was on"
+                    raise RosmlError(text, f"name that one, with its digest: {other}@sha256:…", exit_code=2)
+                self.say(f"{named} has compilers: the slim image goes onto {other}")
+                found = app_base.find(other, self.services, platforms)
             if found.local:
                 raise RosmlError(f"{named} is in your Docker, and in no registry", "push it, and name it there", 2)
-            if not text and (DATED.search(named) or references.is_digest(named.partition("@")[2])):
+            if not text and (DATED.search(name) or "@" in name):
                 self.say(
                     f"{named} never moves, and apps that name it as their base image stay; give them another as base"
                 )
-            self._bases[key] = _Onto(found, whole, text)
+            elif "@" in name:
+                self.say(
+                    f"{text} has no tag, so the app stays there; to follow one, name it as well: NAME:TAG@sha256:…"
+                )
+            self._bases[key] = _Onto(found, whole, text and name)
         return self._bases[key]
+
+    def _read_base(self, name: str, digest: str, platforms: tuple[str, ...]) -> Base:
+        """A base image.
+
+        Args:
+            digest: its digest, wherever its tag is now; empty for where it is.
+
+        Raises:
+            RosmlError: there is no such image (exit code 2), or the registry does not answer or refuses.
+        """
+        try:
+            return app_base.find(name, self.services, platforms, digest)
+        except RosmlError as error:
+            if digest and error.remedy == lock.RENEW:  # no lock file is read here
+                text = f"there is no image {name}@{digest}"
+                raise RosmlError(text, "check its digest; if the registry removed it, name another one", 2) from None
+            raise
+
+    def _back(self, app: Source) -> str:
+        """The `--base` that puts an app on its present base image again, as its lock spells that one's tag."""
+        name, digest = (app.labels.get(label, "") for label in (BASE_NAME, BASE_DIGEST))
+        known = image.lock_of(app)
+        pin = known and (known.slim_base_image if app.labels.get(APP) == SLIM else known.base_image)
+        spelled = pin.name if pin and self._same(pin.name, name) else name
+        return in_full(spelled, digest)
+
+    def _spelled(self, known: str, onto: _Onto) -> str:
+        """A base image's name for a lock: as the app's lock spells the same tag, or else as the user wrote it."""
+        return known if not onto.text or self._same(known, onto.whole.name) else onto.text
+
+    def _same(self, text: str, name: str) -> bool:
+        """Whether a user's words for an image name this tag."""
+        tagged = ":" in text.rpartition("/")[2] and "@" not in text
+        return tagged and name in app_base.candidates(text, self.services)
 
     def _labels(self, app: Source, onto: _Onto) -> dict[str, str]:
         """The labels of an app about its new base image, as a build on it would write them."""
@@ -391,16 +441,14 @@ class Rebaser:
             return found
         main, slim = known.base_image, known.slim_base_image
         if app.labels.get(APP) != SLIM:
-            main = lock.Image(name=onto.text or main.name, digest=onto.base.digest)
+            main = lock.Image(name=self._spelled(main.name, onto), digest=onto.base.digest)
             slim = slim and self._now(slim, slim.name or app_base.runtime(onto.base))
         elif onto.whole is not onto.base:
-            main = lock.Image(name=onto.text or main.name, digest=onto.whole.digest)
+            main = lock.Image(name=self._spelled(main.name, onto), digest=onto.whole.digest)
             slim = slim and slim.model_copy(update={"digest": onto.base.digest})
         else:
             main = self._now(main, main.name)
-            slim = slim and lock.Image(
-                name=onto.text if slim.name and onto.text else slim.name, digest=onto.base.digest
-            )
+            slim = slim and lock.Image(name=slim.name and self._spelled(slim.name, onto), digest=onto.base.digest)
         return found | {LOCK: known.model_copy(update={"base_image": main, "slim_base_image": slim}).line()}
 
     def _now(self, pin: lock.Image, name: str) -> lock.Image:
@@ -414,6 +462,17 @@ class Rebaser:
                 if self._digests[name]:
                     break
         return pin.model_copy(update={"digest": self._digests[name] or pin.digest})
+
+
+def pinned(text: str) -> tuple[str, str]:
+    """The name and the digest of `NAME:TAG@DIGEST`. A name with a digest and no tag stays whole, and the digest is empty."""
+    name, _, digest = text.partition("@")
+    return (name, digest) if references.is_digest(digest) and ":" in name.rpartition("/")[2] else (text, "")
+
+
+def in_full(name: str, digest: str) -> str:
+    """An image's name with its digest, which it may have already."""
+    return name if "@" in name or not name or not digest else f"{name}@{digest}"
 
 
 def _chosen(known: Mapping[str, Source], platforms: Sequence[str], name: str) -> dict[str, Source]:
