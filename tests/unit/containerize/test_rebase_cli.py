@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from rebasing import Place, moving
+from rebasing import App, Place, moving
 
 from rosml.base.errors import RosmlError
 from rosml.cli.containerize import rebase
@@ -82,3 +82,25 @@ def test_the_output_names_the_way_back(place: Place) -> None:
     assert code == 0 and f"before  {base}@{old}; back: rosml rebase {app} --base {base}@{old}\n" in out
     pin = f"{base.rpartition(':')[0]}@{old}"
     assert f"base    {pin}\n" in called(app, "--base", pin)[1]
+
+
+def test_many_apps_are_told_with_the_way_back(place: Place, tmp_path: Path) -> None:
+    base = place.base()
+    names = [App(base, name=name).put(place.registry, "latest") for name in ("arm", "deep/camera")]
+    before = [place.digest(name) for name in names]
+    place.base(files=("usr/bin/env", "bin", "usr/bin/new"))
+    file = tmp_path / "apps.yaml"
+    file.write_text(json.dumps({"apps": [{"app": name} for name in names]}))
+    code, out, _ = called("--all", str(file), "--dry-run")
+    assert code == 0 and "2 would move\nnothing was changed\n" in out and "back:" not in out
+    assert [place.digest(name) for name in names] == before
+    planned = json.loads(called("--all", str(file), "--dry-run", "--json")[1])["apps"]
+    assert [(item["app"], item["state"]) for item in planned] == [(name, "planned") for name in names]
+    code, out, _ = called("--all", str(file))
+    after = [place.digest(name) for name in names]
+    assert code == 0 and after == [item["rebased"]["digest"] for item in planned]
+    for name, old, new in zip(names, before, after, strict=True):
+        assert f"moved      {name}  {old[7:19]} -> {new[7:19]}  {base}\n" in out
+    lines = [line for line in out.splitlines() if line.startswith("back: rosml publish undo 20")]
+    folders = [line.partition(" --registry ")[2] for line in lines]
+    assert folders == [f"{place.server.address}/me", f"{place.server.address}/me/deep"], "an undo for each folder"

@@ -39,6 +39,7 @@ def run(
     linked: list[str] | None = None,
     refuses: str = "",
     screen: Screen | None = None,
+    dry_run: bool = False,
 ) -> dict[str, Outcome]:
     """Runs a fleet; the builder notes what it links, and refuses one app."""
 
@@ -49,7 +50,7 @@ def run(
 
     with Registries() as registries, Rebaser(place.services, registries, place.said.append) as rebaser:
         one = Fleet(rebaser, date, link, lambda *_: None, say=place.said.append, screen=screen)
-        found = one.run(entries)
+        found = one.run(entries, dry_run)
     return {outcome.app.rpartition("/")[2]: outcome for outcome in found}
 
 
@@ -116,9 +117,36 @@ def test_tags_by_a_pattern(place: Place) -> None:
     assert sorted(found) == ["robot:v1", "robot:v2"], (
         "neither another name, nor a dated tag, nor a list of attached things"
     )
-    with pytest.raises(RosmlError, match=r"no tag of .* matches w\*") as caught:
-        run(place, Entry(app=f"{place.server.address}/me/robot:w*"))
-    assert caught.value.exit_code == 2
+
+
+def test_a_pattern_without_a_match_fails_alone(place: Place) -> None:
+    app, odd = App(place.base()).put(place.registry, "latest"), f"{place.server.address}/me/robot:w*"
+    place.base(files=("usr/bin/env", "bin", "usr/bin/new"))
+    found = run(place, Entry(app=odd), Entry(app=app))
+    assert {name: outcome.state for name, outcome in found.items()} == {"robot:w*": "refused", "robot:latest": "moved"}
+    assert "matches w*" in found["robot:w*"].reason and found["robot:w*"].remedy
+
+
+def test_a_dry_run_of_many(place: Place) -> None:
+    """It tells of all, also of an app on another one that would move, and changes nothing."""
+    old = place.base()
+    lower = App(old, name="lower").put(place.registry, "latest", index=True)
+    own = {**OWN, "files": ["x"], "packages": [], "libraries": []}
+    upper = App(lower, own, name="upper").put(place.registry, "latest")
+    odd = changed(OWN, packages=[package("python3-angles", "1.16", depends="python3 (<< 3.11.2-2)", files=[])])
+    refused = App(old, odd, name="odd").put(place.registry, "latest")
+    place.base(
+        said=changed(BASE_FACTS, packages=[package("python3", "3.11.2-5")]), files=("usr/bin/env", "bin", "usr/bin/new")
+    )
+    before = {*place.server.manifests}, {name: dict(tags) for name, tags in place.server.tags.items()}
+    entries = [Entry(app=name) for name in (upper, lower, refused)]
+    found = run(place, *entries, dry_run=True)
+    states = {"upper:latest": "planned", "lower:latest": "planned", "odd:latest": "refused"}
+    assert {name: outcome.state for name, outcome in found.items()} == states
+    assert f"once {lower} has moved" in found["upper:latest"].reason and not fleet.places(found.values())
+    assert ({*place.server.manifests}, {name: dict(tags) for name, tags in place.server.tags.items()}) == before
+    planned, done = found["lower:latest"].rebased, run(place, *entries)["lower:latest"].rebased
+    assert planned and done and planned.digest == done.digest != planned.before, "and it would be that"
 
 
 def test_an_app_that_is_named_twice(place: Place) -> None:

@@ -25,6 +25,10 @@ if TYPE_CHECKING:
 KEPT = "interrupted: the old tag stands; the next call finds again what was pushed"
 """The message after Ctrl-C."""
 
+STATES = {name: name for name in ("moved", "planned", "there", "unaffected", "refused", "failed")}
+STATES |= {"planned": "would move"}
+"""What became of an app, by the words for people."""
+
 
 @click.command(
     "rebase", short_help="Puts an app on another base image, without a build.", cls=Command, alone=True, kept=KEPT
@@ -86,7 +90,7 @@ def main(
     Examples:
       rosml rebase ghcr.io/me/robot:latest
       rosml rebase ghcr.io/me/robot:latest --base ghcr.io/us/ros-torch:jazzy-base-cu130 --tag ghcr.io/me/robot:torch
-      rosml rebase --all apps.yaml
+      rosml rebase --all apps.yaml --dry-run
       rosml rebase --all apps.yaml --fixes CVE-2026-12345
     """
     from rosml.containerize.rebase.rebaser import Rebaser
@@ -100,7 +104,6 @@ def main(
         "--base": base,
         "--tag": tag,
         "--platform": platforms,
-        "--dry-run": dry_run,
         "--command": command,
         "--variants": variants,
         "--check": check != "auto",
@@ -117,7 +120,7 @@ def main(
     services = Services.load(ROOT, required=False)
     with Registries(services.ca_bundle) as registries, Rebaser(services, registries, say) as rebaser:
         if apps:
-            _fleet(rebaser, apps, fixes, with_sbom=not no_sbom, as_json=as_json)
+            _fleet(rebaser, apps, fixes, with_sbom=not no_sbom, dry_run=dry_run, as_json=as_json)
             return
         plans = [rebaser.plan(app, base, tag, platforms)] if not variants else _variants(rebaser, app, variants, tag)
         found = [_moved(rebaser, plan, check, command, not no_sbom, dry_run) for plan in plans]
@@ -157,8 +160,8 @@ def _moved(rebaser: Rebaser, plan: Plan, check: str, command: str, with_sbom: bo
     return found
 
 
-def _fleet(rebaser: Rebaser, file: Path, fixes: str, with_sbom: bool, as_json: bool) -> None:
-    """Moves the apps of a file.
+def _fleet(rebaser: Rebaser, file: Path, fixes: str, with_sbom: bool, dry_run: bool, as_json: bool) -> None:
+    """Moves the apps of a file, or only tells what would become of them.
 
     Raises:
         SystemExit: one was refused or failed (exit code 1).
@@ -168,11 +171,16 @@ def _fleet(rebaser: Rebaser, file: Path, fixes: str, with_sbom: bool, as_json: b
 
     date, entries = now(), fleet.read(file)
     screen = _screen(fixes) if fixes else None
-    found = fleet.Fleet(rebaser, date, _link, _start, with_sbom, say, screen).run(entries)
+    found = fleet.Fleet(rebaser, date, _link, _start, with_sbom, say, screen).run(entries, dry_run)
     if as_json:
-        terminal.echo(json.dumps({"date": date, "apps": [item.to_json() for item in found]}, indent=2))
+        back = {"undo": fleet.places(found)} if not dry_run else {}
+        terminal.echo(json.dumps({"date": date, "apps": [item.to_json() for item in found], **back}, indent=2))
     else:
-        _tell(found, date)
+        _tell(found)
+        for place in fleet.places(found):
+            terminal.echo(f"back: rosml publish undo {date} --registry {place}")
+        if dry_run:
+            terminal.echo("nothing was changed")
     if any(item.state in ("refused", "failed") for item in found):
         raise SystemExit(1)
 
@@ -198,19 +206,25 @@ def _screen(name: str) -> Callable[[bytes, str], str]:
     return Screen(name, trivy.scan)
 
 
-def _tell(found: Sequence[Outcome], date: str) -> None:
+def _tell(found: Sequence[Outcome]) -> None:
     for item in found:
-        what = item.rebased.base if item.rebased else item.reason.partition("\n")[0]
-        terminal.echo(f"{item.state:<8} {item.app}  {what}".rstrip())
+        what = item.reason.partition("\n")[0]
+        if item.rebased and not what:
+            digests = f"{_short(item.rebased.before)} -> {_short(item.rebased.digest)}"
+            trial = "" if item.rebased.linked or not item.rebased.reasons else f"  {item.rebased.verdict}"
+            what = f"{digests}  {item.rebased.base}{trial}"
+        terminal.echo(f"{STATES[item.state]:<10} {item.app}  {what}".rstrip())
         for line in item.reason.split("\n")[1:]:
-            terminal.echo(f"         {line}")
+            terminal.echo(f"           {line}")
         if item.remedy:
-            terminal.echo(f"         {item.remedy}")
-    states = ("moved", "there", "unaffected", "refused", "failed")
-    counts = {state: sum(item.state == state for item in found) for state in states}
-    terminal.echo(", ".join(f"{number} {state}" for state, number in counts.items() if number))
-    if counts["moved"]:
-        terminal.echo(f"back: rosml publish undo {date} --registry REGISTRY/FOLDER, with the folder of the apps")
+            terminal.echo(f"           {item.remedy}")
+    counts = {words: sum(item.state == state for item in found) for state, words in STATES.items()}
+    terminal.echo(", ".join(f"{number} {words}" for words, number in counts.items() if number))
+
+
+def _short(digest: str) -> str:
+    """The beginning of a digest, for people."""
+    return digest.partition(":")[2][:12]
 
 
 def _builder() -> Services:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import threading
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from fnmatch import fnmatchcase
 from itertools import chain
@@ -30,6 +30,7 @@ from rosml.images.matrix.names import DATED, dated
 from rosml.images.records import tag_moves
 from rosml.images.records.store import Records
 from rosml.images.records.tag_moves import Move
+from rosml.registry import references
 from rosml.registry.place import Place
 
 REFERENCE = r"^[^\s@*?\[]+(:[A-Za-z0-9_.*?\[\]-]+)?$"
@@ -44,7 +45,7 @@ TIMES = 200
 _OURS = "sha256-"
 """The beginning of tags that are no app's: lists of what is attached to an image."""
 
-State = Literal["moved", "there", "unaffected", "refused", "failed"]
+State = Literal["moved", "planned", "there", "unaffected", "refused", "failed"]
 
 
 class Entry(Facts):
@@ -71,12 +72,12 @@ class Outcome:
     """What became of an app.
 
     Attributes:
-        app: its complete reference.
-        state: `moved`, `there` if it was on the newest base image already, `unaffected` by the vulnerability, `refused` by the checks,
+        app: its complete reference; of a pattern without one, the pattern.
+        state: `moved`, `planned` if it would move without `--dry-run`, `there` if it was on the newest base image already, `unaffected` by the vulnerability, `refused` by the checks,
             or `failed`.
         reason: why it was refused or failed.
         remedy: what to do about it.
-        rebased: the result, if it moved or was there.
+        rebased: the result, if it moved or would move.
     """
 
     app: str
@@ -129,11 +130,14 @@ class Fleet:
     screen: Callable[[bytes, str], str] | None = None
     _building: threading.Lock = field(default_factory=threading.Lock)
 
-    def run(self, entries: Iterable[Entry]) -> list[Outcome]:
+    def run(self, entries: Iterable[Entry], dry_run: bool = False) -> list[Outcome]:
         """Moves all apps. An app on another one of them waits for that one.
 
+        Args:
+            dry_run: plan only, and change nothing.
+
         Raises:
-            RosmlError: a pattern matches nothing (exit code 2); a registry does not list its tags, or refuses the record.
+            RosmlError: two entries say different things of an app (exit code 2), or a registry refuses the record.
         """
         wanted, failed = self._wanted([*entries])
         if len(wanted) > MANY:
@@ -141,8 +145,14 @@ class Fleet:
                 f"{len(wanted):,} apps match, and at most {MANY:,} move in a run", "name fewer", exit_code=2
             )
         found: dict[str, Outcome] = {}
-        for names in self._levels([*wanted]):
+        below = dict(zip(wanted, side_by_side(self._below, [*wanted], title="read"), strict=True))
+        for names in _levels(below):
             planned = side_by_side(lambda name: self._plan(name, wanted[name]), names, title="plan")
+            if dry_run:
+                for name, item in zip(names, planned, strict=True):
+                    under = found.get(below[name]) if not wanted[name].base else None
+                    found[name] = _foreseen(name, item, under)
+                continue
             ready = [item for item in planned if isinstance(item, _Ready)]
             pushed = side_by_side(self._push, ready, title="push")
             self._record([item for item in pushed if isinstance(item, _Ready)])
@@ -153,10 +163,10 @@ class Fleet:
         return [*failed, *(found[name] for name in wanted)]
 
     def _wanted(self, entries: Sequence[Entry]) -> tuple[dict[str, Entry], list[Outcome]]:
-        """The entry for each app: its own, or else that of a pattern. Also, what became of patterns whose registry does not answer.
+        """The entry for each app: its own, or else that of a pattern. Also, what became of entries that name no app.
 
         Raises:
-            RosmlError: two entries say different things of an app; a pattern matches nothing (exit code 2).
+            RosmlError: two entries say different things of an app (exit code 2).
         """
         found: dict[str, Entry] = {}
         failed = []
@@ -164,9 +174,7 @@ class Fleet:
             try:
                 names = self._named(entry)
             except RosmlError as error:
-                if error.exit_code == 2:
-                    raise
-                failed.append(Outcome(entry.app, "failed", error.message, error.remedy))
+                failed.append(_stopped(entry.app, error))
                 continue
             for name in names:
                 before = found.setdefault(name, entry)
@@ -195,17 +203,6 @@ class Fleet:
             raise RosmlError(f"no tag of {name} matches {tag}", near, exit_code=2)
         return [str(place._replace(reference=item)) for item in matching]
 
-    def _levels(self, names: Sequence[str]) -> Iterator[list[str]]:
-        """The apps in the order in which they can move: those on other ones of them come later."""
-        below = dict(zip(names, side_by_side(self._below, names, title="read"), strict=True))
-        left = dict.fromkeys(names)
-        while left:
-            ready = [name for name in left if below[name] not in left or below[name] == name]
-            ready = ready or [*left]  # they name each other: each stands for itself
-            yield ready
-            for name in ready:
-                del left[name]
-
     def _below(self, name: str) -> str:
         """The image below an app, by its name; empty if it cannot be read, which its plan will say."""
         try:
@@ -226,7 +223,7 @@ class Fleet:
                 return Outcome(name, "there")
             return _Ready(name, entry, plan, self._moves(plan))
         except RosmlError as error:
-            return Outcome(name, "refused" if error.exit_code == 2 else "failed", error.message, error.remedy)
+            return _stopped(name, error)
 
     def _has(self, name: str) -> str:
         """The packages of an app that have the vulnerability."""
@@ -277,7 +274,7 @@ class Fleet:
                     if check == "run":
                         self.start(ready.rebased, pairs, ready.entry.command)
         except RosmlError as error:
-            return Outcome(ready.name, "refused" if error.exit_code == 2 else "failed", error.message, error.remedy)
+            return _stopped(ready.name, error)
         return ready
 
     def _record(self, ready: Sequence[_Ready]) -> None:
@@ -300,6 +297,45 @@ class Fleet:
         except RosmlError as error:
             return Outcome(ready.name, "failed", error.message, error.remedy, ready.rebased)
         return Outcome(ready.name, "moved", rebased=ready.rebased)
+
+
+def places(outcomes: Iterable[Outcome]) -> list[str]:
+    """The registries with folders, such as `ghcr.io/me`, whose records say where moved tags were: for `rosml publish undo`."""
+    moved = [references.parse(item.rebased.reference) for item in outcomes if item.rebased and item.state == "moved"]
+    found = {f"{where.host}/{where.repository.rpartition('/')[0]}" for where in moved if "/" in where.repository}
+    return sorted(found)
+
+
+def _levels(below: Mapping[str, str]) -> Iterator[list[str]]:
+    """Apps in the order in which they can move: those on other ones of them come later.
+
+    Args:
+        below: the image below each app.
+    """
+    left = dict.fromkeys(below)
+    while left:
+        ready = [name for name in left if below[name] not in left or below[name] == name]
+        ready = ready or [*left]  # they name each other: each stands for itself
+        yield ready
+        for name in ready:
+            del left[name]
+
+
+def _foreseen(name: str, planned: _Ready | Outcome, under: Outcome | None) -> Outcome:
+    """What would become of an app.
+
+    Args:
+        under: what would become of the app below it. If that would move, this plan is of an image that is not there yet.
+    """
+    if isinstance(planned, Outcome) and planned.state not in ("there", "refused"):
+        return planned
+    if under and under.state == "planned":
+        return Outcome(name, "planned", f"once {under.app} has moved, if it fits onto that")
+    return planned if isinstance(planned, Outcome) else Outcome(name, "planned", rebased=planned.plan.result)
+
+
+def _stopped(name: str, error: RosmlError) -> Outcome:
+    return Outcome(name, "refused" if error.exit_code == 2 else "failed", error.message, error.remedy)
 
 
 def _is_pattern(entry: Entry) -> bool:
