@@ -25,3 +25,14 @@ def time_taken(seconds: float, waited: float) -> str:
     """A duration, and how much of it was spent waiting for another build, if that is a second or more."""
     wait = f" ({duration(waited)} of it waiting for another build)" if waited >= 1 else ""
     return f"{duration(seconds)}{wait}"
+
+
+def ago(seconds: float) -> str:
+    """An age for people, in its largest unit: ``3 hours ago``."""
+    if seconds < 0:
+        return "in the future"
+    for unit, length in (("day", 86400), ("hour", 3600), ("minute", 60)):
+        if seconds >= length:
+            number = int(seconds // length)
+            return f"{number} {unit}{'s'[: number != 1]} ago"
+    return f"{int(seconds)} s ago"

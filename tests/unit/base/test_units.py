@@ -27,3 +27,11 @@ def test_duration(seconds: float, text: str) -> None:
 )
 def test_time_taken(waited: float, text: str) -> None:
     assert units.time_taken(158, waited) == text
+
+
+@pytest.mark.parametrize(
+    ("seconds", "text"),
+    [(-1, "in the future"), (9.9, "9 s ago"), (60, "1 minute ago"), (7199, "1 hour ago"), (200_000, "2 days ago")],
+)
+def test_ago(seconds: float, text: str) -> None:
+    assert units.ago(seconds) == text

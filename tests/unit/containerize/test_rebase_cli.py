@@ -7,11 +7,14 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from click import Command
 from click.testing import CliRunner
 from rebasing import App, Place, moving
 
+from rosml.base import clock
 from rosml.base.errors import RosmlError
 from rosml.cli.containerize import rebase
+from rosml.cli.images import publish
 from rosml.machine.services import Services
 
 
@@ -22,9 +25,9 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
         yield found
 
 
-def called(*arguments: str) -> tuple[int, str, str]:
+def called(*arguments: str, program: Command = rebase.main) -> tuple[int, str, str]:
     """The exit code, the output and what was said. The program's own end turns errors into messages."""
-    done = CliRunner().invoke(rebase.main, [*arguments])
+    done = CliRunner().invoke(program, [*arguments])
     if isinstance(done.exception, RosmlError):
         return done.exception.exit_code, done.stdout, done.exception.message
     return done.exit_code, done.stdout, done.stderr
@@ -104,3 +107,35 @@ def test_many_apps_are_told_with_the_way_back(place: Place, tmp_path: Path) -> N
     lines = [line for line in out.splitlines() if line.startswith("back: rosml publish undo 20")]
     folders = [line.partition(" --registry ")[2] for line in lines]
     assert folders == [f"{place.server.address}/me", f"{place.server.address}/me/deep"], "an undo for each folder"
+
+
+def test_an_undo_says_first_what_it_undoes(place: Place, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A last run of an earlier day has to be named: last night's may have moved no tag, and so have no record."""
+    app = place.app(place.base())
+    before = place.digest(app)
+    place.base(files=("usr/bin/env", "bin", "usr/bin/new"))
+    (tmp_path / "apps.yaml").write_text(json.dumps({"apps": [{"app": app}]}))
+    monkeypatch.setattr(clock, "now", lambda: "2026-11-27T03:00:00Z")
+    assert called("--all", str(tmp_path / "apps.yaml"))[0] == 0
+    after, where = place.digest(app), ("undo", "--registry", f"{place.server.address}/me")
+
+    monkeypatch.setattr(clock, "now", lambda: "2026-11-28T05:00:00Z")
+    code, out, said = called(*where, "--dry-run", program=publish.main)
+    assert code == 0 and f"run of 2026-11-27T03:00:00Z, 1 day ago: 2 tags in {place.server.address}/me" in said
+    assert f"robot:latest  would move back to {before}\n" in out and "robot:latest-20261127  would be removed" in out
+    tags = json.loads(called(*where, "--dry-run", "--json", program=publish.main)[1])["tags"]
+    assert [item["now"] for item in tags] == [after, after] and place.digest(app) == after
+    code, out, said = called(*where, program=publish.main)
+    assert code == 2 and "and no run was named" in said and place.digest(app) == after
+    assert called(*where, "2026-11-27T03:00:00Z", program=publish.main)[0] == 0
+    assert place.digest(app) == before
+
+
+def test_an_undo_of_the_last_run_of_the_day(place: Place, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    app = place.app(place.base())
+    before = place.digest(app)
+    place.base(files=("usr/bin/env", "bin", "usr/bin/new"))
+    (tmp_path / "apps.yaml").write_text(json.dumps({"apps": [{"app": app}]}))
+    assert called("--all", str(tmp_path / "apps.yaml"))[0] == 0 and place.digest(app) != before
+    code, _, said = called("undo", "--registry", f"{place.server.address}/me", program=publish.main)
+    assert code == 0 and " s ago: 2 tags in " in said and place.digest(app) == before

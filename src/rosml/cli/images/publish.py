@@ -21,6 +21,8 @@ from rosml.cli.options import place_of
 
 if TYPE_CHECKING:
     from rosml.images.publish.run import Run
+    from rosml.images.publish.undo import Recorded
+    from rosml.images.records.store import Records
     from rosml.images.scan import judge
     from rosml.images.scan.results import Results
 
@@ -304,18 +306,24 @@ def issue(file: Path, unpublished: int) -> None:
 @main.command(alone=True, short_help="Moves the tags of a run back to their earlier digests.")
 @sharing("registry", "json")
 @click.argument("run", default="")
-def undo(run: str, **options: Any) -> None:
+@click.option("--dry-run", is_flag=True, help="show where each tag would go, and move none")
+def undo(run: str, dry_run: bool, **options: Any) -> None:
     """Moves the tags of RUN back to where they were before it.
 
-    RUN is the date of a run; the last run if left out. A tag that a later run moved stays where it is. With --registry,
-    the command needs no other service.
+    RUN is the date of a run, such as 2026-11-22T03:00:00Z. Without RUN, it is the last run that moved a tag there; if that is older than
+    a day, you have to name it. The command says first which run it is, and how many tags. A tag that a later run moved stays where it is.
+
+    Without --registry, it is that of the set in this folder, or the local one. With --registry, the command needs no other service.
 
     \b
     Examples:
-      rosml publish undo
+      rosml publish undo --registry ghcr.io/me/rosml --dry-run
       rosml publish undo 2026-11-22T03:00:00Z --registry ghcr.io/me/rosml
     """
     from rosml.base.clock import now
+    from rosml.base.errors import RosmlError
+    from rosml.base.problems import counted
+    from rosml.base.units import ago
     from rosml.cli.images import report
     from rosml.images.publish import undo as undoing
     from rosml.images.records.store import Records
@@ -323,11 +331,38 @@ def undo(run: str, **options: Any) -> None:
     started, call = time.monotonic(), Call(**options)
     place = place_of(call.registry, ROOT)
     with place.client as client:
-        date = now()
-        outcomes = undoing.undo(Records(place), date, run)
+        date, book = now(), Records(place)
+        found = undoing.find(book, run)
+        age = found.age(date)
+        said = f"the run of {found.date}{f', {ago(age.total_seconds())}' if age is not None else ''}"
+        say(f"{said}: {counted(len(found.moves), 'tag')} in {place}")
+        if dry_run:
+            _foresee(book, found, call.as_json)
+            return
+        if not run and (age is None or age > undoing.RECENT):
+            text = f"the last run that moved a tag in {place} is {said}, and no run was named"
+            raise RosmlError(text, f"name it if you mean it: rosml publish undo {found.date} --registry {place}", 2)
+        outcomes = undoing.undo(book, date, found)
         report.tell_outcomes(outcomes, date, client.uploaded, started, call.as_json)
     if any(outcome.state == "failed" for outcome in outcomes):
         raise SystemExit(1)
+
+
+def _foresee(book: Records, found: Recorded, as_json: bool) -> None:
+    """Shows what an undo would do."""
+    from rosml.images.publish import undo as undoing
+
+    rows = [
+        (f"{move.repository}:{move.tag}", undoing.foreseen(move, at), at)
+        for move, at in undoing.whereabouts(book, found)
+    ]
+    if as_json:
+        tags = [{"tag": tag, "now": at, "what": what} for tag, what, at in rows]
+        terminal.echo(json.dumps({"run": found.date, "tags": tags}, indent=2))
+        return
+    for tag, what, _ in rows:
+        terminal.echo(f"{tag}  {what}")
+    terminal.echo("nothing was changed")
 
 
 @main.command(alone=True, short_help="Publishes rosdep's lists, for 'rosml containerize'.")

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+import re
+from dataclasses import dataclass, replace
+from datetime import datetime, timedelta
 
+from rosml.base.clock import TIME, is_date
 from rosml.base.errors import RosmlError
 from rosml.base.side_by_side import side_by_side
 from rosml.images.image_set.labels import TITLE
@@ -13,20 +16,45 @@ from rosml.images.publish.run import Outcome
 from rosml.images.records.store import INDEX, Records
 from rosml.images.records.tag_moves import UNDO, Move, read_moves, record_name
 
+RECENT = timedelta(days=1)
+"""A last run that is older than this is undone only by its name: whoever means last night's may not know that it moved no tag."""
 
-def undo(book: Records, date: str, run: str = "") -> list[Outcome]:
-    """Moves tags back to where they were before a run. The index they pointed at is held: no later run moves them to it
-    again.
 
-    This reads only the run's record and the indexes in it: no matrix, and nothing of this machine.
+@dataclass(frozen=True)
+class Recorded:
+    """A run that moved tags.
+
+    Attributes:
+        name: the tag of its record.
+        moves: its moves, in their order.
+    """
+
+    name: str
+    moves: tuple[Move, ...]
+
+    @property
+    def date(self) -> str:
+        """The run's date; what stands in the record's tag, if that is no date."""
+        text = self.name.removeprefix(UNDO)
+        found = _STAMP.fullmatch(text)
+        return "{}-{}-{}T{}:{}:{}Z".format(*found.groups()) if found else text
+
+    def age(self, date: str) -> timedelta | None:
+        """How long before a date it was; None if its own is none."""
+        if not (is_date(self.date) and is_date(date)):
+            return None
+        return datetime.strptime(date, TIME) - datetime.strptime(self.date, TIME)
+
+
+_STAMP = re.compile(r"(\d{4})(\d\d)(\d\d)T(\d\d)(\d\d)(\d\d)Z", re.ASCII)
+
+
+def find(book: Records, run: str = "") -> Recorded:
+    """The run to undo.
 
     Args:
         book: the records of the registry.
-        date: the time of this call. Entries say that they are held since then.
         run: the run's date; the last run with a record if empty.
-
-    Returns:
-        An outcome for each tag that was not back yet.
 
     Raises:
         RosmlError: there is no such record, or the registry does not answer.
@@ -39,9 +67,28 @@ def undo(book: Records, date: str, run: str = "") -> list[Outcome]:
         raise RosmlError(
             text, f"there are records of {dates}" if known else "no run has moved a tag in this registry yet"
         )
-    recorded = list(reversed(read_moves(book, name)))
-    there = side_by_side(lambda move: book.registry.head(book.place.path(move.repository), move.tag), recorded)
-    now = list(zip(recorded, there, strict=True))
+    return Recorded(name, tuple(read_moves(book, name)))
+
+
+def undo(book: Records, date: str, run: str | Recorded = "") -> list[Outcome]:
+    """Moves tags back to where they were before a run. The index they pointed at is held: no later run moves them to it
+    again.
+
+    This reads only the run's record and the indexes in it: no matrix, and nothing of this machine.
+
+    Args:
+        book: the records of the registry.
+        date: the time of this call. Entries say that they are held since then.
+        run: the run, or its date; the last run with a record if empty.
+
+    Returns:
+        An outcome for each tag that was not back yet.
+
+    Raises:
+        RosmlError: there is no such record, or the registry does not answer.
+    """
+    found = run if isinstance(run, Recorded) else find(book, run)
+    now = whereabouts(book, found)
     # Before the first tag moves: if this process is killed in between, the next run moves no tag to these indexes again.
     held = {(move.repository, move.new) for move, where in now if where in (move.old, move.new)}
     side_by_side(lambda item: _hold(book, item[0], item[1], date), sorted(held))
@@ -49,9 +96,29 @@ def undo(book: Records, date: str, run: str = "") -> list[Outcome]:
     for move, where in now:
         images.setdefault((move.repository, move.new), []).append((move, where))
     # The tags of one image move in their order, images side by side.
-    found = side_by_side(lambda item: [_back(book, name, move, where) for move, where in item], images.values())
-    outcomes = [outcome for several in found for outcome in several if outcome]
-    return outcomes or [Outcome("undo", name, "", "done", "nothing was left to move back")]
+    done = side_by_side(lambda item: [_back(book, found.name, move, where) for move, where in item], images.values())
+    outcomes = [outcome for several in done for outcome in several if outcome]
+    return outcomes or [Outcome("undo", found.name, "", "done", "nothing was left to move back")]
+
+
+def whereabouts(book: Records, found: Recorded) -> list[tuple[Move, str]]:
+    """The moves of a run, the last one first, each with the digest where its tag is now; empty if it is gone.
+
+    Raises:
+        RosmlError: the registry does not answer.
+    """
+    recorded = list(reversed(found.moves))
+    there = side_by_side(lambda move: book.registry.head(book.place.path(move.repository), move.tag), recorded)
+    return list(zip(recorded, there, strict=True))
+
+
+def foreseen(move: Move, there: str) -> str:
+    """What an undo would do with a tag that is at a digest now."""
+    if there == move.old:
+        return "is back already"
+    if there != move.new:
+        return "stays: a later run moved it"
+    return f"would move back to {move.old}" if move.old else "would be removed: it was not there before"
 
 
 def _back(book: Records, record: str, move: Move, there: str) -> Outcome | None:
