@@ -107,19 +107,20 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
         return found
     if refused and services.bases and (found := _made_here(names[-1], services, platforms, digest)):
         return found
-    ours = _ours(text)
+    ours = _ours(text) or _app_here(text, services)
     if refused:
         if len(names) == 1:
             raise refused
         problem = f"there is no image {text} in the local registry, and {refused.message}"
         raise RosmlError(problem, ours or near or refused.remedy)
     if digest:
-        text = f"there is no image {text} with the digest {digest} of the lock file (looked for {', '.join(names)})"
+        text = f"there is no image {text} with the digest {digest} of the lock file{_sought(text, names)}"
         raise RosmlError(text, lock.RENEW, exit_code=2)
     raise RosmlError(
-        f"there is no image {text} (looked for {', '.join(names)})",
+        f"there is no image {text}{_sought(text, names)}",
         ours
-        or f"{near} 'rosml list' has all names; 'rosml image TARGET' builds one; 'docker login' for a private one".strip(),
+        or f"{near}{' ' if near.endswith('?') else '. ' if near else ''}"
+        "'rosml list' has all names; 'rosml image TARGET' builds one; 'docker login' for a private one",
         exit_code=2,
     )
 
@@ -132,6 +133,23 @@ def _ours(text: str) -> str:
     if image := images.by_target.get(text):
         return f"name the image by its tag: {image.tags[0]}"
     return ""
+
+
+def _app_here(text: str, services: Services) -> str:
+    """How to write the name of an app in the local registry, if it has one of that name; empty if not."""
+    if not services.registry or references.has_registry(text):
+        return ""
+    with Registries(services.ca_bundle) as registries, contextlib.suppress(RosmlError):
+        where = references.parse(f"{services.registry}/{text}")
+        if registries(where.host).head(where.repository, where.reference):
+            return f"an app in the local registry has to be named in full: {services.registry}/{text}"
+    return ""
+
+
+def _sought(text: str, names: Iterable[str]) -> str:
+    """Where an image was looked for, if its name does not say so itself."""
+    others = [name for name in dict.fromkeys(names) if name != text]
+    return f" (looked for {', '.join(others)})" if others else ""
 
 
 def _made_here(name: str, services: Services, platforms: tuple[str, ...], digest: str) -> Base | None:

@@ -14,9 +14,11 @@ import pytest
 from rebasing import BASE_FACTS, BOTH, App, Place, changed, moving, package
 
 from rosml.base.errors import RosmlError
+from rosml.containerize.delivery.delta import for_platform
 from rosml.containerize.rebase import trial
 from rosml.containerize.rebase.image import as_buildkit
 from rosml.images.join import file_lists
+from rosml.images.join.transfer import Transfer
 from rosml.machine import exported
 from rosml.machine.services import Services
 from rosml.registry import oci, references
@@ -303,3 +305,48 @@ def test_two_trials_of_an_app_take_turns(tmp_path: Path, monkeypatch: pytest.Mon
         ]
         assert [item.result() for item in work] == [None] * 3
     assert most == [1]
+
+
+def test_an_app_as_base_image_is_the_one_cause(place: Place) -> None:
+    base = place.base()
+    app, other = place.app(base), place.app(base, name="other")
+    place.rebase(other, place.base("newer"))  # now it has a list of its files, as a build gives it
+    with pytest.raises(RosmlError) as caught:
+        place.plan(app, other)
+    assert f"{other} is an app itself, and has files of {app}: /" in caught.value.message
+    assert "\n" not in caught.value.message and caught.value.remedy.startswith("name the image below it: --base ")
+
+
+def test_a_base_image_that_is_an_app_of_the_local_registry(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its name without a registry could be one of Docker Hub: the remedy says how to write it."""
+    place.services = replace(place.services, registry=place.server.address)
+    app = place.app(place.base())
+    monkeypatch.setattr(
+        references, "complete", lambda text: text if text[:3] == "127" else f"{place.server.address}/hub/{text}"
+    )
+    for text, says in (
+        ("me/robot:latest", f"has to be named in full: {place.server.address}/me/robot:latest"),
+        (f"{place.server.address}/rosml/ros:cord", "did you mean 'core'? 'rosml list' has"),
+        (f"{place.server.address}/rosml/ros:x", "known: core. 'rosml list' has"),
+    ):
+        with pytest.raises(RosmlError) as caught:
+            place.plan(app, text)
+        assert says in caught.value.remedy, text
+        assert text in caught.value.message and caught.value.message.count("ros:") <= 1, "a name stands once"
+
+
+def test_a_wrong_tag_names_tags_that_are_there(place: Place) -> None:
+    base = place.base()
+    for number in range(20):
+        place.registry.tag("rosml/ros", place.digest(base), f"{number}-night")
+    with place.rebaser() as rebaser, Transfer(rebaser.registries) as transfer:
+        for name, says in (
+            (f"{place.server.address}/rosml/ros:zzz", "its tags are "),
+            (f"{place.server.address}/no/x:y", "has no tags"),
+        ):
+            with pytest.raises(RosmlError) as caught:
+                transfer.platforms(name)
+            assert says in caught.value.remedy
+        with pytest.raises(RosmlError) as caught:
+            for_platform(transfer, base, "linux/riscv64")
+        assert caught.value.remedy == "name one that it has: --platform linux/amd64"

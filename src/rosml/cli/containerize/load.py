@@ -51,7 +51,10 @@ def main(file: str, origins: tuple[str, ...], into: str, as_json: bool) -> None:
         return
     terminal.echo(f"{found.image}@{found.digest}" if found.image else found.id)
     terminal.echo(f"{counted(found.layers, 'layer')} of the file, {size(found.bytes)}")
-    terminal.echo(f"{counted(found.taken + found.held, 'layer')} of this machine")
+    if found.taken or origins:
+        terminal.echo(f"{counted(found.taken, 'layer')} of {', '.join(origins) or 'images here'}")
+    if found.held:
+        terminal.echo(f"{counted(found.held, 'layer')} here already")
     if into:
         other = "" if found.written == found.digest else f" as {found.written}: some of its layers are not compressed"
         terminal.echo(f"written into {into}{other}")

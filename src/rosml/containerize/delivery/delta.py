@@ -103,5 +103,6 @@ def for_platform(transfer: Transfer, name: str, platform: str) -> Source:
     found = transfer.platforms(name)
     if platform not in found:
         text = f"{name} is for {listed(sorted(found)) or 'no platform'}, not for {platform}"
-        raise RosmlError(text, "name the machine's platform: --platform linux/arm64", exit_code=2)
+        remedy = f"name one that it has: --platform {min(found)}" if found else "name another image"
+        raise RosmlError(text, remedy, exit_code=2)
     return found[platform]

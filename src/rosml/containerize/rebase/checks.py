@@ -43,6 +43,10 @@ GENERATED = re.compile(
 """Files that each app has of its own, and Python's compiled files, which belong to their sources."""
 
 
+BOTH = "the app and the base image both have /"
+"""The beginning of the reason about a file that both have."""
+
+
 class Verdict(IntEnum):
     """What to do about another base image."""
 
@@ -185,7 +189,7 @@ def _files(app: Facts, new: Facts, files: tuple[Container[str], Container[str]],
         if GENERATED.fullmatch(path):
             continue
         if path in files[0]:
-            found.add(Verdict.BUILD, f"the app and the base image both have /{path}")
+            found.add(Verdict.BUILD, f"{BOTH}{path}")
         elif path in files[1]:
             found.add(Verdict.BUILD, f"the app has a file /{path}, which is a folder in the base image")
         elif above := _file_above(path.rpartition("/")[0], files[0], known):

@@ -18,7 +18,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from rosml.base.errors import RosmlError
-from rosml.base.problems import unknown
+from rosml.base.problems import some
 from rosml.base.side_by_side import side_by_side
 from rosml.containerize.app_bake_file import BASE_NAME
 from rosml.containerize.rebase import image
@@ -199,8 +199,8 @@ class Fleet:
         tags = [item for item in known if not DATED.search(item) and not item.startswith(_OURS)]
         matching = [item for item in tags if fnmatchcase(item, tag)]
         if not matching:
-            near = unknown("tag", tag, tags).partition("; ")[2] or "the repository has no tags"
-            raise RosmlError(f"no tag of {name} matches {tag}", near, exit_code=2)
+            has = f"its tags are {some(sorted(tags))}" if tags else "the repository has no tags of apps"
+            raise RosmlError(f"no tag of {name} matches {tag}", has, exit_code=2)
         return [str(place._replace(reference=item)) for item in matching]
 
     def _below(self, name: str) -> str:

@@ -12,7 +12,7 @@ from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from rosml.base.errors import RosmlError
-from rosml.base.problems import SHOWN, listed
+from rosml.base.problems import SHOWN, listed, some
 from rosml.containerize import app_base, lock
 from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME, LOCK
 from rosml.containerize.app_base import Base
@@ -365,7 +365,7 @@ class Rebaser:
         if manifest := self.registries(where.host).manifest(where.repository, where.reference):
             return where, manifest
         raise RosmlError(
-            f"there is no app {text} in a registry (looked for {where})",
+            f"there is no app {text} in a registry{'' if text == str(where) else f' (looked for {where})'}",
             "name it with its registry; an app in your Docker has to be pushed first",
             exit_code=2,
         )
@@ -509,7 +509,15 @@ def _require_no_build(judgement: Judgement, app: str, base: Base) -> None:
     Raises:
         RosmlError: something does (exit code 2).
     """
-    if wrong := judgement.of(Verdict.BUILD):
+    wrong = judgement.of(Verdict.BUILD)
+    same = [line.removeprefix(checks.BOTH) for line in wrong if line.startswith(checks.BOTH)]
+    if same and base.labels.get(APP):
+        text = f"{base.name} is an app itself, and has files of {app}: /{some(same)}"
+        below = base.labels.get(BASE_NAME, "")
+        raise RosmlError(
+            text, f"name the image below it: --base {below}" if below else "name another image", exit_code=2
+        )
+    if wrong:
         more = [f"and {len(wrong) - SHOWN} more reasons"] if len(wrong) > SHOWN else []
         lines = "".join(f"\n    {line}" for line in [*wrong[:SHOWN], *more])
         raise RosmlError(f"{app} does not go onto {base.name} without a build:{lines}", image.AGAIN, exit_code=2)

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from rosml.base.errors import RosmlError
-from rosml.base.problems import unknown
+from rosml.base.problems import near, some
 from rosml.images.join.layers import Joined, Source, platform
 from rosml.registry import oci, references
 from rosml.registry.client import Registry
@@ -80,8 +80,7 @@ class Transfer:
         where = references.parse(name)
         registry, manifest = self.registries(where.host), self.manifest(where)
         if manifest is None:
-            near = unknown("tag", where.reference, registry.tags(where.repository)).partition("; ")[2]
-            raise RosmlError(f"{name} is not there", f"check its name: {near or 'its repository has no tags'}", 2)
+            raise RosmlError(f"{name} is not there", f"{_near(registry, where)}", 2)
         return self.members(name, where, manifest)
 
     def manifest(self, where: Reference) -> oci.Manifest | None:
@@ -181,3 +180,14 @@ class Transfer:
             return "present"
         registry.copy_blob(repository, digest, layer["size"], self.registries(source.host), source.repository)
         return "copied"
+
+
+def _near(registry: Registry, where: Reference) -> str:
+    """What to do about an image that is not there: names of tags near its own, or some of those that its repository has."""
+    if references.is_digest(where.reference):
+        return "check its digest; the registry may have removed it"
+    tags = [tag for tag in registry.tags(where.repository) if not tag.startswith("sha256-")]  # lists of attached things
+    if found := near(where.reference, tags):
+        return f"check its name: {found}"
+    known = f"its tags are {some(sorted(tags))}" if tags else f"{where.host}/{where.repository} has no tags"
+    return f"check its name: {known}"
