@@ -361,13 +361,14 @@ def test_what_does_not_fit_is_refused_in_a_sentence(shop: Shop, capsys: pytest.C
 
 
 @pytest.mark.parametrize("origin", ["registry", "file", "image"])
-def test_somebody_named_gives_the_layers(shop: Shop, origin: str) -> None:
+def test_somebody_named_gives_the_layers(shop: Shop, origin: str, capsys: pytest.CaptureFixture[str]) -> None:
     """What is named alone is asked: the engine's other image would give all."""
     file, other = shop.save("more", "app"), shop.save("app", file="other.tar")
     shop.engine("podman", "base", "app", "twice")
     where = {"registry": shop.name("app"), "file": other, "image": oci.digest_of(config("app", shop.here))}[origin]
     assert shop.call("load", file, "--from", where, "--into", shop.folder / "whole.tar") == 0
     require_whole(shop.folder / "whole.tar", "more")
+    assert re.search(rf"\n[0-9]+ layers? of {re.escape(str(where))}\n", capsys.readouterr().out), "not of this machine"
     assert shop.call("load", file, "--from", oci.digest_of(config("base", shop.here))) == 2
     assert not shop.loaded.exists()
 
