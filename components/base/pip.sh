@@ -14,8 +14,10 @@ folder=$(mktemp -d)
 python3 -m pip download --no-deps --require-hashes --only-binary :all: --no-cache-dir --disable-pip-version-check --dest "$folder" \
   --requirement "$here/pip.txt"
 wheel=$(echo "$folder"/pip-*.whl)
+# By its name: of a wheel that is named by its path, pip would keep the path, which is another one in each build.
 # pip.conf, which lets pip install into /usr/local, is not there yet.
-PIP_BREAK_SYSTEM_PACKAGES=1 python3 -m pip install --no-deps --no-index --no-compile --no-cache-dir "$wheel"
+PIP_BREAK_SYSTEM_PACKAGES=1 python3 -m pip install --no-deps --no-index --find-links "$folder" --require-hashes --no-compile --no-cache-dir \
+  --requirement "$here/pip.txt"
 
 # As the distribution's own pip, it leaves what apt installed where it is: by itself it would remove its files.
 file=$(python3 -c 'import pip._internal.utils.misc as found; print(found.__file__)')
@@ -24,7 +26,9 @@ sed -i '/^def is_local/,/^def /s|^        return True$|        return not path.s
 grep -q 'return not path.startswith("/usr/lib/python3/")' "$file"
 # On record it has no digest then, as files have that change.
 sed -i 's|^\(pip/_internal/utils/misc.py\),.*|\1,,|' "${file%/pip/_internal/*}"/pip-*.dist-info/RECORD
-python3 -m compileall -q --invalidation-mode checked-hash "${file%/_internal/*}"
+# Forced: python3 compiled what it imported above by the time of its installation, which differs from build to build. The seed is
+# the order of sets, which Pythons up to 3.10 write as it comes.
+PYTHONHASHSEED=0 python3 -m compileall -q -f --invalidation-mode checked-hash "${file%/_internal/*}"
 
 # venv takes the only wheel of this name there is.
 for own in /usr/share/python-wheels/pip-*.whl; do
