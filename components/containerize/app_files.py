@@ -223,7 +223,8 @@ def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *
             if not known and not os.path.lexists(root / path):
                 copy(built, path, root)
 
-    # Compiled by the time of a source it would hold when it was built, and be stale now.
+    # Compiled by the time of a source it would hold when it was built, and be stale now. Pythons up to 3.10 write sets in the order
+    # of PYTHONHASHSEED, which the Dockerfile sets.
     compileall.compile_dir(
         str(root / install),
         maxlevels=100,

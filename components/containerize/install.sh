@@ -174,7 +174,7 @@ if [[ ${#missing[@]} -gt 0 ]]; then
 fi
 export PIP_BREAK_SYSTEM_PACKAGES=1 PIP_NO_CACHE_DIR=1 PIP_ROOT_USER_ACTION=ignore PIP_DISABLE_PIP_VERSION_CHECK=1
 if [[ ${#requirements[@]} -gt 0 || -s $requests/pip ]]; then
-  "$here/pip_install.py" "$pip_lock" "$lock/pip" --requirement "$requests/pip" "${requirements[@]}"
+  PYTHONHASHSEED=0 "$here/pip_install.py" "$pip_lock" "$lock/pip" --requirement "$requests/pip" "${requirements[@]}"
 fi
 script after.sh after
 require_locked "$scratch/packages"

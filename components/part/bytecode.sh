@@ -14,8 +14,9 @@ if ! command -v "python$PYTHON" >/dev/null; then
   exit 69
 fi
 
-# -d: the path in the image, for tracebacks; Python 3.8 has no other way to say so.
-"python$PYTHON" -m compileall -q --invalidation-mode "$BYTECODE" -j 0 -d "${SITE:?}" "${OUT:?}$SITE" \
+# -d: the path in the image, for tracebacks; Python 3.8 has no other way to say so. The seed is the order of sets, which Pythons up
+# to 3.10 write as it comes.
+PYTHONHASHSEED=0 "python$PYTHON" -m compileall -q --invalidation-mode "$BYTECODE" -j 0 -d "${SITE:?}" "${OUT:?}$SITE" \
   >/tmp/compileall.log 2>&1 || true
 
 # Some packages ship templates and code for other Pythons that do not compile; they are never imported here. Every other

@@ -6,6 +6,7 @@ import base64
 import csv
 import hashlib
 import os
+import re
 import subprocess
 import sys
 from collections.abc import Callable
@@ -14,6 +15,8 @@ from pathlib import Path
 import pytest
 from conftest import ROOT
 from stubs import executable
+
+from offline.assembler import interpreter
 
 SCRIPT = ROOT / "components/part/records.py"
 SITE = "usr/local/lib/python3.11/dist-packages"
@@ -432,8 +435,12 @@ def test_a_package_without_a_record(part: Part) -> None:
 # ---- Bytecode --------------------------------------------------------------------------------------------------------
 
 
-def bytecode(part: Part, python: str) -> subprocess.CompletedProcess[str]:
-    """Runs bytecode.sh with an interpreter that is what a shell text says; `real` is the one of these tests."""
+def bytecode(part: Part, python: str, seed: str = "random") -> subprocess.CompletedProcess[str]:
+    """Runs bytecode.sh with an interpreter that is what a shell text says; `real` is the one of these tests.
+
+    Args:
+        seed: of Python's hashes, as the environment has it.
+    """
     programs = part.out.parent / "programs"
     programs.mkdir(exist_ok=True)
     executable(programs / "python3.99", python.replace("real", sys.executable))
@@ -443,6 +450,7 @@ def bytecode(part: Part, python: str) -> subprocess.CompletedProcess[str]:
         "SITE": f"/{SITE}",
         "PYTHON": "3.99",
         "BYTECODE": "checked-hash",
+        "PYTHONHASHSEED": seed,
     }
     script = SCRIPT.with_name("bytecode.sh")
     return subprocess.run([script], env=env, capture_output=True, text=True, check=False)
@@ -458,6 +466,30 @@ def test_bytecode_of_all_that_compiles(part: Part) -> None:
         b"/usr/local/lib/python3.11/dist-packages/thing"
         in next((part.site / "thing/__pycache__").iterdir()).read_bytes()
     )
+
+
+def test_bytecode_is_the_same_in_each_build(part: Part) -> None:
+    """Pythons up to 3.10 write sets in the order that they have in memory."""
+    _, home = interpreter("3.8")
+    if home is None:
+        pytest.skip("no Python as old as the oldest one of the matrix is here, nor can it be downloaded")
+    part.add("thing/sets.py", "def known(name):\n    return name in {'a', 'b', 'c', 'd', 'e', 'f', 'g'}\n")
+    found = []
+    for seed in ("1", "2"):
+        for file in part.site.rglob("*.pyc"):
+            file.unlink()
+        done = bytecode(part, f'exec {home}/bin/python3.8 "$@"', seed)
+        assert done.returncode == 0, done.stdout + done.stderr
+        found.append(sorted((file.name, file.read_bytes()) for file in part.site.rglob("*.pyc")))
+    assert len(found[0]) == 3 and found[0] == found[1]
+
+
+def test_each_step_that_compiles_sets_the_seed() -> None:
+    scripts = [*(ROOT / "components").rglob("*.sh"), *(ROOT / "components").rglob("Dockerfile")]
+    lines = [line.strip() for file in scripts for line in file.read_text().splitlines()]
+    compiling = [line for line in lines if re.search(r'-m compileall |/app_files\.py /run/|/pip_install\.py" "', line)]
+    assert len(compiling) == 5
+    assert [line for line in compiling if not line.startswith("PYTHONHASHSEED=0 ")] == []
 
 
 def test_bytecode_that_was_not_written(part: Part) -> None:
