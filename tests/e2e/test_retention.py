@@ -18,6 +18,7 @@ from pathlib import Path
 import pytest
 
 from rosml import ROOT
+from rosml.images.builds import contents
 from rosml.images.builds.base_images import native_architecture
 from rosml.images.image_set import labels
 from rosml.images.image_set.model import Image
@@ -71,7 +72,7 @@ def night(mini: Mini, date: str) -> None:
         subject = {"mediaType": oci.IMAGE, "digest": digest, "size": size}
         described = client.attach(path, subject, sbom.MEDIA_TYPE, SBOM, sbom.MEDIA_TYPE, sbom.FORMAT)
         facts = {"inputs": state.inputs.digest(*item.key), "repository": item.repository, "size": size, "date": date}
-        facts |= {"sbom": described}
+        facts |= {"sbom": described, "described": contents.FORMAT}
         facts |= {"parts": {target: state.known[target, HERE].digest for target in item.needs}, "changed": date}
         facts |= {
             "package_state": state.package_state.get(image.distribution, ""),
@@ -135,7 +136,7 @@ def test_a_registry_that_refuses_to_delete(project: Mini, tmp_path: Path) -> Non
         mini.check()
         assert second["ros:ros1-bookworm-core"] != first["ros:ros1-bookworm-core"]
 
-        called(elsewhere, mini, "undo")
+        called(elsewhere, mini, "undo", NIGHTS[1])
         back = mini.tags()
         assert {tag: back[tag] for tag in first} == first
         mini.check()

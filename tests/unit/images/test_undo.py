@@ -75,7 +75,7 @@ def test_undo_needs_a_registry_alone(server: StandIn, clone: Path, capsys: pytes
     with Registry(server.address) as client:
         found = published(client)
         before = len(server.requests)
-        code = command.run(script.main, arguments=["undo", "--registry", f"{server.address}/{PREFIX}", "--json"])
+        code = command.run(script.main, arguments=["undo", RUN, "--registry", f"{server.address}/{PREFIX}", "--json"])
         said = capsys.readouterr()
         assert code == 0, said.err
         reads = [line for line in server.requests[before:] if "/records/manifests/image-" in line]
@@ -98,7 +98,7 @@ def test_undo_says_what_a_registry_that_deletes_nothing_keeps(
         found = published(client)
         server.fault("DELETE", "/manifests/", 405, times=99)
         with pytest.raises(SystemExit) as ended:
-            command.run(script.main, arguments=["undo", "--registry", f"{server.address}/{PREFIX}", "--json"])
+            command.run(script.main, arguments=["undo", RUN, "--registry", f"{server.address}/{PREFIX}", "--json"])
         (failed,) = [item for item in json.loads(capsys.readouterr().out)["outcomes"] if item["state"] == "failed"]
         assert ended.value.code == 1 and failed["target"] == f"ros:{TAGS[1]}"
         assert "deletes no tag by its name" in failed["reason"] and "its own tools" in failed["reason"]
@@ -135,6 +135,6 @@ def test_moves_are_reported_as_a_table_too(server: StandIn, clone: Path, capsys:
     with Registry(server.address) as client:
         published(client)
     place = f"{server.address}/{PREFIX}"
-    assert command.run(script.main, arguments=["undo", "--registry", place]) == 0
+    assert command.run(script.main, arguments=["undo", RUN, "--registry", place]) == 0
     assert "undo: 3 done" in capsys.readouterr().out
     assert command.run(script.main, arguments=["undo", "2020-01-01T00:00:00Z", "--registry", place]) == 1
