@@ -1,6 +1,6 @@
 """Puts many apps on their base images' newest digests: those of a file `apps.yaml`.
 
-Each app moves alone: one that is refused or fails stays, and the others move. A dated tag comes first, which never moves again. Where tags
+Each app moves alone: one that is refused or fails stays, and the others move. A dated tag comes first, which no later run moves. Where tags
 were before is in the record of the run, so that `rosml publish undo` moves them back.
 """
 
