@@ -2178,6 +2178,7 @@ target "_cuda-cu128-py38" {
     "io.rosml.cudnn"      = "9.10.2.21"
     "io.rosml.gpu.driver" = "525"
     "io.rosml.stack"      = "cu128"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2199,6 +2200,7 @@ target "_cuda-cu130-py38" {
     "io.rosml.cudnn"      = "9.24.0.43"
     "io.rosml.gpu.driver" = "580"
     "io.rosml.stack"      = "cu130"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2220,6 +2222,7 @@ target "_cuda-cu132-py38" {
     "io.rosml.cudnn"      = "9.26.0.51"
     "io.rosml.gpu.driver" = "580"
     "io.rosml.stack"      = "cu132"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2241,6 +2244,7 @@ target "_cuda-cu121-py38" {
     "io.rosml.cudnn"      = "9.1.0.70"
     "io.rosml.gpu.driver" = "525"
     "io.rosml.stack"      = "cu121"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2272,6 +2276,7 @@ target "_torch-cu121-py38" {
     "io.rosml.gpu.driver"      = "525"
     "io.rosml.gpu.torch.amd64" = "sm_50 sm_60 sm_70 sm_75 sm_80 sm_86 sm_90"
     "io.rosml.stack"           = "cu121"
+    "io.rosml.parts"           = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2303,6 +2308,7 @@ target "_torch-cpu38-py38" {
     "io.rosml.framework" = "torch"
     "io.rosml.torch"     = "2.4.1"
     "io.rosml.stack"     = "cpu38"
+    "io.rosml.parts"     = "common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2330,6 +2336,7 @@ target "_tensorflow-cpu38-py38" {
     "io.rosml.framework"  = "tensorflow"
     "io.rosml.tensorflow" = "2.13.1"
     "io.rosml.stack"      = "cpu38"
+    "io.rosml.parts"      = "common tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2353,6 +2360,7 @@ target "_cuda-cu128-py310" {
     "io.rosml.cudnn"      = "9.10.2.21"
     "io.rosml.gpu.driver" = "525"
     "io.rosml.stack"      = "cu128"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2374,6 +2382,7 @@ target "_cuda-cu130-py310" {
     "io.rosml.cudnn"      = "9.24.0.43"
     "io.rosml.gpu.driver" = "580"
     "io.rosml.stack"      = "cu130"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2395,6 +2404,7 @@ target "_cuda-cu132-py310" {
     "io.rosml.cudnn"      = "9.26.0.51"
     "io.rosml.gpu.driver" = "580"
     "io.rosml.stack"      = "cu132"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2416,6 +2426,7 @@ target "_cuda-cu121-py310" {
     "io.rosml.cudnn"      = "9.1.0.70"
     "io.rosml.gpu.driver" = "525"
     "io.rosml.stack"      = "cu121"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2447,6 +2458,7 @@ target "_torch-cu128-py310" {
     "io.rosml.gpu.driver"      = "525"
     "io.rosml.gpu.torch.amd64" = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.stack"           = "cu128"
+    "io.rosml.parts"           = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2484,6 +2496,7 @@ target "_torch-cu130-py310" {
     "io.rosml.gpu.torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.stack"           = "cu130"
+    "io.rosml.parts"           = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2514,6 +2527,7 @@ target "_torch-cpu-py310" {
     "io.rosml.framework" = "torch"
     "io.rosml.torch"     = "2.10.0"
     "io.rosml.stack"     = "cpu"
+    "io.rosml.parts"     = "common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2547,6 +2561,7 @@ target "_tensorflow-cu128-py310" {
     "io.rosml.gpu.driver"           = "525"
     "io.rosml.gpu.tensorflow.amd64" = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.stack"                = "cu128"
+    "io.rosml.parts"                = "cuda common tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2581,6 +2596,7 @@ target "_tensorflow-cpu-py310" {
     "io.rosml.framework"  = "tensorflow"
     "io.rosml.tensorflow" = "2.21.0"
     "io.rosml.stack"      = "cpu"
+    "io.rosml.parts"      = "common tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2620,6 +2636,7 @@ target "_ml-cu128-py310" {
     "io.rosml.gpu.torch.amd64"      = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.tensorflow.amd64" = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.stack"                = "cu128"
+    "io.rosml.parts"                = "cuda common torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2660,6 +2677,7 @@ target "_ml-cpu-py310" {
     "io.rosml.torch"      = "2.10.0"
     "io.rosml.tensorflow" = "2.21.0"
     "io.rosml.stack"      = "cpu"
+    "io.rosml.parts"      = "common torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2686,6 +2704,7 @@ target "_cuda-cu128-py312" {
     "io.rosml.cudnn"      = "9.10.2.21"
     "io.rosml.gpu.driver" = "525"
     "io.rosml.stack"      = "cu128"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2707,6 +2726,7 @@ target "_cuda-cu130-py312" {
     "io.rosml.cudnn"      = "9.24.0.43"
     "io.rosml.gpu.driver" = "580"
     "io.rosml.stack"      = "cu130"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2728,6 +2748,7 @@ target "_cuda-cu132-py312" {
     "io.rosml.cudnn"      = "9.26.0.51"
     "io.rosml.gpu.driver" = "580"
     "io.rosml.stack"      = "cu132"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2749,6 +2770,7 @@ target "_cuda-cu121-py312" {
     "io.rosml.cudnn"      = "9.1.0.70"
     "io.rosml.gpu.driver" = "525"
     "io.rosml.stack"      = "cu121"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2780,6 +2802,7 @@ target "_torch-cu128-py312" {
     "io.rosml.gpu.driver"      = "525"
     "io.rosml.gpu.torch.amd64" = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.stack"           = "cu128"
+    "io.rosml.parts"           = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2817,6 +2840,7 @@ target "_torch-cu130-py312" {
     "io.rosml.gpu.torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.stack"           = "cu130"
+    "io.rosml.parts"           = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2854,6 +2878,7 @@ target "_torch-cu132-py312" {
     "io.rosml.gpu.torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.stack"           = "cu132"
+    "io.rosml.parts"           = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2884,6 +2909,7 @@ target "_torch-cpu-py312" {
     "io.rosml.framework" = "torch"
     "io.rosml.torch"     = "2.10.0"
     "io.rosml.stack"     = "cpu"
+    "io.rosml.parts"     = "common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2917,6 +2943,7 @@ target "_tensorflow-cu128-py312" {
     "io.rosml.gpu.driver"           = "525"
     "io.rosml.gpu.tensorflow.amd64" = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.stack"                = "cu128"
+    "io.rosml.parts"                = "cuda common tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2951,6 +2978,7 @@ target "_tensorflow-cpu-py312" {
     "io.rosml.framework"  = "tensorflow"
     "io.rosml.tensorflow" = "2.21.0"
     "io.rosml.stack"      = "cpu"
+    "io.rosml.parts"      = "common tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2990,6 +3018,7 @@ target "_ml-cu128-py312" {
     "io.rosml.gpu.torch.amd64"      = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.tensorflow.amd64" = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.stack"                = "cu128"
+    "io.rosml.parts"                = "cuda common torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3030,6 +3059,7 @@ target "_ml-cpu-py312" {
     "io.rosml.torch"      = "2.10.0"
     "io.rosml.tensorflow" = "2.21.0"
     "io.rosml.stack"      = "cpu"
+    "io.rosml.parts"      = "common torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3056,6 +3086,7 @@ target "_cuda-cu128-py314" {
     "io.rosml.cudnn"      = "9.10.2.21"
     "io.rosml.gpu.driver" = "525"
     "io.rosml.stack"      = "cu128"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3077,6 +3108,7 @@ target "_cuda-cu130-py314" {
     "io.rosml.cudnn"      = "9.24.0.43"
     "io.rosml.gpu.driver" = "580"
     "io.rosml.stack"      = "cu130"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3098,6 +3130,7 @@ target "_cuda-cu132-py314" {
     "io.rosml.cudnn"      = "9.26.0.51"
     "io.rosml.gpu.driver" = "580"
     "io.rosml.stack"      = "cu132"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3119,6 +3152,7 @@ target "_cuda-cu121-py314" {
     "io.rosml.cudnn"      = "9.1.0.70"
     "io.rosml.gpu.driver" = "525"
     "io.rosml.stack"      = "cu121"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3150,6 +3184,7 @@ target "_torch-cu128-py314" {
     "io.rosml.gpu.driver"      = "525"
     "io.rosml.gpu.torch.amd64" = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.stack"           = "cu128"
+    "io.rosml.parts"           = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3187,6 +3222,7 @@ target "_torch-cu130-py314" {
     "io.rosml.gpu.torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.stack"           = "cu130"
+    "io.rosml.parts"           = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3224,6 +3260,7 @@ target "_torch-cu132-py314" {
     "io.rosml.gpu.torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.stack"           = "cu132"
+    "io.rosml.parts"           = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3255,6 +3292,7 @@ target "_torch-cpu-py314" {
     "io.rosml.framework" = "torch"
     "io.rosml.torch"     = "2.10.0"
     "io.rosml.stack"     = "cpu"
+    "io.rosml.parts"     = "common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3276,6 +3314,7 @@ target "_cuda-cu128-py311" {
     "io.rosml.cudnn"      = "9.10.2.21"
     "io.rosml.gpu.driver" = "525"
     "io.rosml.stack"      = "cu128"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3296,6 +3335,7 @@ target "_cuda-cu130-py311" {
     "io.rosml.cudnn"      = "9.24.0.43"
     "io.rosml.gpu.driver" = "580"
     "io.rosml.stack"      = "cu130"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3316,6 +3356,7 @@ target "_cuda-cu132-py311" {
     "io.rosml.cudnn"      = "9.26.0.51"
     "io.rosml.gpu.driver" = "580"
     "io.rosml.stack"      = "cu132"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3337,6 +3378,7 @@ target "_cuda-cu121-py311" {
     "io.rosml.cudnn"      = "9.1.0.70"
     "io.rosml.gpu.driver" = "525"
     "io.rosml.stack"      = "cu121"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3368,6 +3410,7 @@ target "_torch-cu128-py311" {
     "io.rosml.gpu.driver"      = "525"
     "io.rosml.gpu.torch.amd64" = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.stack"           = "cu128"
+    "io.rosml.parts"           = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3404,6 +3447,7 @@ target "_torch-cu130-py311" {
     "io.rosml.gpu.torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.stack"           = "cu130"
+    "io.rosml.parts"           = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3440,6 +3484,7 @@ target "_torch-cu132-py311" {
     "io.rosml.gpu.torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.stack"           = "cu132"
+    "io.rosml.parts"           = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3470,6 +3515,7 @@ target "_torch-cpu-py311" {
     "io.rosml.framework" = "torch"
     "io.rosml.torch"     = "2.10.0"
     "io.rosml.stack"     = "cpu"
+    "io.rosml.parts"     = "common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3503,6 +3549,7 @@ target "_tensorflow-cu128-py311" {
     "io.rosml.gpu.driver"           = "525"
     "io.rosml.gpu.tensorflow.amd64" = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.stack"                = "cu128"
+    "io.rosml.parts"                = "cuda common tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3536,6 +3583,7 @@ target "_tensorflow-cpu-py311" {
     "io.rosml.framework"  = "tensorflow"
     "io.rosml.tensorflow" = "2.21.0"
     "io.rosml.stack"      = "cpu"
+    "io.rosml.parts"      = "common tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3575,6 +3623,7 @@ target "_ml-cu128-py311" {
     "io.rosml.gpu.torch.amd64"      = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.tensorflow.amd64" = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.stack"                = "cu128"
+    "io.rosml.parts"                = "cuda common torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3615,6 +3664,7 @@ target "_ml-cpu-py311" {
     "io.rosml.torch"      = "2.10.0"
     "io.rosml.tensorflow" = "2.21.0"
     "io.rosml.stack"      = "cpu"
+    "io.rosml.parts"      = "common torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3641,6 +3691,7 @@ target "_cuda-cu128-py313" {
     "io.rosml.cudnn"      = "9.10.2.21"
     "io.rosml.gpu.driver" = "525"
     "io.rosml.stack"      = "cu128"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3662,6 +3713,7 @@ target "_cuda-cu130-py313" {
     "io.rosml.cudnn"      = "9.24.0.43"
     "io.rosml.gpu.driver" = "580"
     "io.rosml.stack"      = "cu130"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3683,6 +3735,7 @@ target "_cuda-cu132-py313" {
     "io.rosml.cudnn"      = "9.26.0.51"
     "io.rosml.gpu.driver" = "580"
     "io.rosml.stack"      = "cu132"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3704,6 +3757,7 @@ target "_cuda-cu121-py313" {
     "io.rosml.cudnn"      = "9.1.0.70"
     "io.rosml.gpu.driver" = "525"
     "io.rosml.stack"      = "cu121"
+    "io.rosml.parts"      = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3735,6 +3789,7 @@ target "_torch-cu128-py313" {
     "io.rosml.gpu.driver"      = "525"
     "io.rosml.gpu.torch.amd64" = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.stack"           = "cu128"
+    "io.rosml.parts"           = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3772,6 +3827,7 @@ target "_torch-cu130-py313" {
     "io.rosml.gpu.torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.stack"           = "cu130"
+    "io.rosml.parts"           = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3809,6 +3865,7 @@ target "_torch-cu132-py313" {
     "io.rosml.gpu.torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.stack"           = "cu132"
+    "io.rosml.parts"           = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3839,6 +3896,7 @@ target "_torch-cpu-py313" {
     "io.rosml.framework" = "torch"
     "io.rosml.torch"     = "2.10.0"
     "io.rosml.stack"     = "cpu"
+    "io.rosml.parts"     = "common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3872,6 +3930,7 @@ target "_tensorflow-cu128-py313" {
     "io.rosml.gpu.driver"           = "525"
     "io.rosml.gpu.tensorflow.amd64" = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.stack"                = "cu128"
+    "io.rosml.parts"                = "cuda common tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3906,6 +3965,7 @@ target "_tensorflow-cpu-py313" {
     "io.rosml.framework"  = "tensorflow"
     "io.rosml.tensorflow" = "2.21.0"
     "io.rosml.stack"      = "cpu"
+    "io.rosml.parts"      = "common tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3945,6 +4005,7 @@ target "_ml-cu128-py313" {
     "io.rosml.gpu.torch.amd64"      = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.tensorflow.amd64" = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.stack"                = "cu128"
+    "io.rosml.parts"                = "cuda common torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3985,6 +4046,7 @@ target "_ml-cpu-py313" {
     "io.rosml.torch"      = "2.10.0"
     "io.rosml.tensorflow" = "2.21.0"
     "io.rosml.stack"      = "cpu"
+    "io.rosml.parts"      = "common torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros

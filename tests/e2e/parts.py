@@ -26,9 +26,15 @@ ENTRIES = {
         PartEntry(name="torch", title="PyTorch", release="torch", needs=("common",)),
         PartEntry(name="tensorflow-cc", release="tensorflow", any_python=True, needs=("tensorflow",)),
         PartEntry(name="tensorflow", title="TensorFlow", short="tf", release="tensorflow", needs=("common",)),
+        PartEntry(name="onnx-cc", release="onnx", any_python=True, needs=("onnx",)),
+        PartEntry(name="onnx", title="ONNX", release="onnx", needs=("common", "onnx-cc")),
+        PartEntry(name="devel", any_python=True, needs=("cuda",)),
     )
 }
-PARTS = tuple(ENTRIES)
+PARTS = tuple(ENTRIES)[:5]
+ADDONS = {"onnx": ("cuda", "common", "onnx-cc", "onnx"), "devel": ("cuda", "devel")}
+OWN = {"onnx-cc": "onnx", "onnx": "onnx", "devel": "devel"}
+"""The add-on of each part that is its own."""
 GPU = {"cuda": {"driver": "525"}, "torch": {"torch.amd64": "sm_80 sm_90"}}
 """What parts with CUDA say of GPUs."""
 FRAMEWORKS = {
@@ -37,7 +43,7 @@ FRAMEWORKS = {
     "tensorflow": ("cuda", "common", "tensorflow-cc", "tensorflow"),
     "ml": PARTS,
 }
-VERSIONS = {"cuda": "12.8.90", "cudnn": "9.10.2.21", "torch": "2.10.0", "tensorflow": "2.20.0"}
+VERSIONS = {"cuda": "12.8.90", "cudnn": "9.10.2.21", "torch": "2.10.0", "tensorflow": "2.20.0", "onnx": "1.23.2"}
 
 
 @dataclass(frozen=True)
@@ -145,17 +151,18 @@ def part(
     **more: object,
 ) -> Tiny:
     """A part of a stack with CUDA, or of one whose name begins with `cpu`. `more`: what else `Tiny` has."""
-    own = {name: tuple(p for p in parts if p != "cuda" or not stack.startswith("cpu")) for name, parts in
-           (frameworks or FRAMEWORKS).items()}  # fmt: skip
-    taking = {
-        name: [ENTRIES.get(other) or PartEntry(name=other) for other in parts]
-        for name, parts in own.items()
-        if kind in parts
-    }
+
+    def entries(parts: Sequence[str]) -> list[PartEntry]:
+        there = [other for other in parts if other != "cuda" or not stack.startswith("cpu")]
+        return [ENTRIES.get(other) or PartEntry(name=other) for other in there]
+
+    taking = {name: entries(parts) for name, parts in (frameworks or FRAMEWORKS).items() if kind in parts}
+    adding = {OWN[kind]: entries(ADDONS[OWN[kind]])} if kind in OWN else {}
     entry = ENTRIES[kind]
     python = ANY_PYTHON if entry.any_python else python
     brought = [replace(item, version=versions[item.name]) for item in rules.brought_by(entry) if item.name in versions]
-    said = labels.of_part(entry, stack, python, brought, taking, {} if stack.startswith("cpu") else GPU.get(kind))
+    gpu = {} if stack.startswith("cpu") else GPU.get(kind)
+    said = labels.of_part(entry, stack, python, brought, taking, gpu, adding)
     return Tiny(said, **{"files": (f"usr/local/share/{kind}",), **more})  # type: ignore[arg-type]
 
 

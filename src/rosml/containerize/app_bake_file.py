@@ -122,6 +122,8 @@ def render(
     base = {BASE: f"target:{BASE}" if onto else stages.pop(BASE, f"docker-image://{inputs.base.reference}")}
     if inputs.slim:
         base["slim"] = f"docker-image://{inputs.slim.reference}"
+    joined = {name: on for name, on in ((BASE, inputs.base), ("slim", inputs.slim)) if on and on.addons}
+    base |= {name: f"target:{_with_addons(name)}" for name in joined}
     contexts = {name: str(path) for name, path in inputs.contexts.items()}
     common = {
         **steps,
@@ -156,6 +158,8 @@ def render(
         every = [*dict.fromkeys([*names.platforms, f"linux/{native_architecture()}"])]
         own = {**steps, "platforms": every}
         targets |= adopted.base_targets(onto, BASE, own, inputs.empty, adopted.stage(services, onto))
+    for name, on in joined.items():
+        targets[_with_addons(name)] = _joined(on, inputs, names)
     for stage, reference in kept.items():
         output = f"type=image,name={reference},push=true,{COMPRESSION}"
         own = targets[BASE] if stage == BASE else {**common, "target": stage}
@@ -173,6 +177,23 @@ def render(
         }
     groups = {PACKAGES: {"targets": [*first, *(f"keep-{stage}" for stage in kept)]}}
     return json.dumps(_literal({"group": groups, "target": targets}), indent=2) + "\n"
+
+
+def _with_addons(name: str) -> str:
+    """The target of a base image with add-ons, by the name of its context."""
+    return f"{name}-with-addons"
+
+
+def _joined(base: Base, inputs: Inputs, names: Names) -> dict[str, Any]:
+    """The target that joins add-ons to a base image."""
+    assert base.addons
+    return {
+        "context": str(inputs.empty),
+        "dockerfile-inline": base.addons.dockerfile("without"),
+        "contexts": {"without": f"docker-image://{base.reference}", **base.addons.contexts()},
+        "platforms": [*dict.fromkeys([*names.platforms, f"linux/{native_architecture()}"])],
+        "labels": dict(base.addons.labels),
+    }
 
 
 def render_base(

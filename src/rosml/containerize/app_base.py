@@ -29,6 +29,35 @@ from rosml.registry.documents import Config, Platform, Settings
 
 
 @dataclass(frozen=True)
+class AddOns:
+    """What add-ons bring to a base image.
+
+    Attributes:
+        parts: references of parts by digest, in the order in which they are joined; by their names with a tag.
+        environment: variables that the base image does not have, or has with other values.
+        labels: the same of labels.
+    """
+
+    parts: Mapping[str, str]
+    environment: Mapping[str, str]
+    labels: Mapping[str, str]
+
+    def dockerfile(self, base: str) -> str:
+        """The Dockerfile that joins the parts.
+
+        Args:
+            base: the name of the context with the base image. The contexts of parts are `part-0`, `part-1` …
+        """
+        lines = [f"FROM {base}"]
+        lines += [f"COPY --link --from=part-{number} / /" for number in range(len(self.parts))]
+        return "\n".join([*lines, *(f'ENV {name}="{value}"' for name, value in self.environment.items()), ""])
+
+    def contexts(self) -> dict[str, str]:
+        """The contexts of the parts."""
+        return {f"part-{number}": f"docker-image://{reference}" for number, reference in enumerate(self.parts.values())}
+
+
+@dataclass(frozen=True)
 class Base:
     """A base image.
 
@@ -42,6 +71,7 @@ class Base:
         shell: its shell for RUN in Dockerfiles; empty if it names none.
         local: whether it is in the user's Docker, and in no registry that answers.
         adopted: the ROS to install on it, if it has none.
+        addons: the parts to join to it, if there are some.
     """
 
     name: str
@@ -53,6 +83,7 @@ class Base:
     shell: tuple[str, ...] = ()
     local: bool = False
     adopted: Adopted | None = None
+    addons: AddOns | None = None
 
     @property
     def reference(self) -> str:

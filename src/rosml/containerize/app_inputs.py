@@ -82,6 +82,7 @@ class Values:
     """The values of all inputs, in the order of their documentation."""
 
     base_image: str = _text("the image to build on; without a registry, one of the local registry or of Docker Hub")
+    addons: str = _text("add-ons for the base image, separated by commas, such as onnx; onnx-cpu if it has no stack")
     command: str = _text("what the run image starts, as a shell reads it")
     target: str = _text("images to build, separated by commas: run, dev", "run,dev")
     platform: str = _text("platforms, separated by commas, such as linux/arm64; this machine's own if left out")

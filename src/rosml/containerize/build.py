@@ -18,6 +18,7 @@ from rosml.base.file_lock import turn
 from rosml.base.problems import SHOWN, counted
 from rosml.base.units import time_taken
 from rosml.containerize import (
+    addons,
     adopt,
     app_bake_file,
     app_base,
@@ -233,6 +234,8 @@ class App:
         built = Built(base.reference)
         built.upstream, built.downstream = self._import(locked)
         slim = self._slim(base, locked)
+        base = self._with_addons(base, locked)
+        slim = slim and self._with_addons(slim, locked)
         inputs = self._inputs(base, slim, locked)
         with contextlib.ExitStack() as stack:
             cache = None
@@ -404,7 +407,9 @@ class App:
         named, rosdep = self._values.rosdep_index, None
         if inputs.rosdep and (named or self._renew):  # otherwise they change every day, and the image does not
             rosdep = lock.Image(name=named, digest=inputs.rosdep)
+        parts = inputs.base.addons.parts if inputs.base.addons else {}
         return lock.Lock(
+            addons={name: reference.rpartition("@")[2] for name, reference in parts.items()} or None,
             base_image=lock.Image(name=self._values.base_image, digest=inputs.base.digest),
             slim_base_image=slim,
             rosdep_index=rosdep,
@@ -413,6 +418,22 @@ class App:
             apt=built.outcome.added.apt,
             pip=built.outcome.added.pip,
         )
+
+    def _with_addons(self, base: app_base.Base, locked: lock.Lock | None) -> app_base.Base:
+        """The base image with the add-ons that the user wants.
+
+        Raises:
+            RosmlError: the lock file is of other add-ons (exit code 2), or they cannot be joined.
+        """
+        known = locked.addons or {} if locked else None
+        found = addons.onto(base, self._values.addons, self._services, self._names.platforms, known)
+        parts = found.addons.parts if found.addons else {}
+        if known is not None and parts.keys() != known.keys():
+            text = f"the lock file is of {', '.join(known) or 'no add-ons'}, and not of {', '.join(parts) or 'none'}"
+            raise RosmlError(text, lock.RENEW, exit_code=2)
+        if parts:
+            self._say(f"{base.name} with {', '.join(name.rpartition('/')[2] for name in parts)}")
+        return found
 
     def _slim(self, base: app_base.Base, locked: lock.Lock | None) -> app_base.Base | None:
         """The base image of the slim image; None if there is to be no slim image, or if none belongs to the base image."""
@@ -585,6 +606,8 @@ class App:
             given[stage_cache.ADOPTED] = inputs.base.adopted.inputs
         if inputs.slim:
             given["slim"] = inputs.slim.digest
+        if inputs.base.addons:
+            given["addons"] = [*inputs.base.addons.parts.values()]
         return stage_cache.keys(
             given | {"skip-keys": values.skip_keys, "conditions": inputs.conditions},
             [

@@ -28,6 +28,7 @@ FOLDER = "lock"
 
 
 Digest = Annotated[str, StringConstraints(pattern=r"^sha256:[0-9a-f]{64}$")]
+Name = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9._:/-]{1,300}$")]
 Architecture = Annotated[str, StringConstraints(pattern=r"^[a-z0-9][a-z0-9-]{0,30}$")]
 Deb = Annotated[str, StringConstraints(pattern=r"^[a-z0-9][a-z0-9.+-]*(:[a-z0-9-]+)?$")]
 Version = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9][A-Za-z0-9.+:~-]*$")]
@@ -105,6 +106,7 @@ class Lock(Packages):
     base_image: Image
     slim_base_image: Image | None = None
     rosdep_index: Image | None = None
+    addons: dict[Name, Digest] | None = None
     repositories: dict[str, Pin] = {}
     downstream: dict[str, Pin] = {}
 
@@ -121,7 +123,7 @@ class Lock(Packages):
 
     def with_other_architectures(self, other: Lock) -> Lock:
         """This lock with the packages of another one for other architectures, if both have the same images and repositories."""
-        names = ("base_image", "slim_base_image", "rosdep_index", "repositories", "downstream")
+        names = ("base_image", "slim_base_image", "rosdep_index", "addons", "repositories", "downstream")
         if any(getattr(self, name) != getattr(other, name) for name in names):
             return self
         return self.model_copy(update={"apt": {**other.apt, **self.apt}, "pip": {**other.pip, **self.pip}})

@@ -28,14 +28,15 @@ from rebasing import (
 from stubs import script_of_a_build
 
 from rosml.base.errors import RosmlError
-from rosml.containerize.app_bake_file import LOCK, REPLACED
+from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME, LOCK, REPLACED
 from rosml.containerize.lock import Image, Lock
-from rosml.containerize.rebase import variants
+from rosml.containerize.rebase import image, variants
 from rosml.images.join import facts, file_lists
+from rosml.images.join.joiner import Joiner
 from rosml.images.scan import sbom
 from rosml.registry import oci
 from rosml.registry.client import Registry
-from tests.e2e.parts import ros
+from tests.e2e.parts import part, ros
 
 
 @pytest.fixture
@@ -309,6 +310,56 @@ def test_a_part_of_another_release(place: Place) -> None:
 
 
 # ---- Others, and the end of the process ------------------------------------------------------------------------------
+
+
+ADDON = ("common-cpu-py311", "onnx-cc-cpu", "onnx-cpu-py311")
+
+
+def addon(place: Place, salt: str) -> list[str]:
+    """The parts of an add-on; each has facts."""
+    names = []
+    for tag in ADDON:
+        made = part(tag.partition("-cpu")[0], "cpu", salt=salt)
+        reference = made.put(place.registry, "rosml/part", tag)
+        [entry] = place.registry.manifest("rosml/part", tag).members  # type: ignore[union-attr]
+        subject = {"mediaType": entry.mediaType, "digest": entry.digest, "size": entry.size}
+        own = [library("usr/lib/libonnxruntime.so.1", ("OrtGetApiBase",))] if "cc" in tag else []
+        attach(place.registry, "rosml/part", subject, {"packages": [], "libraries": own})
+        names.append(reference)
+    return names
+
+
+def app_with_addon(place: Place, base: str, parts: Sequence[str]) -> str:
+    """As `containerize --addons` makes it: its base image's name is that without the add-on."""
+    with Joiner(lambda _: place.registry) as joiner:
+        joined = joiner.join(base, parts, f"{place.server.address}/me/joined:x", BOTH[:1]).reference
+    uses = library("docker-ros/ws/install/lib/node", needed=["libonnxruntime.so.1"], uses=["OrtGetApiBase"])
+    own = changed(OWN, libraries=[uses])
+    return place.app(joined, facts=own, labels={BASE_NAME: base, BASE_DIGEST: place.digest(base)})
+
+
+def test_an_addon_comes_along_from_beside_the_new_base_image(place: Place) -> None:
+    """Its newest parts, and not those on which the app was built."""
+    app = app_with_addon(place, place.base(), addon(place, "yesterday"))
+    new, parts = place.base("tonight"), addon(place, "tonight")
+    found = place.rebase(app, new)
+    layers = [layer for reference in (new, *parts) for layer in place.layers(reference)]
+    assert place.layers(app)[:-1] == layers
+    assert found.copied == 0 and found.base == new
+    source = next(iter(place.rebaser().read(app).values()))
+    assert (source.labels["io.rosml.addons"], source.labels["io.rosml.stack"]) == ("onnx", "cpu")
+    assert source.labels[BASE_DIGEST] == place.digest(new)
+    known = image.lock_of(source)
+    assert known and known.addons
+    assert {*known.addons} == {f"{place.server.address}/rosml/part:{tag}" for tag in ADDON}
+    assert place.rebase(app, new).digest == found.digest, "a second call has nothing to do"
+
+
+def test_an_addon_that_the_new_base_image_cannot_have_is_refused(place: Place) -> None:
+    app = app_with_addon(place, place.base(), addon(place, "yesterday"))
+    place.server.tags["rosml/part"].pop("onnx-cpu-py311")
+    said = place.refused(app, place.base("tonight"))
+    assert "there is no add-on onnx-cpu: neither" in said
 
 
 def test_a_tag_that_moved_meanwhile_stays(place: Place) -> None:

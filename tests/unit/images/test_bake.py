@@ -352,7 +352,7 @@ def test_a_part_says_what_it_is_and_what_takes_it(small_bake: Path) -> None:
     assert found["part-tensorflow-cc-cu1"]["io.rosml.tensorflow"] == "2.20.0"
     assert cuda["io.rosml.brings"] == "cuda:cuda:CUDA cudnn::" and "io.rosml.release" not in cuda
     parts = ("cuda", "common", "torch", "tensorflow-cc", "tensorflow")
-    assert labels.frameworks(both) == {"torch": ("cuda", "common", "torch"), "ml": parts}
+    assert labels.combinations(both) == {"torch": ("cuda", "common", "torch"), "ml": parts}
     assert [part for part in parts if labels.any_python(both, part)] == ["cuda", "tensorflow-cc"]
 
 

@@ -25,6 +25,7 @@ def test_image_facts(small: ImageSet) -> None:
         "distribution": "alpha",
         "component": "base",
         "framework": "ml",
+        "addons": [],
         "stack": "cu1",
         "os": "ubuntu-24.04",
         "python": "3.12",

@@ -132,9 +132,9 @@ def test_a_set_of_ones_own(project: Path) -> None:
     assert subprocess.run(check, cwd=project, check=False).returncode == 0
 
 
-def test_a_part(project: Path, real: ImageSet) -> None:
-    """A part is data: its entries, a folder, a file of tests. No code is touched."""
-    for block in section("A part, a framework"):
+def test_an_addon(project: Path, real: ImageSet) -> None:
+    """A part is data: its entries, a folder, a file of tests. No code is touched, and no image but its own changes."""
+    for block in section("A part, an add-on, a framework"):
         if block.title.startswith("matrix.yaml"):
             insert(project, block)
     matrix = project / "matrix.yaml"
@@ -155,14 +155,31 @@ def test_a_part(project: Path, real: ImageSet) -> None:
         (project / file).parent.mkdir(exist_ok=True, parents=True)
         (project / file).write_text(content)
     made = load.load(matrix, project)
-    new = [image for image in made.images if image.target not in real.by_target]
-    assert new and {image.framework for image in new} == {"einops"} and {image.stack for image in new} == {"cu128"}
-    jazzy = made.image("jazzy-base-einops-cu128")
+    new = {image.target: image for image in made.images if image.target not in real.by_target}
+    assert {*new} == {
+        f"{row}-core-einops-cu128" for row in ("humble", "jazzy", "lyrical", "ros1-bookworm", "ros1-trixie")
+    }, "one for each Python, on the lowest component"
+    jazzy = new["jazzy-core-einops-cu128"]
     assert jazzy.parts == ("cuda-cu128", "common-cu128-py312", "torch-cu128-py312", "einops-cu128-py312")
-    assert jazzy.tests[-2:] == ("torch", "einops") and jazzy.versions["einops"] == "0.8.1"
-    assert made.image("jazzy-core-einops-cu128").tests[-4:] == ("cuda-build", "torch-build", "ros2-workspace", "pip")
-    assert "ros-einops:jazzy-base-cu128-torch2.10.0-einops0.8.1" in jazzy.tags
+    assert (jazzy.tags, jazzy.groups, jazzy.addons, jazzy.combination) == ((), ("einops",), ("einops",), "einops")
+    assert jazzy.tests[-6:] == ("torch", "einops", "cuda-build", "torch-build", "ros2-workspace", "pip")
+    assert jazzy.versions["einops"] == "0.8.1"
     argv = [sys.executable, "scripts/generate_bake.py"]
     subprocess.run(argv, cwd=project, check=True)
-    inline = targets.of(made)["jazzy-base-einops-cu128"].join
+    every = targets.of(made)
+    inline = every["jazzy-core-einops-cu128"].join
     assert inline and inline.dockerfile().count("COPY --link") == 4
+    said = every["part-einops-cu128-py312"].labels
+    assert said["io.rosml.addons"] == "einops=cuda*,common,torch,einops" and not said["io.rosml.frameworks"]
+    before, after = Inputs(ROOT, real), Inputs(project, made)
+    for target in ("jazzy-base-torch-cu128", "part-torch-cu128-py312"):
+        assert after.of(target, "amd64").keys() == before.of(target, "amd64").keys()
+
+    tagged = "{parts: [einops], beside: [torch], tags: {distributions: [jazzy], components: [base], stacks: [cu128]}}"
+    matrix.write_text(text.replace("einops: {parts: [einops]}", f"einops: {tagged}"))
+    made = load.load(matrix, project)
+    base, core = made.image("jazzy-base-einops-cu128"), made.image("jazzy-core-einops-cu128")
+    assert base.tags == ("ros-einops:jazzy-base-cu128", "ros-einops:jazzy-base-cu128-torch2.10.0-einops0.8.1")
+    assert base.carriers == (core.target,) and not core.tags and "all" in base.groups
+    assert "jazzy-core-torch-einops-cu128" in made.by_target and "jazzy-base-torch-einops-cu128" not in made.by_target
+    assert sum(len(image.tags) for image in made.images) == sum(len(image.tags) for image in real.images) + 2

@@ -140,6 +140,7 @@ def test_an_image(place: Place) -> None:
         "io.rosml.cuda": "12.8.90",
         "io.rosml.cudnn": "9.10.2.21",
         "io.rosml.torch": "2.10.0",
+        "io.rosml.parts": "cuda common torch",
         "io.rosml.gpu.driver": "525",
         "io.rosml.gpu.torch.amd64": "sm_80 sm_90",
     }
@@ -151,6 +152,91 @@ def test_an_image(place: Place) -> None:
     assert index.digest == found.digest
     assert index.content["annotations"]["org.opencontainers.image.title"] == "ros1-bookworm-core-torch-cu128"
     assert not any(name.startswith("io.rosml.") for name in index.content["annotations"])
+
+
+ONNX: tuple[str, ...] = ("cuda", "common", "onnx-cc", "onnx")
+
+
+def told(place: Place, found: JoinReport) -> dict[str, str]:
+    _, config = place.image(found.manifests["linux/amd64"])
+    labels: dict[str, str] = config["config"]["Labels"]
+    return labels
+
+
+def test_an_addon_without_a_framework(place: Place) -> None:
+    images = [place.ros(), *place.stack(ONNX[1:], "cpu")]
+    found = told(place, place.join(*images))
+    assert found["org.opencontainers.image.title"] == "ros1-bookworm-core-onnx-cpu"
+    assert found["org.opencontainers.image.version"] == "ros1-bookworm-core-cpu-onnx1.23.2"
+    assert (found["io.rosml.framework"], found["io.rosml.addons"], found["io.rosml.onnx"]) == ("none", "onnx", "1.23.2")
+    assert found["io.rosml.parts"] == "common onnx-cc onnx"
+
+
+def test_addons_onto_an_image_that_has_a_framework(place: Place) -> None:
+    """One after the other, or all at once with the framework: layers have the same order."""
+    own = [
+        part(kind).put(place.registry, "me/part", f"{kind}-cu128", BOTH[:1]) for kind in ("devel", "onnx-cc", "onnx")
+    ]
+    base = place.join(place.ros(), *(torch := place.stack()), tag="torch")
+    before = place.registry.uploaded
+    first = place.join(base.reference, *own[1:], tag="first")
+    assert place.registry.uploaded - before < 10_000
+    assert (first.layers, first.copied) == (6, 0)
+    found = told(place, first)
+    assert found["org.opencontainers.image.title"] == "ros1-bookworm-core-torch-onnx-cu128"
+    assert found["org.opencontainers.image.description"].endswith("PyTorch 2.10.0, CUDA 12.8.90, ONNX 1.23.2")
+    assert found["org.opencontainers.image.version"] == "ros1-bookworm-core-cu128-torch2.10.0-onnx1.23.2"
+    assert (found["io.rosml.framework"], found["io.rosml.addons"]) == ("torch", "onnx")
+    assert (found["io.rosml.torch"], found["io.rosml.gpu.driver"]) == ("2.10.0", "525")
+    assert found["io.rosml.parts"] == "cuda common torch onnx-cc onnx"
+    _, config = place.image(first.manifests["linux/amd64"])
+    assert {"TORCH_VERSION=2.10.0", "ONNX_VERSION=1.23.2", "CUDA_VERSION=12.8.90"} <= {*config["config"]["Env"]}
+
+    second = told(place, place.join(first.reference, own[0], tag="second"))
+    assert (second["io.rosml.addons"], second["io.rosml.parts"].split()[-1]) == ("devel onnx", "devel")
+    assert second["org.opencontainers.image.title"] == "ros1-bookworm-core-torch-devel-onnx-cu128"
+
+    once = place.join(place.ros(), *reversed(own), *torch, tag="once")
+    assert told(place, once)["io.rosml.parts"] == "cuda common torch devel onnx-cc onnx"
+    assert told(place, once)["io.rosml.addons"] == "devel onnx"
+
+
+def test_an_addon_onto_an_app(place: Place) -> None:
+    base = place.join(place.ros(), *place.stack())
+    app = replace(ros(), labels={**told(place, base), labels.TITLE: "robot", labels.APP: "run"})
+    made = app.put(place.registry, "me/robot", "latest", BOTH[:1])
+    found = told(place, place.join(made, *place.stack(ONNX[2:]), tag="with-onnx"))
+    assert (found[labels.TITLE], found["io.rosml.addons"]) == ("robot", "onnx")
+
+
+@pytest.mark.parametrize(
+    ("there", "wanted", "says", "remedy"),
+    [
+        ((), ("onnx",), "cannot do without", "add cuda-cu128, common-cu128-py311 and onnx-cc-cu128: add-on onnx"),
+        (("cuda",), ("onnx-cc", "onnx"), "cannot do without common of stack cu128", "add common-cu128-py311"),
+        (TORCH, ("onnx",), "cannot do without onnx-cc of stack cu128", "add onnx-cc-cu128"),
+        (TORCH, ("common", "onnx-cc", "onnx"), "has the part common already", "leave it out"),
+        (TORCH, TENSORFLOW[1:], "has framework torch of stack cu128 already", "take the ROS image below it"),
+        (("cuda",), ("tensorflow", "onnx-cc", "onnx", "common"), "has framework cuda of stack cu128 already", "take"),
+    ],
+)
+def test_an_addon_that_does_not_fit(
+    there: tuple[str, ...], wanted: tuple[str, ...], says: str, remedy: str, place: Place
+) -> None:
+    with_parts = [part(kind).put(place.registry, "me/part", kind, BOTH[:1]) for kind in wanted]
+    below = place.ros()
+    if there:
+        with Joiner(place.others.__getitem__) as joiner:
+            below = joiner.join(below, place.stack(there), f"{place.server.address}/me/below:x").reference
+    refused = place.refused(below, *with_parts)
+    assert says in refused.message and remedy in refused.remedy and refused.exit_code == 2
+
+
+def test_an_addon_of_another_stack(place: Place) -> None:
+    with Joiner(place.others.__getitem__) as joiner:
+        base = joiner.join(place.ros(), place.stack(), f"{place.server.address}/me/below:x").reference
+    refused = place.refused(base, *place.stack(ONNX[2:], "cpu"))
+    assert "an image carries one stack" in refused.message
 
 
 def test_an_app_keeps_its_title(place: Place) -> None:
@@ -340,7 +426,7 @@ def test_a_connection_that_ends_anywhere_leaves_no_tag(place: Place, monkeypatch
         except RosmlError:
             pass
         monkeypatch.setattr(place.server, "due", due)
-        assert place.registry.tags(repository) == []
+        assert [tag for tag in place.registry.tags(repository) if not tag.startswith("sha256-")] == []
         assert place.join(*images, repository=repository).digest == digest
     assert number > 30
 

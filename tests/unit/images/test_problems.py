@@ -351,8 +351,8 @@ WRONG = {
         "  parts:\n    cu1:",
         "  budgets: {cu2: {torch: 1}, cpu: {none: 1, torsh: 1}}\n  parts:\n    cu1:",
         "72:13: disk.budgets.cu2: no stack named 'cu2'; did you mean 'cu1' or 'cpu'?\n"
-        "72:36: disk.budgets.cpu.none: no framework with parts named 'none'; known: cuda, torch, ml\n"
-        "72:45: disk.budgets.cpu.torsh: no framework with parts named 'torsh'; did you mean 'torch'?",
+        "72:36: disk.budgets.cpu.none: no framework or add-on named 'none'; known: cuda, torch, ml\n"
+        "72:45: disk.budgets.cpu.torsh: no framework or add-on named 'torsh'; did you mean 'torch'?",
     ),
     "double braces": (
         "packages: ros-{ros_distro}-{metapackage}\n    components: [core, base, desktop]",

@@ -285,11 +285,11 @@ def _published(image_set: ImageSet, image: Image, project: Project) -> Calls:
     targets = [image.target]
     if project.forge in contents.FORGES:
         kind = (image.distribution, rules.runtime(image_set.matrix, image.distribution, image.component))
-        slim = (*kind, image.framework, image.stack)
+        slim = (*kind, image.combination, image.stack)
         targets += [
             other.target
             for other in image_set.images
-            if (other.distribution, other.component, other.framework, other.stack) == slim
+            if (other.distribution, other.component, other.combination, other.stack) == slim
         ]
     only = "".join(f" --only {target}" for target in targets)
     own, where = (checkout.call(), "") if IN_CHECKOUT else ("./rosml", "in a clone of rosml: ")

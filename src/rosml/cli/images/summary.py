@@ -74,7 +74,11 @@ class Summary:
         times = (f"{name} {time_taken(value, self.waited.get(name, 0.0))}" for name, value in self.seconds.items())
         rows = [
             ("FROM", self.reference),
-            *(tagged if self.tags else [("tags", "none: a tag is for all platforms of an image")]),
+            *(
+                tagged
+                if self.tags
+                else [("tags", "none: a tag is for all platforms of an image that is no test of an add-on")]
+            ),
             ("try it", f"{checkout.call()} run {self.reference}"),
             ("build on it", self.builder),
             ("size", f"{size(self.compressed)} compressed{shared}, {size(self.unpacked)} unpacked"),
@@ -172,7 +176,7 @@ def of_image(run: Run, image: Image, architecture: str, moves: list[Move] | None
         made=[outcome.target for outcome in done if outcome.step in ("build", "join")],
         builder=buildx.command_on_it(state.request.services),
     )
-    if moves is not None:
+    if moves is not None and image.tags:
         found.tags = [f"{repository}:{tag}" for tag in tags_of(image)]
         found.reference, found.digest = found.tags[0], state.known[image.target, INDEX].digest
         found.moved = [m.tag for m in moves if (m.repository, m.new) == (image.repository, found.digest)]

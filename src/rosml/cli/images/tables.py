@@ -86,7 +86,13 @@ def print_images(images: Sequence[Image]) -> None:
         found = [f"{name} {short(version)}" for name, version in image.versions.items() if name not in NVIDIA[1:]]
         content = (", ".join(found) or "ROS") + ("" if image.locked else " (no lock)")
         size = f"{image.disk.unpacked / 1000:.1f}"
-        row = [image.tags[0], size, ", ".join(image.architectures), content, image.target]
+        row = [
+            image.tags[0] if image.tags else "none: a test",
+            size,
+            ", ".join(image.architectures),
+            content,
+            image.target,
+        ]
         rows.append(row if image.locked else [coloured(cell, "dim") for cell in row])
     out = terminal.console()
     widths = [max(len(cell) for cell in cells) for cells in zip(columns, *rows, strict=True)]

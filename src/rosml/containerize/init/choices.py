@@ -303,7 +303,7 @@ class _Decision:
         stacks = {
             image.stack
             for image in self._set.images
-            if image.locked and (image.distribution, image.framework) == (distribution, framework)
+            if image.locked and (image.distribution, image.combination) == (distribution, framework)
         }
         wanted = self._here.nvidia if self._given.gpu is None else self._given.gpu
         with_cpu = any(

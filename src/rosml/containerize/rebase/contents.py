@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import gzip
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -57,6 +57,18 @@ class Known:
     facts: Facts
     files: frozenset[str]
     folders: frozenset[str]
+
+
+def together(found: Sequence[Known]) -> Known:
+    """What is known of several images that are joined."""
+    if len(found) == 1:
+        return found[0]
+    return Known(
+        tuple(place for item in found for place in item.places),
+        facts.together(item.facts for item in found),
+        frozenset[str]().union(*(item.files for item in found)),
+        frozenset[str]().union(*(item.folders for item in found)),
+    )
 
 
 class Contents:
@@ -175,7 +187,13 @@ class Contents:
         if file_lists.ARTIFACT not in there:
             paths = sorted({*own.files, *(path for package in own.packages for path in package.files)})
             text = "".join(f"{path}\n" for path in paths).encode()
-            more = [*self._mounted(base.places, registry, repository)]
+            more = [
+                layer
+                for place in base.places
+                for layer in file_lists.mounted(
+                    self._registry(place), place.repository, place.digest, registry, repository
+                )
+            ]
             data = gzip.compress(text, mtime=0)
             registry.attach(repository, subject, file_lists.ARTIFACT, data, file_lists.MEDIA_TYPE, more=more)
         if with_sbom and sbom.MEDIA_TYPE not in there:
@@ -190,23 +208,6 @@ class Contents:
         digests = sorted({entry["digest"] for entry in registry.referrers(place.repository, place.digest, kind)})
         found = [self._transfer.manifest(Reference(place.host, place.repository, name)) for name in digests]
         return [item for item in found if item and item.layers]
-
-    def _mounted(self, places: Iterable[Place], registry: Registry, repository: str) -> Iterator[dict[str, Any]]:
-        """The lists of files of a base image as further layers of an artifact. Their blobs come from their repositories."""
-        for place in places:
-            for item in self._artifacts(place, file_lists.ARTIFACT):
-                for layer in item.layers:
-                    same = place.host == registry.host
-                    if not (
-                        same
-                        and (
-                            place.repository == repository or registry.mount(repository, layer.digest, place.repository)
-                        )
-                    ):
-                        registry.put_blob(
-                            repository, self._registry(place).part(place.repository, layer, file_lists.PACKED)
-                        )
-                    yield {"mediaType": layer.mediaType, "digest": layer.digest, "size": layer.size}
 
     def sbom_of(self, app: Source) -> bytes:
         """The SBOM of an app.

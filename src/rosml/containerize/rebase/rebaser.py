@@ -8,12 +8,12 @@ from __future__ import annotations
 import contextlib
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import SHOWN, listed, some
-from rosml.containerize import app_base, lock
+from rosml.containerize import addons, app_base, lock
 from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME, LOCK
 from rosml.containerize.app_base import Base
 from rosml.containerize.names import SLIM
@@ -22,7 +22,7 @@ from rosml.containerize.rebase.checks import Judgement, Verdict
 from rosml.containerize.rebase.contents import Contents, Known
 from rosml.containerize.rebase.trial import Pair
 from rosml.images.image_set.labels import APP, PREFIX
-from rosml.images.join.layers import Joined, Source, platform
+from rosml.images.join.layers import Joined, Source, as_source, join, platform
 from rosml.images.join.transfer import Transfer, Transferred
 from rosml.images.matrix.names import DATED
 from rosml.machine.services import Services
@@ -207,12 +207,18 @@ class Rebaser:
             raise RosmlError(f"{where} is the app itself, and no base image for it", "name another one with --base", 2)
         place = references.parse(f"{found.repository}@{found.digest}")
         new = self._transfer.platforms(str(place))
+        parts = addons.kept(self._transfer, next(iter(old.values())).labels, found)
+        added = [self._transfer.platforms(reference) for reference in parts.values()]
         images, bases, judgement = {}, {}, Judgement()
         more = extra or ({} if target == where else {image.VARIANTS: ""})  # the label names tags beside the app's own
         for name, source in old.items():
             checks.require_fit(source, new[name])
-            images[name] = image.moved(source, new[name], self._labels(source, onto) | dict(more))
-            bases[name] = self._judge(source, new[name], str(place), name, judgement)
+            joined = join(new[name], [_for(platforms, name, parts) for platforms in added]) if added else None
+            below = as_source(joined, new[name]) if joined else new[name]
+            images[name] = image.moved(source, below, self._labels(source, onto, parts) | dict(more))
+            if joined:
+                images[name] = replace(images[name], layers=(*joined.layers, images[name].layers[-1]))
+            bases[name] = self._judge(source, below, (str(place), *parts.values()), name, judgement)
         _require_no_build(judgement, str(where), found)
         if manifest.is_index:
             by_digest = {source.digest: images[name] for name, source in old.items()}
@@ -240,12 +246,17 @@ class Rebaser:
         if left:
             self.say(f"{name}: attestations in its index are of the old image, and stay there ({len(left)})")
 
-    def _judge(self, app: Source, base: Source, place: str, platform: str, judgement: Judgement) -> Known:
-        """Adds what the facts of both base images say for one platform. Gives what is known of the new one."""
+    def _judge(self, app: Source, base: Source, places: Sequence[str], platform: str, judgement: Judgement) -> Known:
+        """Adds what the facts of both base images say for one platform. Gives what is known of the new one.
+
+        Args:
+            places: the references of the new base image, and of the parts that are joined to it.
+        """
         below, submit = contents.base_of(app), self._transfer.pool.submit
-        reading = submit(self._contents.own, app), submit(self._contents.base, place, platform)
+        reading = [submit(self._contents.base, place, platform) for place in places]
+        mine = submit(self._contents.own, app)
         before = submit(self._contents.facts, below, platform) if below else None
-        own, known = reading[0].result(), reading[1].result()
+        own, known = mine.result(), contents.together([item.result() for item in reading])
         labels = app.labels, base.labels
         had = None
         try:
@@ -433,7 +444,7 @@ class Rebaser:
         tagged = ":" in text.rpartition("/")[2] and "@" not in text
         return tagged and name in app_base.candidates(text, self.services)
 
-    def _labels(self, app: Source, onto: _Onto) -> dict[str, str]:
+    def _labels(self, app: Source, onto: _Onto, parts: Mapping[str, str]) -> dict[str, str]:
         """The labels of an app about its new base image, as a build on it would write them."""
         found = {BASE_NAME: onto.base.name, BASE_DIGEST: onto.base.digest}
         known = image.lock_of(app)
@@ -449,7 +460,9 @@ class Rebaser:
         else:
             main = self._now(main, main.name)
             slim = slim and lock.Image(name=slim.name and self._spelled(slim.name, onto), digest=onto.base.digest)
-        return found | {LOCK: known.model_copy(update={"base_image": main, "slim_base_image": slim}).line()}
+        added = {name: reference.rpartition("@")[2] for name, reference in parts.items()} or None
+        now = {"base_image": main, "slim_base_image": slim, "addons": added}
+        return found | {LOCK: known.model_copy(update=now).line()}
 
     def _now(self, pin: lock.Image, name: str) -> lock.Image:
         """The pin of another base image, as a build would find it now; as it was if there is none."""
@@ -462,6 +475,13 @@ class Rebaser:
                 if self._digests[name]:
                     break
         return pin.model_copy(update={"digest": self._digests[name] or pin.digest})
+
+
+def _for(part: Mapping[str, Source], platform: str, named: Mapping[str, str]) -> Source:
+    if platform in part:
+        return part[platform]
+    text = f"one of {listed([*named])} is not for {platform}"
+    raise RosmlError(text, "name only the platforms that all of them have, with --platform", exit_code=2)
 
 
 def pinned(text: str) -> tuple[str, str]:

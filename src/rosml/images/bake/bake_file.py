@@ -330,8 +330,9 @@ def _lines(attributes: Mapping[str, str | dict[str, Code]]) -> Iterator[str]:
 
 
 def _joined(image: Image) -> str:
-    """The abstract target of images with the same framework, stack and Python."""
-    return f"_{image.framework}-{image.stack}-py{image.python.replace('.', '')}"
+    """The abstract target of images with the same framework, add-ons, stack and Python."""
+    what = "-".join([image.framework, *image.addons])
+    return f"_{what}-{image.stack}-py{image.python.replace('.', '')}"
 
 
 def _by(images: Iterable[Image], of: Callable[[Image], str]) -> dict[str, list[Image]]:

@@ -269,7 +269,13 @@ def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
         **{f"{labels.PREFIX}{item.name}": item.version for item in image.brought},
         **labels.about_gpus(image.gpu),
         **labels.named(
-            image.distribution, image.component, str(image.ros), image.framework, image.stack, image.brought
+            image.distribution,
+            image.component,
+            str(image.ros),
+            image.framework,
+            image.stack,
+            image.brought,
+            image.addons,
         ),
     }
     if runtime := rules.runtime(matrix, image.distribution, image.component):
@@ -278,6 +284,10 @@ def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
         found[labels.SOURCE] = matrix.source
     if image.stack:
         found[f"{labels.PREFIX}stack"] = image.stack
+        kinds = rules.parts(matrix, matrix.carrying(image.framework, *image.addons), matrix.stacks[image.stack])
+        found[labels.PARTS] = " ".join(kinds)
+    if image.addons:
+        found[labels.ADDONS] = " ".join(image.addons)
     if distribution.apt or distribution.archive:
         found[f"{labels.PREFIX}ros.sync"] = NoInput("sync date", image.distribution)
     if distribution.usual_rmw:
@@ -310,7 +320,12 @@ def _part(matrix: Matrix, part: Part) -> Iterator[tuple[str, Target]]:
     }
     brought = rules.brought(matrix, [part.kind], matrix.stacks[part.stack])
     gpu = rules.gpu(matrix, part.stack, [part.kind])
-    found = labels.of_part(matrix.part[part.kind], part.stack, part.python, brought, taking, gpu)
+    adding = {
+        name: [matrix.part[kind] for kind in kinds]
+        for name, kinds in rules.addons(matrix, part.stack).items()
+        if part.kind in matrix.addons[name].parts
+    }
+    found = labels.of_part(matrix.part[part.kind], part.stack, part.python, brought, taking, gpu, adding)
     yield names.files_target(part.name), Target("part-files", contexts, arguments, part.platforms)
     tags = (f"{PARTS}:{part.name}",)
     yield part.target, Target("part", contexts, arguments, part.platforms, tags, found)

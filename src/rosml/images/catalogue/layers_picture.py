@@ -32,7 +32,7 @@ def shown(image_set: ImageSet) -> tuple[Image, ...]:
     of another distribution on the same system."""
     default = image_set.image(image_set.matrix.default.targets[0])
     relatives = [image for image in image_set.images if image.stack == default.stack and image.os == default.os]
-    like = [image for image in relatives if image.framework == default.framework]
+    like = [image for image in relatives if image.combination == default.combination]
     larger = [
         image
         for image in like

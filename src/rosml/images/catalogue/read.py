@@ -154,7 +154,7 @@ class Gatherer:
             while link and link.target not in names:
                 names.add(link.target)
                 link = self.image_set.by_target.get(link.parent)
-        return tuple(image for image in self.image_set.images if image.target in names)
+        return tuple(image for image in self.image_set.images if image.target in names and image.tags)
 
     def _distribution(self, name: str) -> Distribution:
         facts = self.image_set.matrix.distributions[name]
@@ -269,7 +269,7 @@ class Gatherer:
             target=image.target,
             distribution=image.distribution,
             component=image.component,
-            framework=image.framework,
+            framework=image.combination,
             stack=image.stack,
             only_runs=rules.only_runs(self.image_set.matrix, image.component),
             platforms=image.platforms,

@@ -69,7 +69,8 @@ def _distributions(image_set: ImageSet) -> Iterator[str]:
 def _contents(image_set: ImageSet) -> Iterator[str]:
     rows: dict[tuple[str, str | None], list[Image]] = {}
     for image in image_set.images:
-        rows.setdefault((image.framework, image.stack), []).append(image)
+        if image.tags:
+            rows.setdefault((image.repository, image.stack), []).append(image)
     for images in rows.values():
         first = images[0]
         tag = "-".join(filter(None, ["<distribution>-<component>", first.stack]))
@@ -97,7 +98,7 @@ def _content(image_set: ImageSet, image: Image) -> str:
 def _abi(image_set: ImageSet, image: Image) -> str:
     """A remark on images whose C++ libraries cannot be linked together with ROS's."""
     matrix = image_set.matrix
-    for family in rules.families(matrix, matrix.frameworks[image.framework]):
+    for family in rules.families(matrix, matrix.carrying(image.framework, *image.addons)):
         if not matrix.releases[family][image.versions[family]].cxx11_abi:
             return " (old C++ ABI on amd64: not in one program with ROS's libraries)"
     return ""

@@ -22,7 +22,8 @@ def collisions(image_set: ImageSet) -> Iterator[tuple[KeyPath, str]]:
 def _names(image_set: ImageSet) -> Iterator[tuple[str, str, KeyPath]]:
     """Every target, tag, group and key of DIGESTS, with its owner and the owner's place in the file."""
     for image in image_set.images:
-        owner = f"the image of {image.distribution}, {image.component}, {image.framework} and {image.stack}"
+        what = " with ".join([image.framework, *image.addons])
+        owner = f"the image of {image.distribution}, {image.component}, {what} and {image.stack}"
         for name in (image.target, image.test_target, *image.tags):
             yield name, owner, ("distributions", image.distribution)
     for part in image_set.parts:
@@ -31,7 +32,7 @@ def _names(image_set: ImageSet) -> Iterator[tuple[str, str, KeyPath]]:
     for os in image_set.matrix.operating_systems:
         for runtime in (False, True):
             yield names.os_target(os, runtime), f"the operating system {os}", ("operating_systems", os)
-    for axis in ("distributions", "components", "frameworks", "stacks"):
+    for axis in ("distributions", "components", "frameworks", "addons", "stacks"):
         for name in getattr(image_set.matrix, axis):
             yield name, f"the group {name}", (axis, name)
 

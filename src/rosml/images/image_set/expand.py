@@ -23,8 +23,10 @@ class _Kind:
     """The common facts of a distribution's images with one framework and stack.
 
     Attributes:
+        facts: the framework, with the parts of the add-on.
         covering: the frameworks whose images have all these parts and more, those with the most first.
         short: whether the images have the short tags.
+        addon: the add-on that the images have besides; empty if none.
     """
 
     framework: str
@@ -36,6 +38,16 @@ class _Kind:
     brought: tuple[Brought, ...] = ()
     covering: tuple[str, ...] = ()
     short: bool = True
+    addon: str = ""
+
+    @property
+    def addons(self) -> tuple[str, ...]:
+        """The add-ons of its images."""
+        return (self.addon,) if self.addon else ()
+
+    def target(self, name: str, component: str, framework: str) -> str:
+        """The target of such an image, or of one with another framework and the same stack."""
+        return names.image_target(name, component, framework, self.stack, self.addons)
 
 
 def _images(matrix: Matrix) -> Iterator[Image]:
@@ -48,11 +60,47 @@ def _images(matrix: Matrix) -> Iterator[Image]:
                     for component in matrix.components:
                         if component in distribution.present:
                             yield _image(matrix, name, distribution, component, kind, name == latest)
+    for addon in matrix.addons:
+        yield from _with_addon(matrix, addon, latest)
 
 
-def _kind(matrix: Matrix, name: str, distribution: Distribution, framework: str, stack: str | None) -> _Kind:
-    facts = matrix.frameworks[framework]
-    architectures = rules.architectures(matrix, name, framework, stack)
+def _with_addon(matrix: Matrix, addon: str, latest: str | None) -> Iterator[Image]:
+    """The images with an add-on: those that get tags, and those that test it. The latter have the lowest component of the first
+    distribution of each Python, and of those whose images get tags."""
+    entry, bare = matrix.addons[addon], rules.plain(matrix)
+    tagged = entry.tags
+    for stack in matrix.stacks:
+        seen: set[tuple[str, str]] = set()
+        for name, distribution in matrix.distributions.items():
+            python = matrix.operating_systems[distribution.os].python
+            for framework in (bare, *entry.beside):
+                if rules.stack_reason(matrix, name, framework, stack, addon):
+                    continue
+                kind = _kind(matrix, name, distribution, framework, stack, addon)
+                alone = framework == bare
+                listed = bool(tagged and alone and name in tagged.distributions and stack in tagged.stacks)
+                chosen = [*(tagged.components if tagged and listed else ())]
+                if (framework, python) not in seen or listed:
+                    chosen += [component for component in _lowest(matrix, distribution)[:1] if component not in chosen]
+                seen.add((framework, python))
+                for component in matrix.components:
+                    if component in chosen and component in distribution.present:
+                        named = bool(tagged and listed and component in tagged.components)
+                        yield _image(matrix, name, distribution, component, kind, name == latest, named)
+
+
+def _lowest(matrix: Matrix, distribution: Distribution) -> list[str]:
+    """The components of a distribution that stand on no other one and build programs; in all distributions but those without it,
+    there is one."""
+    there = [link for link in matrix.components if link in distribution.present and not rules.only_runs(matrix, link)]
+    return [link for link in there if len(_chain(matrix, distribution, link)) == 1]
+
+
+def _kind(
+    matrix: Matrix, name: str, distribution: Distribution, framework: str, stack: str | None, addon: str = ""
+) -> _Kind:
+    facts = matrix.carrying(framework, addon)
+    architectures = rules.architectures(matrix, name, framework, stack, addon)
     python = matrix.operating_systems[distribution.os].python
     if stack is None:
         return _Kind(framework, facts, None, architectures, (), {})
@@ -61,24 +109,33 @@ def _kind(matrix: Matrix, name: str, distribution: Distribution, framework: str,
     more = {
         other: rules.parts(matrix, entry, matrix.stacks[stack])
         for other, entry in matrix.frameworks.items()
-        if rules.stack_reason(matrix, name, other, stack) is None
+        if not addon
+        and rules.stack_reason(matrix, name, other, stack) is None
         and set(architectures) <= set(rules.architectures(matrix, name, other, stack))
     }
     covering = sorted((other for other in more if set(kinds) < set(more[other])), key=lambda other: -len(more[other]))
     known = rules.versions(matrix, matrix.stacks[stack])
     versions = {name: known[name] for name in rules.counted(matrix, facts) if name in known}
     brought = rules.brought(matrix, kinds, matrix.stacks[stack])
-    short = stack == rules.default_stack(matrix, name, framework)
-    return _Kind(framework, facts, stack, architectures, parts, versions, brought, tuple(covering), short)
+    short = stack == rules.default_stack(matrix, name, framework, addon)
+    return _Kind(framework, facts, stack, architectures, parts, versions, brought, tuple(covering), short, addon)
 
 
-def _image(matrix: Matrix, name: str, distribution: Distribution, component: str, kind: _Kind, latest: bool) -> Image:
+def _image(
+    matrix: Matrix,
+    name: str,
+    distribution: Distribution,
+    component: str,
+    kind: _Kind,
+    latest: bool,
+    tagged: bool = True,
+) -> Image:
     chain = _chain(matrix, distribution, component)
     ros_image = names.image_target(name, component)
     runtime = rules.only_runs(matrix, component)
     below = names.image_target(name, chain[-2]) if len(chain) > 1 else names.os_target(distribution.os, runtime)
-    target = names.image_target(name, component, kind.framework, kind.stack)
-    groups = [name, component, kind.framework, *([kind.stack] if kind.stack else []), "all"]
+    target = kind.target(name, component, kind.framework)
+    groups = [name, component, kind.addon or kind.framework, *([kind.stack] if kind.stack else []), "all"]
     tests = _tests(matrix, name, component, kind)
     carries = tests.carriers[:1] == (target,)
     wheels = _wheels_of(matrix, name, kind.architectures)
@@ -98,8 +155,8 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
         brought=kind.brought,
         gpu=rules.gpu(matrix, kind.stack, [part.kind for part in kind.parts]),
         repository=kind.facts.repository,
-        tags=_tags(name, distribution.aliases, component, kind, latest),
-        groups=(*groups, "default") if target in matrix.default.group else tuple(groups),
+        tags=_tags(name, distribution.aliases, component, kind, latest) if tagged else (),
+        groups=tuple(groups if tagged else [kind.addon]) + (("default",) if target in matrix.default.group else ()),
         parent=ros_image if kind.stack else below,
         packages="" if kind.stack else _packages(matrix, name, distribution, component),
         wheels=() if kind.stack else distribution.wheels,
@@ -117,7 +174,9 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
             *(matrix.disk.components[link] for link in chain),
             *(part.disk for part in kind.parts),
         ),
-        budget=matrix.disk.budgets.get(kind.stack or "", {}).get(kind.framework),
+        budget=matrix.disk.budgets.get(kind.stack or "", {}).get(kind.addon or kind.framework),
+        addons=kind.addons,
+        combination="-".join([kind.framework, *kind.addons]).removeprefix(f"{names.NONE}-"),
     )
 
 
@@ -148,10 +207,9 @@ def _tests(matrix: Matrix, name: str, component: str, kind: _Kind) -> _Tests:
     own = ["contract", "runtime" if runtime else "tools"]
     own += [f"{ros}-wheels"] if distribution.wheels else [ros, f"{ros}-beside"]
     own += [entry.name for entry in entries if entry.tested]
-    first = (link for link in matrix.components if link in distribution.present and not rules.only_runs(matrix, link))
-    lowest = next((link for link in first if len(_chain(matrix, distribution, link)) == 1), component)
+    lowest = next(iter(_lowest(matrix, distribution)), component)
     frameworks = (*kind.covering, kind.framework) if kind.stack or not runtime else ()
-    carriers = tuple(names.image_target(name, lowest, framework, kind.stack) for framework in frameworks)
+    carriers = tuple(kind.target(name, lowest, framework) for framework in frameworks)
     if runtime:  # other tests need a compiler
         return _Tests(tuple(own), (), (), carriers)
     carried = [f"{entry.name}-build" for entry in entries if entry.compiled]
@@ -256,7 +314,8 @@ def _parts(matrix: Matrix, images: tuple[Image, ...]) -> Iterator[Part]:
     for image in images:
         if image.stack:
             parts = needed.setdefault((image.stack, image.python), {})
-            for part in rules.parts(matrix, matrix.frameworks[image.framework], matrix.stacks[image.stack]):
+            facts = matrix.carrying(image.framework, *image.addons)
+            for part in rules.parts(matrix, facts, matrix.stacks[image.stack]):
                 parts.setdefault(part, set()).update(image.architectures)
     merged: dict[tuple[str, str, str], set[str]] = {}
     for (stack, python), parts in needed.items():

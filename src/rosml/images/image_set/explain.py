@@ -250,7 +250,7 @@ def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator
     )  # a stage of the Dockerfile, which has no image
     if image.stack:
         stack = matrix.stacks[image.stack]
-        for family in rules.families(matrix, matrix.frameworks[image.framework]):
+        for family in rules.families(matrix, matrix.carrying(image.framework, *image.addons)):
             version = stack.releases[family]
             release = matrix.releases[family][version]
             wheels = listed(release.architectures(image.stack))
@@ -266,10 +266,12 @@ def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator
     yield from _where_from(matrix, image, environ)
     yield f"platforms: {listed(image.platforms)}"
     for architecture in matrix.architectures:
-        reason = rules.architecture_reason(matrix, image.distribution, image.framework, image.stack, architecture)
+        reason = rules.architecture_reason(
+            matrix, image.distribution, image.framework, image.stack, architecture, *image.addons
+        )
         if architecture not in image.architectures and reason:
             yield f"not for {architecture}: {reason}"
-    yield f"tags: {listed(image.tags)}"
+    yield f"tags: {listed(image.tags)}" if image.tags else f"tags: none; it tests {listed(image.addons)}"
     yield f"a publishing run tests it with {listed(image.tests)}"
     if image.shared:
         yield f"what it shares with others is tested in {listed(image.proven_by)}: {listed(image.shared)}"

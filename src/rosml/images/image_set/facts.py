@@ -14,6 +14,7 @@ def facts(image: Image) -> dict[str, Any]:
         "distribution": image.distribution,
         "component": image.component,
         "framework": image.framework,
+        "addons": list(image.addons),
         "stack": image.stack,
         "os": image.os,
         "python": image.python,

@@ -41,6 +41,12 @@ RMW = f"{PREFIX}rmw"
 OWN = f"{PREFIX}own"
 """The label of an image that is not ours and got ROS, if it has its own CUDA or framework: which, and the variables that say so."""
 
+ADDONS = f"{PREFIX}addons"
+"""The label of an image with the names of its add-ons; and of a part of one, with their parts: `onnx=cuda*,common,onnx-cc*,onnx`."""
+
+PARTS = f"{PREFIX}parts"
+"""The label of an image with the names of its parts."""
+
 RELEASE = f"{PREFIX}release"
 """The label of a part with the name of its release."""
 
@@ -50,7 +56,13 @@ COVERED = f"{PREFIX}sbom."
 
 
 def named(
-    distribution: str, component: str, ros: str, framework: str, stack: str | None, brought: Sequence[Brought]
+    distribution: str,
+    component: str,
+    ros: str,
+    framework: str,
+    stack: str | None,
+    brought: Sequence[Brought],
+    addons: Sequence[str] = (),
 ) -> dict[str, str]:
     """The labels that describe an image to people.
 
@@ -59,7 +71,7 @@ def named(
     """
     carried = [f"{item.title} {item.version}" for item in brought if item.title]
     return {
-        TITLE: names.image_target(distribution, component, framework, stack),
+        TITLE: names.image_target(distribution, component, framework, stack, addons),
         DESCRIPTION: ", ".join([f"ROS {ros} {component} ({distribution})", *carried]),
         VERSION: names.spelled_tag(names.main_tag(distribution, component, stack), spelled(brought)),
         f"{PREFIX}component": component,
@@ -106,6 +118,7 @@ def of_part(
     brought: Sequence[Brought],
     frameworks: Mapping[str, Sequence[PartEntry]],
     gpu: Mapping[str, str] | None = None,
+    addons: Mapping[str, Sequence[PartEntry]] | None = None,
 ) -> dict[str, str]:
     """The labels of a part.
 
@@ -114,6 +127,7 @@ def of_part(
         brought: its software.
         frameworks: the parts of every framework that takes this one.
         gpu: its facts about GPUs.
+        addons: the add-on whose own part it is, with the parts that this one needs.
     """
     pythons = "any Python" if python == ANY_PYTHON else f"Python {python}"
     return {
@@ -126,8 +140,14 @@ def of_part(
         **about_gpus(gpu or {}),
         **({BRINGS: called(brought)} if brought else {}),
         **({RELEASE: entry.release} if entry.release else {}),
-        f"{PREFIX}frameworks": " ".join(f"{name}={_marked(frameworks[name])}" for name in smallest_first(frameworks)),
+        f"{PREFIX}frameworks": _combinations(frameworks),
+        **({ADDONS: _combinations(addons)} if addons else {}),
     }
+
+
+def _combinations(parts: Mapping[str, Sequence[PartEntry]]) -> str:
+    """Names, each with its parts, as text of a label: `torch=cuda*,common,torch`."""
+    return " ".join(f"{name}={_marked(parts[name])}" for name in smallest_first(parts))
 
 
 def _marked(parts: Iterable[PartEntry]) -> str:
@@ -157,8 +177,8 @@ def smallest_first(frameworks: Mapping[str, Sequence[object]]) -> list[str]:
     return sorted(frameworks, key=lambda name: (len(frameworks[name]), name))
 
 
-def frameworks(text: str) -> dict[str, tuple[str, ...]]:
-    """The parts of every framework that takes a part, from its label: the smallest first.
+def combinations(text: str) -> dict[str, tuple[str, ...]]:
+    """The parts of every framework or add-on that takes a part, from its label: the smallest first.
 
     Raises:
         ValueError: the label is damaged.

@@ -78,6 +78,8 @@ class Image:
     Attributes:
         target: the name of its bake target.
         distribution, component, framework: its place on the axes.
+        addons: the add-ons that it has besides.
+        combination: framework and add-ons as in its target: `torch`, `onnx`, `torch-onnx`; `none`.
         stack: its stack; None for images without a framework.
         os: its operating system.
         python: the version of its Python.
@@ -89,7 +91,7 @@ class Image:
         brought: its software that labels and the environment name.
         gpu: the facts about GPUs in its labels (rules.gpu).
         repository: its repository without the registry.
-        tags: `repository:tag` without the registry; the first one is the main tag.
+        tags: `repository:tag` without the registry; the first one is the main tag. None if it only tests its add-on.
         groups: bake groups that build it.
         parent: the target below it: for a ROS image the component below or the operating system, otherwise the ROS image to
             which parts are joined.
@@ -139,6 +141,8 @@ class Image:
     lost: tuple[str, ...] = ()
     damaged: tuple[str, ...] = ()
     budget: int | None = None
+    addons: tuple[str, ...] = ()
+    combination: str = ""
 
     @property
     def locked(self) -> bool:
@@ -192,7 +196,7 @@ class ImageSet:
         """The targets of every bake group, without images that lack a lock, and without empty groups."""
         locked = {image.target: image for image in self.images if image.locked}
         members: dict[str, list[str]] = {"default": [name for name in self.matrix.default.group if name in locked]}
-        for axis in ("distributions", "components", "frameworks", "stacks"):
+        for axis in ("distributions", "components", "frameworks", "addons", "stacks"):
             members.update({name: [] for name in getattr(self.matrix, axis)})
         for image in locked.values():
             for group in image.groups:

@@ -95,7 +95,7 @@ def chosen(
         item
         for item in image_set.images
         if item.distribution == distributions[0]
-        and item.framework in (frameworks or plain)
+        and item.combination in (frameworks or plain)
         and item.component in components
         and item.stack in (None, *stacks)
     ]

@@ -8,11 +8,14 @@ from __future__ import annotations
 
 import os
 import threading
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from rosml.base import archives
 from rosml.base.errors import RosmlError
 from rosml.registry.client import Registry
+from rosml.registry.oci import Manifest
 
 ARTIFACT = "application/vnd.rosml.files.v1"
 MEDIA_TYPE = "application/vnd.rosml.files.v1+gzip"
@@ -81,6 +84,16 @@ class Files:
         return cls(entries, frozenset(map(_place, entries)), frozenset(folders))
 
 
+def together(lists: Sequence[Files]) -> Files:
+    """The files of several images as one list."""
+    none = frozenset[str]()
+    return Files(
+        none.union(*(item.entries for item in lists)),
+        none.union(*(item.places for item in lists)),
+        none.union(*(item.folders for item in lists)),
+    )
+
+
 def _place(entry: str) -> str:
     first, slash, _ = entry.partition("/")
     return f"usr/{entry}" if slash and first in _MERGED else entry
@@ -103,6 +116,47 @@ def unpacked(data: bytes) -> bytes:
         return archives.gunzipped(data, LARGEST)
     except ValueError:
         raise RosmlError("a list of files is damaged, or too large", _REMEDY) from None
+
+
+def mounted(
+    source: Registry, repository: str, digest: str, registry: Registry, wanted: str
+) -> Iterator[dict[str, Any]]:
+    """The lists of an image as layers of an artifact in another repository, to which their blobs are mounted or copied.
+
+    Args:
+        source: the registry of the image.
+        repository: its path.
+        digest: of its manifest.
+        registry: that of the other repository.
+        wanted: its path.
+
+    Raises:
+        RosmlError: a registry does not answer or refuses, or there are more lists than of any image.
+    """
+    for artifact in _artifacts(source, repository, digest):
+        for layer in artifact.layers:
+            here = source.host == registry.host
+            if not (here and (repository == wanted or registry.mount(wanted, layer.digest, repository))):
+                registry.put_blob(wanted, source.part(repository, layer, PACKED))
+            yield {"mediaType": layer.mediaType, "digest": layer.digest, "size": layer.size}
+
+
+def _artifacts(registry: Registry, repository: str, digest: str) -> list[Manifest]:
+    """The artifacts with lists of an image. Several publishers may have attached one: all of them count, so that no list hides a file.
+
+    Raises:
+        RosmlError: the registry does not answer, or there are more than of any image.
+    """
+    digests = {entry["digest"] for entry in registry.referrers(repository, digest, ARTIFACT)}
+    if len(digests) > ATTACHED:
+        text = f"{registry.host}/{repository}@{digest} has {len(digests)} lists of files"
+        raise RosmlError(text, "remove those that are not yours")
+    found = [artifact for name in sorted(digests) if (artifact := registry.manifest(repository, name))]
+    for artifact in found:  # an app on another base has its own list and those of the base
+        if len(artifact.layers) > LAYERS:
+            text = f"a list of files at {registry.host}/{repository}@{digest} has {len(artifact.layers)} layers"
+            raise RosmlError(text, _REMEDY)
+    return found
 
 
 class Lists:
@@ -134,24 +188,9 @@ class Lists:
         return self._clashes[key]
 
     def _find(self, registry: Registry, repository: str, digest: str) -> Files | None:
-        entries = registry.referrers(repository, digest, ARTIFACT)
-        if not entries:
-            return None
-        # Several publishers may have attached a list. All of them count, so that no list hides a file.
-        digests = {entry["digest"] for entry in entries}
-        if len(digests) > ATTACHED:
-            raise RosmlError(
-                f"{registry.host}/{repository}@{digest} has {len(digests)} lists of files",
-                "remove those that are not yours",
-            )
-        texts = []
-        for name in sorted(digests):
-            artifact = registry.manifest(repository, name)
-            layers = (
-                artifact.layers if artifact else ()
-            )  # an app on another base has its own list and those of the base
-            if len(layers) > LAYERS:
-                text = f"a list of files at {registry.host}/{repository}@{digest} has {len(layers)} layers"
-                raise RosmlError(text, _REMEDY)
-            texts += [unpacked(registry.part(repository, layer, PACKED)) for layer in layers]
+        texts = [
+            unpacked(registry.part(repository, layer, PACKED))
+            for artifact in _artifacts(registry, repository, digest)
+            for layer in artifact.layers
+        ]
         return Files.parse(b"\n".join(texts)) if texts else None

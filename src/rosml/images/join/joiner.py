@@ -6,6 +6,7 @@ finds by digest what was pushed, and costs next to nothing.
 
 from __future__ import annotations
 
+import gzip
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
@@ -14,6 +15,7 @@ from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
+from rosml.images.join import facts, file_lists
 from rosml.images.join.file_lists import Files, Lists
 from rosml.images.join.layers import Joined, Source, join
 from rosml.images.join.transfer import Transfer, Transferred
@@ -98,9 +100,11 @@ class Joiner:
         wanted = _common(found, platforms)
         self._say_what_is_left_out(found, wanted, platforms)
         result = JoinReport()
-        images = [self._joined([item[name] for _, item in found], result) for name in wanted]
-        for image in images:
+        members = [[item[name] for _, item in found] for name in wanted]
+        images = [self._joined(sources, result) for sources in members]
+        for image, sources in zip(images, members, strict=True):
             result.manifests[image.platform] = self._transfer.push(image, where.host, where.repository, result)
+            self._attach(image, sources, where, result)
         index = oci.encoded(_index(images))
         result.digest = self._transfer.registries(where.host).put_manifest(
             where.repository, where.reference, index, oci.INDEX
@@ -109,6 +113,22 @@ class Joiner:
         result.reference = str(where)
         result.seconds = time.monotonic() - started
         return result
+
+    def check(self, ros: str, parts: Sequence[str], platforms: Sequence[str]) -> dict[str, Joined]:
+        """The joined images for some platforms, of which nothing is pushed.
+
+        Args:
+            ros: complete reference of an index or manifest.
+            parts: complete references of indexes or manifests.
+            platforms: such as `linux/arm64`.
+
+        Raises:
+            RosmlError: as in `join`.
+        """
+        named = [ros, *parts]
+        found = list(zip(named, self._transfer.pool.map(self._transfer.platforms, named), strict=True))
+        wanted = _common(found, platforms)
+        return {name: self._joined([item[name] for _, item in found], JoinReport()) for name in wanted}
 
     def manifest(self, ros: Reference, parts: Sequence[Reference], host: str, repository: str) -> JoinReport:
         """Joins an image from manifests for one platform, without an index or a tag.
@@ -153,10 +173,7 @@ class Joiner:
         Raises:
             RosmlError: two carry the same file (exit code 2); or an image has no list, unless `allow_unlisted` is set.
         """
-        registries = self._transfer.registries
-        lists = list(
-            self._transfer.pool.map(lambda s: self._lists.of(registries(s.host), s.repository, s.digest), sources)
-        )
+        lists = list(self._transfer.pool.map(self._files, sources))
         if unlisted := [source.name for source, files in zip(sources, lists, strict=True) if files is None]:
             text = f"{listed(unlisted)} has no list of its files, so it may carry the same file as another image"
             if not self.allow_unlisted:
@@ -175,6 +192,45 @@ class Joiner:
                     "remove the file, or the package that has it, from one of them, and publish that image again",
                     exit_code=2,
                 )
+
+    def _files(self, source: Source) -> Files | None:
+        """The files of an image: by its own list, or by those of the images that a publishing run joined it from."""
+        registry = self._transfer.registries(source.host)
+        if own := self._lists.of(registry, source.repository, source.digest):
+            return own
+        lists = [self._lists.of(registry, *place) for place in self._places(source)]
+        known = [files for files in lists if files]
+        return file_lists.together(known) if known and len(known) == len(lists) else None
+
+    def _places(self, source: Source) -> list[tuple[str, str]]:
+        """Repositories and digests of the images with lists of an image's files."""
+        registry = self._transfer.registries(source.host)
+        if self._lists.of(registry, source.repository, source.digest):
+            return [(source.repository, source.digest)]
+        return facts.components(registry, source.repository, source.digest, source.annotations)
+
+    def _attach(self, image: Joined, sources: Sequence[Source], where: Reference, result: JoinReport) -> None:
+        """Attaches the lists of all images to the joined one, so that more can be joined to it. Some registries refuse that."""
+        registry = self._transfer.registries(where.host)
+        if result.unlisted or registry.referrers(where.repository, image.digest, file_lists.ARTIFACT):
+            return
+        before = registry.uploaded
+        try:
+            more = [
+                layer
+                for source in sources
+                for place in self._places(source)
+                for layer in file_lists.mounted(
+                    self._transfer.registries(source.host), *place, registry, where.repository
+                )
+            ]
+            subject, nothing = oci.descriptor(oci.IMAGE, image.manifest), gzip.compress(b"", mtime=0)
+            registry.attach(where.repository, subject, file_lists.ARTIFACT, nothing, file_lists.MEDIA_TYPE, more=more)
+        except RosmlError as error:
+            self._say(
+                f"no list of files could be attached, so nothing more can be joined to this image: {error.message}"
+            )
+        result.uploaded += registry.uploaded - before
 
 
 def _common(found: Sequence[tuple[str, Mapping[str, Source]]], asked: Sequence[str]) -> list[str]:

@@ -7,10 +7,11 @@ Environment and labels are those of a build of the same target.
 from __future__ import annotations
 
 import copy
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NoReturn
 
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.image_set import labels
@@ -44,6 +45,7 @@ class Source:
         digest: of the manifest.
         manifest: of the image.
         config: of the image.
+        annotations: of its entry in its index.
     """
 
     name: str
@@ -52,6 +54,7 @@ class Source:
     digest: str
     manifest: Manifest
     config: Config
+    annotations: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def platform(self) -> str:
@@ -91,6 +94,7 @@ class Joined:
         manifest: as it will be stored.
         labels: in the config.
         layers: descriptors, with the image that each layer comes from.
+        environment: variables in the config, such as `PATH=/usr/bin`.
     """
 
     platform: str
@@ -98,11 +102,24 @@ class Joined:
     manifest: bytes
     labels: Mapping[str, str]
     layers: tuple[tuple[dict[str, Any], Source], ...]
+    environment: tuple[str, ...] = ()
 
     @property
     def digest(self) -> str:
         """The digest of the manifest."""
         return oci.digest_of(self.manifest)
+
+
+def as_source(image: Joined, ros: Source) -> Source:
+    """A joined image that nobody pushed, as a source of another one.
+
+    Args:
+        ros: the image to which parts were joined.
+    """
+    content, config = untrusted.json_value(image.manifest), untrusted.json_value(image.config)
+    manifest = Manifest(content, image.digest, oci.IMAGE, len(image.manifest))
+    facts = documents.Config.model_validate(config)
+    return Source(ros.name, ros.host, ros.repository, image.digest, manifest, Config(config, facts))
 
 
 def platform(facts: Mapping[str, Any] | documents.Config | documents.Platform | None) -> str:
@@ -114,7 +131,7 @@ def platform(facts: Mapping[str, Any] | documents.Config | documents.Platform | 
 
 
 def join(ros: Source, parts: Sequence[Source]) -> Joined:
-    """Joins a ROS image and parts, all for one platform.
+    """Joins a ROS image and parts, all for one platform. Onto an image that has parts go add-ons alone.
 
     Raises:
         RosmlError: they do not fit together (exit code 2).
@@ -125,13 +142,13 @@ def join(ros: Source, parts: Sequence[Source]) -> Joined:
     parts = sorted(parts, key=lambda item: (item.labels[_PART], item.name))
     for part in parts:
         _require_fit(ros, part)
-    framework, order = _framework(ros, parts)
-    parts = sorted(parts, key=lambda item: order.index(item.labels[_PART]))
+    content = _content(ros, parts)
+    parts = sorted(parts, key=lambda item: content.order.index(item.labels[_PART]))
     brought = _brought(parts)
-    stack = parts[0].labels[_STACK]
-    merged = _labels(ros, framework, stack, brought) | _about_gpus(parts)
+    merged = _labels(ros, content, parts[0].labels[_STACK], brought) | _about_gpus(parts)
     sources = (ros, *parts)
-    config = oci.encoded(_config(ros, parts, brought, merged))
+    facts = _config(ros, parts, brought, merged)
+    config = oci.encoded(facts)
     manifest = {
         "schemaVersion": 2,
         "mediaType": oci.IMAGE,
@@ -139,7 +156,7 @@ def join(ros: Source, parts: Sequence[Source]) -> Joined:
         "layers": [layer for source in sources for layer in source.layers],
     }
     layers = tuple((layer, source) for source in sources for layer in source.layers)
-    return Joined(ros.platform, config, oci.encoded(manifest), merged, layers)
+    return Joined(ros.platform, config, oci.encoded(manifest), merged, layers, tuple(facts["config"]["Env"]))
 
 
 # ---- What fits together ----------------------------------------------------------------------------------------------
@@ -153,12 +170,6 @@ def _require_ros(ros: Source) -> None:
         if not ros.labels.get(label):
             text = f"{ros.name} is no ROS image of this project: it has no label {label}"
             raise RosmlError(text, "use an image from the repository ros, or one that was built on it", exit_code=2)
-    if stack := ros.labels.get(_STACK):
-        carried = f"framework {ros.labels.get(_FRAMEWORK)} of stack {stack}"
-        plain = f"the ROS image below it, ros:{names.main_tag(ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT])}"
-        if ros.labels.get(labels.APP):
-            plain = "an image of the app without a framework"
-        raise RosmlError(f"{ros.name} has {carried} already", f"take {plain}", exit_code=2)
     if own := ros.labels.get(labels.OWN):
         text = f"{ros.name} has CUDA or a framework from its base image: {own}"
         raise RosmlError(text, "use it as it is; parts need a base image without these", exit_code=2)
@@ -167,7 +178,7 @@ def _require_ros(ros: Source) -> None:
 
 def _require_part(part: Source) -> None:
     for label in (_PART, _STACK, _PYTHON, _FRAMEWORKS):
-        if not part.labels.get(label):
+        if not part.labels.get(label) and not (label == _FRAMEWORKS and part.labels.get(labels.ADDONS)):
             what = "a ROS image" if _DISTRIBUTION in part.labels else "no part"
             text = f"{part.name} is {what}: it has no label {label}"
             raise RosmlError(
@@ -181,11 +192,72 @@ def _require_whole(source: Source) -> None:
         raise RosmlError(f"{source.name} is incomplete: its config does not list its layers", "push it again")
 
 
-def _framework(ros: Source, parts: Sequence[Source]) -> tuple[str, tuple[str, ...]]:
-    """The framework that parts make together, and its parts in their order."""
+@dataclass(frozen=True)
+class _Content:
+    """What parts make together with the image to which they are joined.
+
+    Attributes:
+        framework: of the joined image.
+        addons: of the joined image, sorted.
+        order: the parts that are joined, in their order.
+        there: the parts that the image has already, in their order.
+    """
+
+    framework: str
+    addons: tuple[str, ...]
+    order: tuple[str, ...]
+    there: tuple[str, ...] = ()
+
+
+def _content(ros: Source, parts: Sequence[Source]) -> _Content:
+    by_kind = _by_kind(ros, parts)
+    adding = _addons(parts)
+    explained = dict.fromkeys(kind for kinds in adding.values() for kind in kinds)
+    if ros.labels.get(_STACK):
+        return _onto(ros, by_kind, adding, explained)
+    shared = _shared(parts)
+    exact = next(((name, kinds) for name, kinds in shared.items() if set(kinds) == set(by_kind)), None)
+    if exact or not adding:
+        framework, order = exact or _lacking(ros, parts, by_kind, shared)
+        return _Content(framework, (), order)
+    framework, order = ros.labels.get(_FRAMEWORK, names.NONE), tuple[str, ...]()
+    if rest := [item for item in parts if item.labels[_PART] not in explained]:
+        shared = _shared(rest)
+        named = [*by_kind, *explained]
+        fits = ((name, kinds) for name, kinds in shared.items() if set(kinds) <= set(named))
+        framework, order = next(fits, None) or _lacking(ros, rest, by_kind, shared)
+    order = tuple(dict.fromkeys([*order, *explained]))
+    if missing := [kind for kind in order if kind not in by_kind]:
+        raise _incomplete(ros, parts, missing, f"add-on {listed([*adding])}")
+    return _Content(framework, tuple(adding), order)
+
+
+def _onto(
+    ros: Source, by_kind: Mapping[str, Source], adding: Mapping[str, Sequence[str]], explained: Iterable[str]
+) -> _Content:
+    """The content if add-ons are joined to an image that has parts."""
+    there = tuple(ros.labels.get(labels.PARTS, "").split())
+    if twice := [kind for kind in by_kind if kind in there]:
+        text = f"{ros.name} has the {'part' if len(twice) == 1 else 'parts'} {listed(twice)} already"
+        raise RosmlError(text, "leave them out" if twice[1:] else "leave it out", exit_code=2)
+    order = [kind for kind in explained if kind not in there]
+    if not there or [kind for kind in by_kind if kind not in order]:
+        carried = f"framework {ros.labels.get(_FRAMEWORK)} of stack {ros.labels[_STACK]}"
+        plain = f"the ROS image below it, ros:{names.main_tag(ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT])}"
+        if ros.labels.get(labels.APP):
+            plain = "an image of the app without a framework"
+        raise RosmlError(f"{ros.name} has {carried} already", f"take {plain}", exit_code=2)
+    if missing := [kind for kind in order if kind not in by_kind]:
+        raise _incomplete(ros, [*by_kind.values()], missing, f"add-on {listed([*adding])}")
+    known = ros.labels.get(labels.ADDONS, "").split()
+    return _Content(ros.labels.get(_FRAMEWORK, names.NONE), tuple(sorted({*known, *adding})), tuple(order), there)
+
+
+def _by_kind(ros: Source, parts: Sequence[Source]) -> dict[str, Source]:
+    """Parts by their names. They are of one stack, which is that of the image."""
     if not parts:
         raise RosmlError(f"there are no parts to join to {ros.name}", "name the parts after it", exit_code=2)
-    stacks = {item.labels[_STACK]: item.name for item in parts}
+    stacks = {item.labels[_STACK]: item.name for item in (*parts, ros) if item.labels.get(_STACK)}
     if len(stacks) > 1:
         found = listed([f"{name} is of stack {stack}" for stack, name in stacks.items()])
         raise RosmlError(f"an image carries one stack: {found}", "use parts of one stack", exit_code=2)
@@ -196,32 +268,58 @@ def _framework(ros: Source, parts: Sequence[Source]) -> tuple[str, tuple[str, ..
             text = f"part {kind} is there twice: {by_kind[kind].name} and {item.name}"
             raise RosmlError(text, "leave out one of them", exit_code=2)
         by_kind[kind] = item
-    known = [_frameworks(item) for item in parts]
+    return by_kind
+
+
+def _shared(parts: Sequence[Source]) -> dict[str, tuple[str, ...]]:
+    """The frameworks that take all of some parts, the smallest first, with their parts."""
+    known = [_combinations(item, _FRAMEWORKS) for item in parts]
     shared = {name: kinds for name, kinds in known[0].items() if all(name in other for other in known)}
-    stack = parts[0].labels[_STACK]
     for name, kinds in shared.items():
         if any(other[name] != kinds for other in known):
             text = f"the parts are of different releases: they name different parts of framework {name}"
             raise RosmlError(text, "use parts that were published together", exit_code=2)
-        if set(kinds) == set(by_kind):
-            return name, kinds
+    return shared
+
+
+def _addons(parts: Sequence[Source]) -> dict[str, tuple[str, ...]]:
+    """The add-ons whose own parts are among some parts, by name, with their parts and those that these need."""
+    found: dict[str, tuple[str, ...]] = {}
+    for item in parts:
+        for name, kinds in _combinations(item, labels.ADDONS).items():
+            if found.setdefault(name, kinds) != kinds:
+                text = f"the parts are of different releases: they name different parts of add-on {name}"
+                raise RosmlError(text, "use parts that were published together", exit_code=2)
+    return dict(sorted(found.items()))
+
+
+def _lacking(
+    ros: Source, parts: Sequence[Source], by_kind: Mapping[str, Source], shared: Mapping[str, tuple[str, ...]]
+) -> NoReturn:
+    """The error about parts that make no framework."""
+    stack = parts[0].labels[_STACK]
     if not shared:
         text = f"no framework of stack {stack} takes {listed(sorted(by_kind))} together"
         raise RosmlError(text, "make an image for each of them", exit_code=2)
     name, kinds = min(shared.items(), key=lambda item: len(item[1]))
     missing = [kind for kind in kinds if kind not in by_kind]
+    raise _incomplete(ros, parts, missing, f"framework {name} consists of {listed(kinds)}")
+
+
+def _incomplete(ros: Source, parts: Sequence[Source], missing: Sequence[str], why: str) -> RosmlError:
+    stack = parts[0].labels[_STACK]
     text = f"{listed([item.name for item in parts])} cannot do without {listed(missing)} of stack {stack}"
-    told = parts[0].labels[_FRAMEWORKS]
+    told = " ".join(item.labels.get(label, "") for item in parts for label in (_FRAMEWORKS, labels.ADDONS))
     pythons = {kind: ANY_PYTHON if labels.any_python(told, kind) else ros.labels[_PYTHON] for kind in missing}
     lacking = listed([names.part_name(kind, stack, python) for kind, python in pythons.items()])
-    raise RosmlError(text, f"add {lacking}: framework {name} consists of {listed(kinds)}", exit_code=2)
+    return RosmlError(text, f"add {lacking}: {why}", exit_code=2)
 
 
-def _frameworks(part: Source) -> dict[str, tuple[str, ...]]:
+def _combinations(part: Source, label: str) -> dict[str, tuple[str, ...]]:
     try:
-        return labels.frameworks(part.labels[_FRAMEWORKS])
+        return labels.combinations(part.labels.get(label, ""))
     except ValueError:
-        raise RosmlError(f"{part.name}: its label {_FRAMEWORKS} is damaged", "publish it again", exit_code=2) from None
+        raise RosmlError(f"{part.name}: its label {label} is damaged", "publish it again", exit_code=2) from None
 
 
 def _require_fit(ros: Source, part: Source) -> None:
@@ -257,12 +355,19 @@ def _brought(parts: Sequence[Source]) -> tuple[Brought, ...]:
 # ---- The result ------------------------------------------------------------------------------------------------------
 
 
-def _labels(ros: Source, framework: str, stack: str, brought: Sequence[Brought]) -> dict[str, str]:
-    named = labels.named(ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT], ros.labels[_ROS], framework, stack, brought)
+def _labels(ros: Source, content: _Content, stack: str, brought: Sequence[Brought]) -> dict[str, str]:
+    place = ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT], ros.labels[_ROS], content.framework, stack
+    named = labels.named(*place, brought, content.addons)
+    if content.there:
+        named[labels.VERSION] = names.spelled_tag(ros.labels.get(labels.VERSION, ""), labels.spelled(brought))
+        titles = [f"{item.title} {item.version}" for item in brought if item.title]
+        named[labels.DESCRIPTION] = ", ".join([ros.labels.get(labels.DESCRIPTION, ""), *titles])
     if ros.labels.get(labels.APP):
         named[labels.TITLE] = ros.labels.get(labels.TITLE, "")
     counted = {labels.PREFIX + item.name: item.version for item in brought}
-    return {**ros.labels, **named, _FRAMEWORK: framework, _STACK: stack, **counted}
+    parts = {labels.PARTS: " ".join([*content.there, *content.order])}
+    addons = {labels.ADDONS: " ".join(content.addons)} if content.addons else {}
+    return {**ros.labels, **named, _FRAMEWORK: content.framework, _STACK: stack, **counted, **parts, **addons}
 
 
 def _about_gpus(parts: Sequence[Source]) -> dict[str, str]:

@@ -113,20 +113,27 @@ class Transfer:
         if not manifest.is_index:
             source = self.source(name, where._replace(reference=manifest.digest), manifest)
             return {source.platform: source}
-        entries = {platform(entry.platform): entry.digest for entry in manifest.members}
+        entries = {platform(entry.platform): entry for entry in manifest.members}
         return {
-            key: self.source(name, where._replace(reference=digest))
-            for key, digest in entries.items()
+            key: self.source(name, where._replace(reference=entry.digest), annotations=entry.annotations)
+            for key, entry in entries.items()
             if "unknown" not in key  # attestations of buildx
         }
 
-    def source(self, name: str, where: Reference, manifest: oci.Manifest | None = None) -> Source:
+    def source(
+        self,
+        name: str,
+        where: Reference,
+        manifest: oci.Manifest | None = None,
+        annotations: Mapping[str, str] | None = None,
+    ) -> Source:
         """An image for one platform, by its digest.
 
         Args:
             name: the user's name of the image, for messages.
             where: its place, with its digest.
             manifest: its manifest, if it was read already.
+            annotations: of its entry in its index.
 
         Raises:
             RosmlError: there is no such image (exit code 2); the registry does not answer or refuses.
@@ -137,7 +144,7 @@ class Transfer:
             if manifest is None:
                 raise RosmlError(f"{where} is not there any more", "check its name", exit_code=2)
             config = registry.config(where.repository, manifest, str(where))
-            source = Source(name, where.host, where.repository, manifest.digest, manifest, config)
+            source = Source(name, where.host, where.repository, manifest.digest, manifest, config, annotations or {})
             with self._lock:
                 self._sources.setdefault(where, source)
         return self._sources[where]

@@ -91,7 +91,7 @@ def environments(image_set: ImageSet) -> list[Environment]:
     """An environment for each stack and Python of images with a lock, with the most parts, the oldest Python first."""
     found: dict[tuple[str, str], Environment] = {}
     for image in sorted(image_set.images, key=lambda image: len(image.parts)):
-        if image.locked and _slots(image_set, image.framework):
+        if image.locked and not image.addons and _slots(image_set, image.framework):
             environment = Environment(image.framework, image.stack or "", image.python, image.architectures[0])
             found[environment.stack, environment.python] = environment
     return sorted(found.values(), key=lambda item: (_number(item.python), item.stack))

@@ -5,6 +5,7 @@ the rosml that reads it, so a newer rosml brings newer releases, digests and loc
 
 - `distributions`, `frameworks`, `stacks` and `architectures` choose: if the file has such a section, only the entries in it exist. An entry
   without anything after its colon is as in rosml; the keys of an entry replace those in rosml.
+- `addons` chooses as well. Without it, the set has no add-ons, as each is built and tested for every stack and Python.
 - Everything else adds and replaces, key by key; `parts` by their names. A key without a value is left out.
 - What only belongs to stacks and frameworks that were not chosen (wheels, forecasts, budgets) goes with them.
 """
@@ -32,6 +33,7 @@ CHOSEN = {
     "frameworks": "framework",
     "stacks": "stack",
     "architectures": "architecture",
+    "addons": "add-on",
 }
 """Sections in which a set names all that it wants, and what one entry is called."""
 
@@ -67,10 +69,10 @@ def extended(own: Document, base: Document) -> Document:
     for key, value in wanted.items():
         data[key] = (_chosen if key in CHOSEN else _parts if key == "parts" else _merged)(data.get(key), value)
     if missing := [
-        own.problem((section, name), unknown(f"{noun} in rosml", name, base.data[section]))
+        own.problem((section, name), unknown(f"{noun} in rosml", name, _mapping(base.data.get(section))))
         for section, noun in CHOSEN.items()
         for name, entry in _mapping(wanted.get(section)).items()
-        if not entry and name not in base.data[section]
+        if not entry and name not in _mapping(base.data.get(section))
     ]:
         raise InputError(own.name, [*own.problems, *missing])
     if lists := [
@@ -84,10 +86,12 @@ def extended(own: Document, base: Document) -> Document:
     if chosen and not plain & chosen.keys():
         text = f"add '{min(plain)}:', since images with a framework stand on those without one"
         raise InputError(own.name, [*own.problems, own.problem(("frameworks",), text)])
+    data["addons"] = _addons(_mapping(data.get("addons")) if "addons" in wanted else {}, data)
     _forget(data, base.data, wanted)
     if torn := [
-        own.problem(("frameworks", name), f"none of the stacks of this set has its part {part}; add one that has it")
-        for name, facts in _mapping(data["frameworks"]).items()
+        own.problem((section, name), f"none of the stacks of this set has its part {part}; add one that has it")
+        for section in ("frameworks", "addons")
+        for name, facts in _mapping(data[section]).items()
         for part in set(_lost(data, base.data)).intersection(_names(facts))
     ]:
         raise InputError(own.name, [*own.problems, *torn])
@@ -131,6 +135,23 @@ def _parts(base: Any, own: Any) -> Any:
         *(_merged(part, changes.get(part["name"], {})) for part in base),
         *(part for part in own if _name(part) not in known),
     )
+
+
+def _addons(addons: Mapping[str, Any], data: Mapping[str, Any]) -> dict[str, Any]:
+    """Add-ons with the tags of images that the set has."""
+    found: dict[str, Any] = {}
+    for name, facts in addons.items():
+        tags = {
+            key: tuple(item for item in value if item in _mapping(data.get(key))) if isinstance(value, tuple) else value
+            for key, value in _mapping(_mapping(facts).get("tags")).items()
+        }
+        beside = tuple(item for item in _mapping(facts).get("beside", ()) if item in _mapping(data.get("frameworks")))
+        found[name] = _without(facts, ("tags", "beside"))
+        if isinstance(facts, Mapping):
+            found[name] |= ({"tags": tags} if tags and all(tags.values()) else {}) | (
+                {"beside": beside} if beside else {}
+            )
+    return found
 
 
 def _name(part: Any) -> str:
@@ -186,7 +207,8 @@ def _forget(data: dict[str, Any], base: Mapping[str, Any], wanted: Mapping[str, 
             data["frameworks"] = {
                 name: facts for name, facts in data["frameworks"].items() if not lost & {*_names(facts)}
             }
-        used = {name for facts in _mapping(data["frameworks"]).values() for name in _names(facts)}
+        kept = (*_mapping(data["frameworks"]).values(), *_mapping(data["addons"]).values())
+        used = {name for facts in kept for name in _names(facts)}
         data["parts"] = tuple(part for part in data["parts"] if part.get("name") not in lost - used)
     frameworks = set(base["frameworks"]) - set(_mapping(data["frameworks"]))
     if isinstance(disk := data["disk"], Mapping):

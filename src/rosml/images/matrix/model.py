@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import datetime
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cached_property
 from typing import Annotated, Any, Literal
 
@@ -261,6 +261,24 @@ class Framework(Facts):
     )
 
 
+class TaggedImages(Facts):
+    """The images with an add-on that get tags."""
+
+    distributions: Names = Field(description="names from distributions")
+    components: Names = Field(description="names from components")
+    stacks: Names = Field(description="names from stacks; those that lack the add-on have none")
+
+
+class AddOn(Facts):
+    """Parts that go onto any image of a stack. In each stack and each Python, images that get no tag test it."""
+
+    parts: Names = Field(description="names from parts; no other add-on has them")
+    beside: tuple[Name, ...] = Field(
+        default=(), description="frameworks beside which it is tested as well, if a stack has both"
+    )
+    tags: TaggedImages | None = Field(default=None, description="the images with it that get tags; none if left out")
+
+
 class Release(Facts):
     """A release of a framework: what its wheels exist for."""
 
@@ -485,6 +503,9 @@ class Matrix(Facts):
     components: dict[Name, Component] = Field(min_length=1)
     parts: tuple[PartEntry, ...] = Field(default=(), description="in the order in which they are joined")
     frameworks: dict[Name, Framework] = Field(min_length=1)
+    addons: dict[Name, AddOn] = Field(
+        default={}, description="what goes onto any image of a stack: 'rosml join', 'rosml containerize --addons'"
+    )
     releases: dict[Name, dict[Version, Release]] = Field(
         default={}, description="what has wheels of its own -> version -> release"
     )
@@ -500,6 +521,27 @@ class Matrix(Facts):
     def part(self) -> dict[str, PartEntry]:
         """Parts by name."""
         return {part.name: part for part in self.parts}
+
+    def carrying(self, framework: str, addon: str = "") -> Framework:
+        """A framework, with the parts of an add-on and those that they need, in the order in which they are joined."""
+        facts = self.frameworks[framework]
+        if not addon:
+            return facts
+        wanted = {*facts.parts, *self.needed(self.addons[addon].parts)}
+        return Framework(
+            repository=f"{facts.repository}-{addon}",
+            parts=tuple(part.name for part in self.parts if part.name in wanted),
+            accelerators=facts.accelerators,
+        )
+
+    def needed(self, parts: Iterable[str]) -> set[str]:
+        """Parts, and all that they need."""
+        found, todo = set[str](), [*parts]
+        while todo:
+            if (name := todo.pop()) not in found:
+                found.add(name)
+                todo += self.part[name].needs
+        return found
 
     @cached_property
     def families(self) -> tuple[str, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from rosml.images.matrix.model import ANY_PYTHON, Matrix
 
@@ -17,6 +17,10 @@ the same name."""
 
 RESERVED_GROUPS = ("all", "default", "every", "files", "image", "latest", "parts", "test", "tests")
 """Names of groups, tags and abstract targets that do not come from an axis of the matrix."""
+
+
+NONE = "none"
+"""The usual name of the framework without parts."""
 
 
 def our_words(matrix: Matrix) -> dict[str, str]:
@@ -33,9 +37,20 @@ def our_word(matrix: Matrix, word: str) -> str:
     return ours.get(said) or (ours.get(bare) if bare != ROS else None) or said  # ros1 is no framework
 
 
-def image_target(distribution: str, component: str, framework: str = "none", stack: str | None = None) -> str:
-    """The bake target of an image: `jazzy-base`, `jazzy-base-torch-cu128`."""
-    return "-".join([distribution, component] + ([framework, stack] if stack else []))
+def image_target(
+    distribution: str,
+    component: str,
+    framework: str = NONE,
+    stack: str | None = None,
+    addons: Iterable[str] = (),
+) -> str:
+    """The bake target of an image: `jazzy-base`, `jazzy-base-torch-cu128`, `jazzy-base-torch-onnx-cu128`.
+
+    Args:
+        framework: left out if it is none.
+    """
+    named = [name for name in (framework, *addons) if name != NONE]
+    return "-".join([distribution, component, *([*named, stack] if stack else [])])
 
 
 def main_tag(distribution: str, component: str, stack: str | None = None) -> str:

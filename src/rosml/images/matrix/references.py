@@ -30,6 +30,7 @@ def findings(matrix: Matrix) -> Iterator[Finding]:
         _components,
         _parts,
         _frameworks,
+        _addons,
         _releases,
         _stacks,
         _distributions,
@@ -56,7 +57,7 @@ def _default(matrix: Matrix) -> Iterator[Finding]:
 def _axes(matrix: Matrix) -> Iterator[Finding]:
     """Every value of an axis is a group of the bake file, so no two may share a name."""
     taken = dict.fromkeys(names.RESERVED_GROUPS, "a group of its own")
-    for axis in ("distributions", "components", "frameworks", "stacks"):
+    for axis in ("distributions", "components", "frameworks", "addons", "stacks"):
         for name in getattr(matrix, axis):
             if name in taken:
                 yield (
@@ -158,6 +159,38 @@ def _frameworks(matrix: Matrix) -> Iterator[Finding]:
     if plain != 1:
         found = f"{plain} have" if plain else "none has"
         yield ("frameworks",), f"exactly one framework has no parts: the ROS images that all others stand on; {found}"
+
+
+def _addons(matrix: Matrix) -> Iterator[Finding]:
+    """Their parts are joined after those of frameworks: a join onto an image adds layers at its end."""
+    order = [part.name for part in matrix.parts]
+    owners: dict[str, str] = {}
+    for name, addon in matrix.addons.items():
+        path: KeyPath = ("addons", name)
+        yield from _each((*path, "parts"), "part", addon.parts, matrix.part)
+        yield from _each((*path, "beside"), "framework", addon.beside, matrix.frameworks)
+        if name not in addon.parts:
+            yield (
+                (*path, "parts"),
+                f"none of its parts is called {name}; the first place where a join looks for it has that name",
+            )
+        for number, part in enumerate(addon.parts):
+            if owners.setdefault(part, name) != name:
+                yield (*path, "parts", number), f"{part} is a part of add-on {owners[part]}; remove it here, or there"
+            for framework, facts in matrix.frameworks.items():
+                late = [other for other in facts.parts if other in order and part not in facts.parts]
+                if part in order and (late := [other for other in late if order.index(other) > order.index(part)]):
+                    text = (
+                        f"{part} comes before {late[0]} in 'parts', which framework {framework} takes; move it behind"
+                    )
+                    yield (*path, "parts", number), text
+        if addon.tags:
+            for key, known in (
+                ("distributions", matrix.distributions),
+                ("components", matrix.components),
+                ("stacks", matrix.stacks),
+            ):
+                yield from _each((*path, "tags", key), key[:-1], getattr(addon.tags, key), known)
 
 
 def _parts(matrix: Matrix) -> Iterator[Finding]:
@@ -396,16 +429,17 @@ def _disk(matrix: Matrix) -> Iterator[Finding]:
         if name not in matrix.stacks:
             yield ("disk", "parts", name), unknown("stack", name, matrix.stacks)
     used = {part for framework in matrix.frameworks.values() for part in framework.parts}
+    used |= matrix.needed(part for addon in matrix.addons.values() for part in addon.parts if part in matrix.part)
     for name, stack in matrix.stacks.items():
         needed = [part.name for part in matrix.parts if part.name in used and _has(stack, part)]
         yield from _forecasts(("disk", "parts", name), "part", matrix.disk.parts.get(name, ()), matrix.part, needed)
-    carrying = [framework for framework, facts in matrix.frameworks.items() if facts.parts]
+    carrying = [*(name for name, facts in matrix.frameworks.items() if facts.parts), *matrix.addons]
     for name, budgets in matrix.disk.budgets.items():
         if name not in matrix.stacks:
             yield ("disk", "budgets", name), unknown("stack", name, matrix.stacks)
         for framework in budgets:
             if framework not in carrying:
-                yield ("disk", "budgets", name, framework), unknown("framework with parts", framework, carrying)
+                yield ("disk", "budgets", name, framework), unknown("framework or add-on", framework, carrying)
 
 
 def _has(stack: Stack, part: PartEntry) -> bool:

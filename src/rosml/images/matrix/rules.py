@@ -39,28 +39,31 @@ def component_reason(matrix: Matrix, distribution: str, component: str) -> str |
     return f"{distribution} (ROS {facts.ros}) has no {component} metapackage; it has {listed(facts.components)}"
 
 
-def stack_reason(matrix: Matrix, distribution: str, framework: str, stack: str | None) -> str | None:
-    """Can images of a distribution carry the framework on the stack, on any architecture?"""
-    facts, os = matrix.frameworks[framework], matrix.distributions[distribution].os
-    if (reason := _content_reason(matrix, framework, stack)) or stack is None:
+def stack_reason(matrix: Matrix, distribution: str, framework: str, stack: str | None, addon: str = "") -> str | None:
+    """Can images of a distribution carry the framework on the stack, on any architecture? If an add-on is named, with it."""
+    facts, os = matrix.carrying(framework, addon), matrix.distributions[distribution].os
+    if (reason := _content_reason(matrix, framework, stack, addon)) or stack is None:
         return reason
     return _python(matrix, os, facts, matrix.stacks[stack]) or _architectures(matrix, distribution, facts, stack)
 
 
-def default_stack(matrix: Matrix, distribution: str, framework: str) -> str | None:
+def default_stack(matrix: Matrix, distribution: str, framework: str, addon: str = "") -> str | None:
     """The stack of a framework's short tags: the first of the distribution's on which it exists, if any."""
     stacks = matrix.distributions[distribution].default_stacks
-    return next((stack for stack in stacks if stack_reason(matrix, distribution, framework, stack) is None), None)
+    return next(
+        (stack for stack in stacks if stack_reason(matrix, distribution, framework, stack, addon) is None), None
+    )
 
 
-def _content_reason(matrix: Matrix, framework: str, stack: str | None) -> str | None:
-    """Does the stack have the parts that the framework takes?"""
-    facts = matrix.frameworks[framework]
+def _content_reason(matrix: Matrix, framework: str, stack: str | None, addon: str = "") -> str | None:
+    """Does the stack have the parts that the framework and the add-on take?"""
+    facts = matrix.carrying(framework, addon)
     if stack is None or not facts.parts:
         return _pairing(framework, facts, stack)
     return (
         _accelerator(framework, facts, stack, matrix.stacks[stack])
         or _parts(matrix, framework, facts, stack)
+        or _addon_parts(matrix, addon, stack)
         or _releases(matrix, facts, stack)
         or _apart(matrix, framework, facts, stack)
     )
@@ -107,26 +110,28 @@ def _ros_archive(matrix: Matrix) -> RosArchive:
     return matrix.ros_archive
 
 
-def architectures(matrix: Matrix, distribution: str, framework: str, stack: str | None) -> tuple[str, ...]:
+def architectures(
+    matrix: Matrix, distribution: str, framework: str, stack: str | None, addon: str = ""
+) -> tuple[str, ...]:
     """Architectures with the same content: those of the distribution for which every release has a wheel."""
-    return _with_wheels(matrix, built_for(matrix, distribution), framework, stack)
+    return _with_wheels(matrix, built_for(matrix, distribution), matrix.carrying(framework, addon), stack)
 
 
 def joined_for(matrix: Matrix, framework: str, stack: str) -> tuple[str, ...]:
     """Architectures for which every release has a wheel, whatever a distribution is built for."""
-    return _with_wheels(matrix, tuple(matrix.architectures), framework, stack)
+    return _with_wheels(matrix, tuple(matrix.architectures), matrix.frameworks[framework], stack)
 
 
-def _with_wheels(matrix: Matrix, among: Sequence[str], framework: str, stack: str | None) -> tuple[str, ...]:
+def _with_wheels(matrix: Matrix, among: Sequence[str], framework: Framework, stack: str | None) -> tuple[str, ...]:
     allowed = set(among)
     if stack is not None:
-        for _, wheels in _available(matrix, matrix.frameworks[framework], stack):
+        for _, wheels in _available(matrix, framework, stack):
             allowed &= set(wheels)
     return tuple(name for name in matrix.architectures if name in allowed)
 
 
 def architecture_reason(
-    matrix: Matrix, distribution: str, framework: str, stack: str | None, architecture: str
+    matrix: Matrix, distribution: str, framework: str, stack: str | None, architecture: str, addon: str = ""
 ) -> str | None:
     """Why an image that exists leaves out an architecture."""
     os = matrix.distributions[distribution].os
@@ -134,7 +139,7 @@ def architecture_reason(
         return f"images of {os} are built for {listed(matrix.operating_systems[os].architectures)} only"
     if architecture not in built_for(matrix, distribution):
         return f"{distribution} exists for {listed(built_for(matrix, distribution))} only"
-    for what, wheels in _available(matrix, matrix.frameworks[framework], stack) if stack else ():
+    for what, wheels in _available(matrix, matrix.carrying(framework, addon), stack) if stack else ():
         if architecture not in wheels:
             return f"{what} has {stack} wheels for {listed(wheels)} only"
     return None
@@ -217,6 +222,16 @@ def frameworks(matrix: Matrix, stack: str) -> dict[str, tuple[str, ...]]:
     }
 
 
+def addons(matrix: Matrix, stack: str) -> dict[str, tuple[str, ...]]:
+    """The parts of every add-on that a stack can carry, with those that they need."""
+    bare = plain(matrix)
+    return {
+        name: parts(matrix, matrix.carrying(bare, name), matrix.stacks[stack])
+        for name in matrix.addons
+        if _content_reason(matrix, bare, stack, name) is None
+    }
+
+
 def families(matrix: Matrix, framework: Framework) -> tuple[str, ...]:
     """The names of releases that a framework's parts have, in the order in which parts are joined."""
     released = {matrix.part[part].release for part in framework.parts}
@@ -275,6 +290,12 @@ def _accelerator(name: str, framework: Framework, stack: str, facts: Stack) -> s
 def _parts(matrix: Matrix, name: str, framework: Framework, stack: str) -> str | None:
     found = parts(matrix, framework, matrix.stacks[stack])
     return None if found else f"stack {stack} has nothing that framework {name} takes"
+
+
+def _addon_parts(matrix: Matrix, addon: str, stack: str) -> str | None:
+    own = matrix.addons[addon].parts if addon else ()
+    lacking = [name for name in own if matrix.part[name].accelerator not in (None, matrix.stacks[stack].accelerator)]
+    return f"stack {stack} has no {listed(lacking)}, which add-on {addon} takes" if lacking else None
 
 
 def _releases(matrix: Matrix, framework: Framework, stack: str) -> str | None:

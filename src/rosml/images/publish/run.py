@@ -225,7 +225,7 @@ class Run:
         Args:
             before: how many outcomes there were before; these stay as they are.
         """
-        order = {thing.target: number for number, thing in enumerate(self.state.things())}
+        order = {item.target: number for number, item in enumerate(self.state.items)}
         self.outcomes[before:] = sorted(self.outcomes[before:], key=lambda outcome: order[outcome.target])
 
 

@@ -470,8 +470,9 @@ class State:
         )
 
     def things(self) -> tuple[Image | Part, ...]:
-        """Images and parts that get an index: the requested ones, and those below them."""
-        return tuple({item.target: item.thing for item in self.items}.values())
+        """Images and parts that get an index: the requested ones, and those below them. An image without tags only tests."""
+        things = {item.target: item.thing for item in self.items}.values()
+        return tuple(thing for thing in things if isinstance(thing, Part) or thing.tags)
 
     def index_of(self, thing: Image | Part) -> Entry | None:
         """The entry of the index of an image or part."""
