@@ -3,7 +3,7 @@
 
     add_part.py REGISTRY/REPOSITORY:NAME ROOT
 
-The labels of a part say what it needs: its framework's parts that are joined before it. Nothing but the registry is asked. What
+The labels of a part say what it needs: the parts of its add-on or framework that are joined before it. Nothing but the registry is asked. What
 it sends for a digest is compared with that digest: manifests, configs and layers. What a name stands for is the registry's word.
 It may ask for a token, as public registries do of everybody; a password it cannot be given.
 """
@@ -138,11 +138,12 @@ class Part:
         self.labels: dict[str, str] = config.get("config", {}).get("Labels") or {}
 
     def needed(self) -> list[str]:
-        """The names of this part and of those before it, of the smallest framework that has it."""
+        """The names of this part and of those before it, of its add-on or else of the smallest framework that has it."""
         labels = self.labels
         kind, stack, python = (labels.get(PREFIX + name, "") for name in ("part", "stack", "python"))
-        frameworks = [item.partition("=")[2].split(",") for item in labels.get(f"{PREFIX}frameworks", "").split()]
-        parts = next((parts for parts in frameworks if kind in [part.rstrip("*") for part in parts]), None)
+        told = f"{labels.get(f'{PREFIX}addons', '')} {labels.get(f'{PREFIX}frameworks', '')}"
+        combinations = [item.partition("=")[2].split(",") for item in told.split()]
+        parts = next((parts for parts in combinations if kind in [part.rstrip("*") for part in parts]), None)
         if not parts:
             fail(f"{self._repository.name}:{self.name} is no part", "name one, such as part:torch-cu130-py312")
         names = []

@@ -39,7 +39,8 @@ def layer(name: str) -> bytes:
 
 
 def put(client: Registry, name: str, python: str, architecture: str = ARCHITECTURE) -> None:
-    labels = {"part": name.partition("-")[0], "stack": "cu130", "python": python, "frameworks": FRAMEWORKS}
+    labels = {"part": name.partition("-")[0], "stack": "cu130", "python": python}
+    labels |= {"addons": "onnx=cuda*,common,onnx"} if name.startswith("onnx") else {"frameworks": FRAMEWORKS}
     config = oci.encoded({"config": {"Labels": {f"io.rosml.{key}": value for key, value in labels.items()}}})
     content = layer(name)
     for blob in (config, content):
@@ -62,7 +63,7 @@ def registry() -> Iterator[StandIn]:
     with standing_in() as found:
         with Registry(found.address) as client:
             put(client, "cuda-cu130", "any")
-            for name in ("common", "torch", "tensorflow"):
+            for name in ("common", "torch", "tensorflow", "onnx"):
                 put(client, f"{name}-cu130-py{SHORT}", PYTHON)
             put(client, "torch-cu130-py27", "2.7")
             put(client, "torch-cu130-other", PYTHON, "riscv64")
@@ -72,6 +73,13 @@ def registry() -> Iterator[StandIn]:
 def add(reference: str, root: Path) -> subprocess.CompletedProcess[str]:
     command = [sys.executable, str(FEATURE / "add_part.py"), reference, str(root)]
     return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+def test_an_addon_comes_with_what_it_needs(registry: StandIn, tmp_path: Path) -> None:
+    done = add(f"{registry.address}/me/part:onnx-cu130-py{SHORT}", tmp_path)
+    assert done.returncode == 0, done.stderr
+    names = {path.name for path in (tmp_path / "opt").iterdir()}
+    assert names == {"cuda-cu130", f"common-cu130-py{SHORT}", f"onnx-cu130-py{SHORT}", "last"}
 
 
 def test_a_part_comes_with_what_it_needs(registry: StandIn, tmp_path: Path) -> None:
