@@ -113,12 +113,35 @@ def why_not(image_set: ImageSet, name: str) -> str | None:
     for wanted in _readings(image_set.matrix, name):
         if sentence := _reason(image_set, name, wanted):
             return sentence
+    if sentence := _with_addon(image_set.matrix, name):
+        return sentence
     for matrix in filter(None, (image_set.matrix, image_set.base)):
         meant = _in_our_words(matrix, name)
         if meant != name and (image_set.by_target.get(meant) or image_set.by_tag(meant)):
             return f"{name} is called {meant}."
         if meant != name and (sentence := why_not(image_set, meant)):
             return sentence
+    return None
+
+
+def _with_addon(matrix: Matrix, name: str) -> str | None:
+    """Why there is no image with an add-on: the stack cannot have it, or it is joined to an image; None if the name has no add-on."""
+    for addon in matrix.addons:
+        short = re.sub(rf"-{addon}(?=-|:|$)", "", name)
+        bare = re.sub(rf"(?<=-){addon}-(?={'|'.join(matrix.stacks)}$)", f"{rules.plain(matrix)}-", name)
+        for wanted in (item for text in (short, bare) if text != name for item in _readings(matrix, text)):
+            row, component, framework, stack = wanted.distribution, wanted.component, wanted.framework, wanted.stack
+            if reason := rules.component_reason(matrix, row, component):
+                return f"{name} does not exist: {reason}."
+            stacks = [stack] if stack else [*matrix.stacks]
+            reasons = {item: rules.stack_reason(matrix, row, framework, item, addon) for item in stacks}
+            if not (there := [item for item, reason in reasons.items() if reason is None]):
+                why = "; ".join(dict.fromkeys(reason for reason in reasons.values() if reason))
+                return f"{name} does not exist: {why}."
+            facts = matrix.frameworks[framework]
+            base = f"{facts.repository}:{names.main_tag(row, component, there[0] if facts.parts else None)}"
+            called = addon if facts.parts else f"{addon}-{there[0]}"
+            return f"{name} has no tag: {addon} is an add-on; take {base}, and --addons {called}, or join its parts: rosml join --help."
     return None
 
 

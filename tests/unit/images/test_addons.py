@@ -1,0 +1,135 @@
+"""Add-ons in the image set and in a publishing run: images without tags test them, and a few get tags. Joins: test_join.py."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from conftest import SMALLER, changed, parse, write_locks
+from memory_registry import NEXT, Publisher, publisher, steps
+from stubs import services
+
+from rosml.base.errors import RosmlError
+from rosml.images.image_set import explain, locked
+from rosml.images.image_set.model import ImageSet
+
+ENTRY = "addons:\n  extra: {parts: [extra], beside: [torch], tags: {distributions: [alpha], components: [base], stacks: [cu1]}}\n"
+MATRIX = SMALLER
+for before, after in (
+    ("\nreleases:\n", f"\n{ENTRY}releases:\n  extra:\n    1.5.0: {{python: ['3.12', '3.14'], wheels: {{cu1: [amd64], cpu: [amd64, arm64]}}}}\n"),
+    ("cudnn: 9.10.2.21, releases: {torch: 2.10.0,", "cudnn: 9.10.2.21, releases: {extra: 1.5.0, torch: 2.10.0,"),
+    ("      {torch: 2.10.0, tensorflow: 2.20.0}", "      {extra: 1.5.0, torch: 2.10.0, tensorflow: 2.20.0}"),
+    ("      tensorflow: {unpacked: 500, compressed: 50}", "      tensorflow: {unpacked: 500, compressed: 50}\n      extra: {unpacked: 1, compressed: 1}"),
+    ("      tensorflow: {unpacked: 100, compressed: 10}", "      tensorflow: {unpacked: 100, compressed: 10}\n      extra: {unpacked: 1, compressed: 1}"),
+):  # fmt: skip
+    MATRIX = changed(before, after, MATRIX)
+MATRIX += "  - {name: extra, title: Extra, release: extra, needs: [common], slot: 4}\n"
+
+TRIALS = {"alpha-core-extra-cu1", "alpha-core-torch-extra-cu1", "alpha-core-extra-cpu", "alpha-core-torch-extra-cpu",
+          "omega-core-extra-cu1", "omega-core-torch-extra-cu1", "omega-core-extra-cpu",
+          "omega-core-torch-extra-cpu"}  # fmt: skip
+
+
+@pytest.fixture
+def image_set(project: Path) -> ImageSet:
+    for name in ("components/extra/prune.txt", "tests/structure/extra.yaml"):
+        (project / name).parent.mkdir(exist_ok=True)
+        (project / name).write_text("schemaVersion: 2.0.0\n")
+    found = parse(MATRIX)
+    write_locks(project, found)
+    for lock in (project / "locks").rglob("extra.txt"):
+        lock.write_text(lock.read_text().replace("torch==2.10.0", "extra==1.5.0"))
+    return locked.with_locks(found, locked.current_locks(found, project))
+
+
+@pytest.fixture
+def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Publisher:
+    return publisher(project, services(project), monkeypatch)
+
+
+def test_each_stack_and_python_is_tested_on_the_lowest_component(image_set: ImageSet) -> None:
+    images = {image.target: image for image in image_set.images if image.addons}
+    assert {*images} == TRIALS | {"alpha-base-extra-cu1"}
+    assert {target for target, image in images.items() if not image.tags} == TRIALS
+    assert images["alpha-core-extra-cpu"].architectures == ("amd64", "arm64")
+    assert images["alpha-core-torch-extra-cpu"].architectures == ("arm64",), "as the framework has wheels"
+    assert {image.groups for image in images.values() if not image.tags} == {("extra",)}
+    tagged = images["alpha-base-extra-cu1"]
+    assert tagged.tags == (
+        "ros-extra:alpha-base-cu1",
+        "ros-extra:alpha-base-cu1-extra1.5.0",
+        "ros-extra:alpha",
+        "ros-extra:latest",
+    )
+    assert tagged.carriers == ("alpha-core-extra-cu1",)
+    without = parse(SMALLER)
+    for image in without.images:
+        assert image_set.by_target[image.target] == image, "nothing else changes"
+
+
+def test_images_that_only_test_get_no_tag_and_no_index(registry: Publisher, image_set: ImageSet) -> None:
+    run = registry.publish(image_set)
+    assert not run.failed
+    registry.check(image_set)
+    assert {target for target, _ in steps(run, "test")} >= TRIALS
+    assert registry.tagged("ros-extra").keys() >= {"alpha-base-cu1", "latest"}
+    assert not [tag for tag in registry.tagged("ros-extra") if "core" in tag]
+    assert registry.tagged("ros-torch-extra") == {}
+    assert {"extra-cu1-py312", "extra-cpu-py314"} <= registry.tagged("part").keys()
+    before = registry.registry.writes
+    again = registry.publish(image_set, date=NEXT)
+    assert (again.made, again.outcomes, registry.registry.writes) == ([], [], before)
+
+
+def test_a_part_whose_test_failed_gets_no_tag(registry: Publisher, image_set: ImageSet) -> None:
+    poisoned = {"omega-core-extra-cpu", "omega-core-torch-extra-cpu"}
+    run = registry.publish(image_set, poisoned=poisoned)
+    assert run.failed
+    assert "extra-cpu-py312" in registry.tagged("part") and "extra-cpu-py314" not in registry.tagged("part")
+
+
+def test_who_asks_for_the_addon_alone_gets_its_tests(registry: Publisher, image_set: ImageSet) -> None:
+    run = registry.publish(image_set, only=["extra"])
+    assert not run.failed and {"extra-cu1-py312", "extra-cpu-py312"} <= registry.tagged("part").keys()
+
+
+def test_it_is_explained(image_set: ImageSet) -> None:
+    assert "tags: none; it tests extra" in explain.explained(image_set, "alpha-core-torch-extra-cpu").reasons
+    told = {
+        "alpha-robot-extra-cu1": "alpha (ROS 2) has no robot metapackage",
+        "alpha-base-torch-extra-cu1": "extra is an add-on; take ros-torch:alpha-base-cu1, and --addons extra, or join",
+        "alpha-base-extra-cpu": "take ros:alpha-base, and --addons extra-cpu",
+        "ros-extra:omega-base-cpu": "take ros:omega-base, and --addons extra-cpu",
+        "omega-base-ml-extra-cu1": "no release of tensorflow has a wheel for Python 3.14",
+    }
+    for name, words in told.items():
+        assert words in (explain.why_not(image_set, name) or ""), name
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ("parts: [extra]", "parts: [torch]", "addons.extra.parts: none of its parts is called extra"),
+        ("parts: [extra]", "parts: [extra, torsh]", "no part named 'torsh'; did you mean 'torch'?"),
+        ("beside: [torch]", "beside: [torsh]", "no framework named 'torsh'; did you mean 'torch'?"),
+        ("distributions: [alpha]", "distributions: [alfa]", "no distribution named 'alfa'; did you mean 'alpha'?"),
+        (
+            ENTRY,
+            ENTRY + "  torch: {parts: [torch, extra]}\n",
+            "extra is a part of add-on extra; remove it here, or there",
+        ),
+    ],
+)
+def test_a_mistake_is_told(old: str, new: str, says: str) -> None:
+    with pytest.raises(RosmlError) as caught:
+        parse(changed(old, new, MATRIX))
+    assert says in str(caught.value)
+
+
+def test_parts_come_after_those_of_frameworks() -> None:
+    *others, last = MATRIX.rstrip().split("\n")
+    first = next(number for number, line in enumerate(others) if line.startswith("  - {name: torch"))
+    with pytest.raises(
+        RosmlError, match="extra comes before torch in 'parts', which framework torch takes; move it behind"
+    ):
+        parse("\n".join([*others[:first], last, *others[first:], ""]))
