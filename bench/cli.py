@@ -32,7 +32,10 @@ def main(target: str, only_start: bool, only_fleet: bool, apps: int) -> None:
         click.echo(f"rosml run takes {start.seconds():.3f} s longer than docker run (median of {start.ROUNDS})")
         return
     if only_fleet:
-        fleet.print_table(*fleet.measure(Services.load(ROOT), apps, _say))
+        found, again = fleet.measure(Services.load(ROOT), apps, _say)
+        fleet.print_table(found, again)
+        if found.beyond:
+            raise SystemExit(f"error: one app took {'; '.join(found.beyond)}")
         return
     image_set = load.load(ROOT / "matrix.yaml", ROOT)
     image = image_set.image(target or TARGET)

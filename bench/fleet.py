@@ -28,6 +28,7 @@ from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME
 from rosml.containerize.rebase import image
 from rosml.containerize.rebase.fleet import Entry, Fleet
 from rosml.containerize.rebase.rebaser import Rebaser
+from rosml.containerize.rebase.trial import Pair, Trial
 from rosml.images.image_set.labels import TITLE
 from rosml.images.join import facts, file_lists
 from rosml.images.join.layers import Joined, Source
@@ -39,6 +40,8 @@ from rosml.registry.client import Registries, Registry
 NAMESPACE = "bench-fleet"
 BASE = "rosml/ros:ros1-bookworm-core"
 APPS, KINDS, BASES = 1000, 20, 10
+SECONDS, BYTES, LINKED = 1.0, 20_000, 20.0
+"""What one app alone may take: to move by the facts, what is sent for it, and with the link check in the builder."""
 LISTS = ((file_lists.ARTIFACT, file_lists.MEDIA_TYPE), (facts.ARTIFACT, facts.MEDIA_TYPE))
 
 
@@ -51,6 +54,7 @@ class Result:
         seconds: wall time of the whole run.
         uploaded: bytes sent. requests: to the registry.
         one: seconds, bytes and requests of one app alone, with an empty cache.
+        linked: seconds of its link check in the builder.
     """
 
     states: Mapping[str, int]
@@ -58,6 +62,14 @@ class Result:
     uploaded: int
     requests: int
     one: tuple[float, int, int]
+    linked: float
+
+    @property
+    def beyond(self) -> list[str]:
+        """What took more than it may."""
+        limits = (("seconds", self.one[0], SECONDS), ("bytes", self.one[1], BYTES),
+                  ("seconds with the link check", self.one[0] + self.linked, LINKED))  # fmt: skip
+        return [f"{found:.1f} {what}, and at most {limit}" for what, found, limit in limits if found > limit]
 
 
 def print_table(found: Result, again: float) -> None:
@@ -68,6 +80,7 @@ def print_table(found: Result, again: float) -> None:
     made.add_row("for each app", duration(found.seconds / count), duration(found.one[0]))
     made.add_row("sent for each app", size(found.uploaded // count), size(found.one[1]))
     made.add_row("requests for each app", f"{found.requests / count:.0f}", str(found.one[2]))
+    made.add_row("and linked in the builder", "", duration(found.one[0] + found.linked))
     if again:
         made.add_row("rosml containerize, on the new base image", "", duration(again))
     show(made)
@@ -162,9 +175,11 @@ class Bench:
                     self._base(transfer, registry, core, number, "tonight")
             self.say("move one")
             one = self._moved(registries, names[:1])
+            self.say("link one")
+            linked = self._linked(registries, names[0], app.platform)
             self.say("move all")
             states, seconds, uploaded, requests = self._moved(registries, names[1:])
-            return Result(states, seconds, uploaded, requests, one[1:])
+            return Result(states, seconds, uploaded, requests, one[1:], linked)
 
     def _moved(self, registries: Registries, names: list[str]) -> tuple[dict[str, int], float, int, int]:
         counting, started = Counting(), time.monotonic()
@@ -183,6 +198,14 @@ class Bench:
                     (references.parse(item.app).repository, name) for name in item.rebased.manifests.values()
                 )
         return states, seconds, sum(item.rebased.uploaded for item in found if item.rebased), counting.requests
+
+    def _linked(self, registries: Registries, name: str, platform: str) -> float:
+        """Seconds in which the builder links a moved app."""
+        registry = registries(self.services.registry)
+        new = f"{registry.host}/{name}@{registry.head(name, 'latest')}"
+        started = time.monotonic()
+        Trial(self.services, f"{NAMESPACE}/linked").link({platform: Pair(new, self.app)})
+        return time.monotonic() - started
 
     def _base(self, transfer: Transfer, registry: Registry, core: Source, number: int, night: str) -> str:
         """Puts a base image with one more layer, under a tag that moves."""
