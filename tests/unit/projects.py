@@ -24,7 +24,13 @@ def copy(folder: Path) -> Path:
         shutil.copytree(ROOT / name, folder / name, copy_function=shutil.copy)
     for name in ("docs", "tools"):
         (folder / name).mkdir()
-    for name in ("Dockerfile", "docs/tags.md", "tools/requirements.txt", "tools/structure-test.txt"):
+    for name in (
+        "Dockerfile",
+        "docs/tags.md",
+        "docs/licences.md",
+        "tools/requirements.txt",
+        "tools/structure-test.txt",
+    ):
         shutil.copy(ROOT / name, folder / name)
     lock = folder / LOCK
     lock.parent.mkdir(parents=True)
@@ -47,7 +53,14 @@ def copy_for_generator(folder: Path) -> Path:
     ):
         shutil.copy(ROOT / name, folder)
     shutil.copy(ROOT / "catalogue.schema.json", folder)
-    for name in ("docs/tags.md", "docs/images/layers.svg", "docs/images/rebase.svg", *page.PAGES, *ci_files.FILES):
+    for name in (
+        "docs/tags.md",
+        "docs/licences.md",
+        "docs/images/layers.svg",
+        "docs/images/rebase.svg",
+        *page.PAGES,
+        *ci_files.FILES,
+    ):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, folder / name)
     return folder

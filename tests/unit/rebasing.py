@@ -174,9 +174,11 @@ class Place:
         tag: str = "core",
         said: Mapping[str, Any] | None = BASE_FACTS,
         platforms: Sequence[str] = BOTH,
+        labels: Mapping[str, str] | None = None,
         **more: Any,
     ) -> str:
         made = ros(salt=tag, **more)
+        made = replace(made, labels={**made.labels, **(labels or {})})
         reference = made.put(self.registry, "rosml/ros", tag, platforms)
         found = self.registry.manifest("rosml/ros", tag)
         assert found

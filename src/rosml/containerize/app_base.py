@@ -7,7 +7,7 @@ import posixpath
 import re
 import subprocess
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from pydantic import BaseModel, TypeAdapter
 
@@ -18,7 +18,8 @@ from rosml.base.problems import unknown
 from rosml.containerize import lock
 from rosml.images.builds import base_images
 from rosml.images.builds.adopted import Adopted
-from rosml.images.image_set.labels import PREFIX, RUNTIME, VERSION
+from rosml.images.image_set import restricted
+from rosml.images.image_set.labels import PREFIX, RESTRICTED, RUNTIME, VERSION
 from rosml.images.image_set.load import load
 from rosml.images.matrix.names import DATED, main_tag
 from rosml.machine.services import NAMESPACE, Services
@@ -275,7 +276,9 @@ def _read(registry: Registry, place: references.Reference, found: oci.Manifest, 
         text = f"{place} is not for {', '.join(missing)}" if missing else f"{place} has no image for any platform"
         raise RosmlError(text, "name another base image, or other platforms", exit_code=2)
     config = configs[platforms[0]] if platforms else next(iter(configs.values()))
-    return _base(str(place), found.digest, config.facts.config)
+    base = _base(str(place), found.digest, config.facts.config)
+    held = {name: "" for known in configs.values() for name in restricted.named(known.labels)}
+    return replace(base, labels={**base.labels, RESTRICTED: " ".join(held)}) if held else base
 
 
 def require_kept(

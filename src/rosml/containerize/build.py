@@ -39,6 +39,7 @@ from rosml.containerize.left_out import LeftOut
 from rosml.containerize.names import SLIM, Names
 from rosml.containerize.outcome import Outcome
 from rosml.containerize.stage_cache import IDENTIFIED
+from rosml.images.image_set import restricted
 from rosml.images.image_set.system import CALLED, DEBIAN
 from rosml.machine import buildx, git
 from rosml.machine.services import Services
@@ -236,6 +237,7 @@ class App:
         slim = self._slim(base, locked)
         base = self._with_addons(base, locked)
         slim = slim and self._with_addons(slim, locked)
+        self._require_allowed(base, slim)
         inputs = self._inputs(base, slim, locked)
         with contextlib.ExitStack() as stack:
             cache = None
@@ -434,6 +436,22 @@ class App:
         if parts:
             self._say(f"{base.name} with {', '.join(name.rpartition('/')[2] for name in parts)}")
         return found
+
+    def _require_allowed(self, *bases: app_base.Base | None) -> None:
+        """Checks that base images may go to the registries of the app and of its cache: they may have restricted parts.
+
+        Raises:
+            RosmlError: one may not (exit code 2).
+        """
+        targets = () if self._names.loads else self._names.targets
+        places = {tag for target in targets for tag in self._names.tags(target)} | {*filter(None, [self._values.cache])}
+        declared = functools.cache(restricted.of_this_machine)
+        for base in filter(None, bases):
+            for place in map(references.parse, sorted(places)):
+                if parts := restricted.named({**base.labels, **(base.addons.labels if base.addons else {})}):
+                    told = restricted.require(parts, base.name, place.host, place.repository, declared())
+                    if told:
+                        self._say(told)
 
     def _slim(self, base: app_base.Base, locked: lock.Lock | None) -> app_base.Base | None:
         """The base image of the slim image; None if there is to be no slim image, or if none belongs to the base image."""

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from rosml.images.publish.run import Run
     from rosml.images.publish.state import State
     from rosml.machine.services import Services
+    from rosml.registry.place import Place
 
 KEPT = "interrupted: no tag points at what is not finished; what was finished is kept, the next call carries on"
 """The message after Ctrl-C."""
@@ -208,6 +209,7 @@ class Call:
         if not self.registry:
             services.require_registry()
         place = Place.at(self.registry or services.place, services.ca_bundle)
+        self.only = self._allowed(place, reading)
         date = self.date or clock.now()
         if not self.force:
             clock.require_not_ahead(date, clock.now())
@@ -228,6 +230,35 @@ class Call:
         for remark in found.remarks:
             say(remark)
         return found
+
+    def _allowed(self, place: Place, reading: bool) -> tuple[str, ...]:
+        """The images to work on: without those whose restricted parts may not go to the registry, unless they were named.
+
+        Raises:
+            RosmlError: one that was named may not go there (exit code 2).
+        """
+        from rosml.base.errors import RosmlError
+        from rosml.base.problems import counted
+        from rosml.images.image_set import restricted, selection
+
+        declared, left, told = restricted.Declared.of(self.image_set.matrix), set[str](), ""
+        selected = selection.select(self.image_set, self.only)
+        for image in selected:
+            kinds = [self.image_set.part_by_name[name].kind for name in image.parts]
+            parts = restricted.of(self.image_set.matrix, kinds)
+            try:
+                told = told or restricted.require(parts, image.target, place.client.host, place.prefix, declared)
+            except RosmlError:
+                if not reading and (self.only or len(left) + 1 == len(selected)):
+                    raise
+                left.add(image.target)
+        if told:
+            say(told)
+        if not left or self.only:
+            return self.only
+        many = counted(len(left), "image")
+        say(f"left out, because their restricted parts may not go to {place}: {many}; {restricted.PAGE}")
+        return tuple(image.target for image in selected if image.target not in left)
 
     def run(self) -> Run:
         """The requested run. It has done nothing yet."""

@@ -71,6 +71,7 @@ def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
         ROOT / "matrix.schema.json": schema.render(),
         ROOT / "catalogue.schema.json": schema.render(Published, "src/rosml/images/catalogue/model.py", read=True),
         ROOT / "docs/tags.md": tags_page.render(files.text(ROOT / "docs/tags.md"), image_set),
+        ROOT / "docs/licences.md": tags_page.render_licences(files.text(ROOT / "docs/licences.md"), image_set),
         ROOT / "docs/images/layers.svg": layers_picture.render(image_set),
         ROOT / "docs/images/rebase.svg": layers_picture.render_rebase(image_set),
         **{ROOT / path: page.render(path, files.text(ROOT / path)) for path in page.PAGES},

@@ -165,7 +165,7 @@ class Rebaser:
     _digests: dict[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self._transfer = Transfer(self.registries)
+        self._transfer = Transfer(self.registries, self.say)
         self._contents = Contents(self._transfer)
 
     def __enter__(self) -> Rebaser:
@@ -218,6 +218,7 @@ class Rebaser:
             images[name] = image.moved(source, below, self._labels(source, onto, parts) | dict(more))
             if joined:
                 images[name] = replace(images[name], layers=(*joined.layers, images[name].layers[-1]))
+            self._transfer.require_allowed(images[name].labels, str(target), target)
             bases[name] = self._judge(source, below, (str(place), *parts.values()), name, judgement)
         _require_no_build(judgement, str(where), found)
         if manifest.is_index:

@@ -22,6 +22,9 @@ EPOCH = "1767225600"
 PROXIES = ("HTTP_PROXY", "HTTPS_PROXY", "NO_PROXY")
 """The caller's network settings for build steps."""
 
+LICENCE = "Apache-2.0"
+"""The licence of rosml's own files in ROS images. Packages of the system have theirs in /usr/share/doc."""
+
 CONTENTS = "contents"
 """The target that describes the content of its context `described`."""
 
@@ -255,8 +258,10 @@ def _joined(image_set: ImageSet, image: Image) -> Target:
 def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
     variable = names.os_variable(image.os)
     distribution = matrix.distributions[image.distribution]
+    stack = matrix.stacks[image.stack] if image.stack else None
+    kinds = rules.parts(matrix, matrix.carrying(image.framework, *image.addons), stack) if stack else ()
     found: dict[str, Value] = {
-        f"{labels.OCI}licenses": "Apache-2.0",
+        **labels.licensed([matrix.part[name] for name in kinds], LICENCE),
         labels.REVISION: NoInput("variable", "REVISION"),
         f"{labels.OCI}created": NoInput("created", "SOURCE_DATE_EPOCH"),
         f"{labels.OCI}base.name": NoInput("base name", variable),

@@ -22,6 +22,7 @@ from rosml.images.builds.push import push_by_digest, write_excerpt
 from rosml.images.builds.variables import base, variables
 from rosml.images.image_set import missing
 from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
+from rosml.images.image_set.restricted import Declared
 from rosml.images.join.joiner import Joiner
 from rosml.machine import buildx
 from rosml.machine.services import Services
@@ -258,7 +259,8 @@ class BuildKitMaker:
     @cached_property
     def _joiner(self) -> Joiner:
         """Joins images. It reads each part once."""
-        return Joiner(lambda _: self.place.client, say=self.say)
+        declared = Declared.of(self.image_set.matrix)
+        return Joiner(lambda _: self.place.client, say=self.say, declared=lambda: declared)
 
     @cached_property
     def _repositories(self) -> dict[str, str]:

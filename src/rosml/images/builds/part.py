@@ -16,11 +16,14 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, unknown
 from rosml.images.builds import base_images
 from rosml.images.builds.push import push_by_digest, write_excerpt
+from rosml.images.image_set import restricted
 from rosml.images.image_set.model import ImageSet, Part
+from rosml.images.image_set.restricted import Declared
 from rosml.images.matrix import names
 from rosml.images.matrix.model import ANY_PYTHON
 from rosml.machine import buildx, regctl
 from rosml.machine.services import NAMESPACE, Services
+from rosml.registry import references
 from rosml.registry.client import Registry
 
 
@@ -128,8 +131,13 @@ def push(
         The image that it was built on, and the digest of the index; of the manifest, if there is one platform.
 
     Raises:
-        RosmlError: the base image is not available, or the build failed.
+        RosmlError: the base image is not available, or the build failed; the part is restricted, and may not go there (exit code 2).
     """
+    place = references.parse(f"{prefix}/part")
+    kinds = restricted.of(image_set.matrix, [part.kind])
+    told = restricted.require(kinds, part.name, place.host, place.repository, Declared.of(image_set.matrix))
+    if told:
+        say(told)
     base = base_images.assembler(services, image_set.matrix.operating_systems, part.os, part.python)
     file = write_excerpt(services, image_set, part.target)
     sets = [

@@ -1,4 +1,4 @@
-"""Writes the tables of images into docs/tags.md, between two markers."""
+"""Writes the tables of images into docs/tags.md, and that of licences into docs/licences.md, between two markers each."""
 
 from __future__ import annotations
 
@@ -12,6 +12,8 @@ from rosml.images.matrix import rules
 
 BEGIN = "<!-- images: written by rosml generate -->"
 END = "<!-- /images -->"
+BEGIN_LICENCES = "<!-- licences: written by rosml generate -->"
+END_LICENCES = "<!-- /licences -->"
 
 
 def render(page: str, image_set: ImageSet) -> str:
@@ -20,11 +22,31 @@ def render(page: str, image_set: ImageSet) -> str:
     Raises:
         RosmlError: the markers are missing.
     """
-    head, begin, rest = page.partition(BEGIN)
-    _, end, tail = rest.partition(END)
-    if not begin or not end:
-        raise RosmlError(f"docs/tags.md: the markers {BEGIN} and {END} are missing", "put them back around the table")
-    return f"{head}{BEGIN}\n{tables(image_set)}{END}{tail}"
+    return _between("docs/tags.md", page, BEGIN, END, tables(image_set))
+
+
+def render_licences(page: str, image_set: ImageSet) -> str:
+    """The page with the licences of the parts of this image set.
+
+    Raises:
+        RosmlError: the markers are missing.
+    """
+    lines = ["| part | licence | it allows | goes to |", "| --- | --- | --- | --- |"]
+    for part in image_set.matrix.parts:
+        spdx, allows = (part.licence.spdx, part.licence.allows) if part.licence else ("not said", "")
+        named = f"[{spdx}]({part.licence.page})" if part.licence and part.licence.page else spdx
+        lines.append(
+            f"| `{part.name}` | {named} | {allows} | {'private registries' if part.restricted else 'any registry'} |"
+        )
+    return _between("docs/licences.md", page, BEGIN_LICENCES, END_LICENCES, "\n".join(lines) + "\n")
+
+
+def _between(name: str, page: str, begin: str, end: str, table: str) -> str:
+    head, before, rest = page.partition(begin)
+    _, after, tail = rest.partition(end)
+    if not before or not after:
+        raise RosmlError(f"{name}: the markers {begin} and {end} are missing", "put them back around the table")
+    return f"{head}{begin}\n{table}{end}{tail}"
 
 
 def tables(image_set: ImageSet) -> str:

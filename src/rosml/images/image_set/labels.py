@@ -20,6 +20,8 @@ VERSION = "org.opencontainers.image.version"
 SOURCE = "org.opencontainers.image.source"
 REVISION = "org.opencontainers.image.revision"
 
+LICENSES = "org.opencontainers.image.licenses"
+
 OCI = "org.opencontainers.image."
 """The prefix of labels that an index also has as annotations."""
 
@@ -50,6 +52,9 @@ PARTS = f"{PREFIX}parts"
 RELEASE = f"{PREFIX}release"
 """The label of a part with the name of its release."""
 
+
+RESTRICTED = f"{PREFIX}restricted"
+"""The label with the restricted parts of an image, or with the name of a part that is one."""
 
 COVERED = f"{PREFIX}sbom."
 """The prefix of an image's annotations in its index that name the SBOMs of its ROS image and parts, by repository and digest."""
@@ -106,6 +111,29 @@ def about_gpus(facts: Mapping[str, str]) -> dict[str, str]:
     return {GPU + name: value for name, value in facts.items()}
 
 
+def licensed(entries: Iterable[PartEntry], own: str = "") -> dict[str, str]:
+    """The labels about licences of a part, or of an image with parts.
+
+    Args:
+        own: the licences of the image without the parts.
+    """
+    known = list(entries)
+    spdx = [own, *(entry.licence.spdx for entry in known if entry.licence)]
+    return together(spdx, [entry.name for entry in known if entry.restricted])
+
+
+def together(licences: Iterable[str], restricted: Iterable[str]) -> dict[str, str]:
+    """The labels about licences of things that become one.
+
+    Args:
+        licences: SPDX expressions of these things; of a thing that says none, it is empty.
+        restricted: their restricted parts.
+    """
+    terms = (term.strip() for text in licences for term in (f"({text})" if " OR " in text else text).split(" AND "))
+    said = {LICENSES: " AND ".join(dict.fromkeys(filter(None, terms))), RESTRICTED: " ".join(dict.fromkeys(restricted))}
+    return {name: text for name, text in said.items() if text}
+
+
 def variable(name: str) -> str:
     """The beginning of variables about a part or a version."""
     return name.upper().replace("-", "_")
@@ -140,6 +168,7 @@ def of_part(
         **about_gpus(gpu or {}),
         **({BRINGS: called(brought)} if brought else {}),
         **({RELEASE: entry.release} if entry.release else {}),
+        **licensed([entry]),
         f"{PREFIX}frameworks": _combinations(frameworks),
         **({ADDONS: _combinations(addons)} if addons else {}),
     }

@@ -15,6 +15,8 @@ from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
+from rosml.images.image_set import restricted
+from rosml.images.image_set.restricted import Declared
 from rosml.images.join import facts, file_lists
 from rosml.images.join.file_lists import Files, Lists
 from rosml.images.join.layers import Joined, Source, join
@@ -56,15 +58,17 @@ class Joiner:
         *,
         allow_unlisted: bool = False,
         say: Callable[[str], None] = lambda _: None,
+        declared: Callable[[], Declared] = restricted.of_this_machine,
     ) -> None:
         """
         Args:
             registries: gives the client of a host.
             allow_unlisted: continue if an image has no list of files.
             say: prints a line for people.
+            declared: gives where restricted parts may go.
         """
         self.allow_unlisted = allow_unlisted
-        self._transfer = Transfer(registries)
+        self._transfer = Transfer(registries, say, declared)
         self._lists = Lists()
         self._say = say
 
@@ -102,6 +106,8 @@ class Joiner:
         result = JoinReport()
         members = [[item[name] for _, item in found] for name in wanted]
         images = [self._joined(sources, result) for sources in members]
+        for image in images:  # before the first one is pushed
+            self._transfer.require_allowed(image.labels, target, where)
         for image, sources in zip(images, members, strict=True):
             result.manifests[image.platform] = self._transfer.push(image, where.host, where.repository, result)
             self._attach(image, sources, where, result)

@@ -14,7 +14,7 @@ from typing import Any, NoReturn
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
-from rosml.images.image_set import labels
+from rosml.images.image_set import labels, restricted
 from rosml.images.matrix import names
 from rosml.images.matrix.model import ANY_PYTHON
 from rosml.images.matrix.rules import Brought
@@ -145,7 +145,7 @@ def join(ros: Source, parts: Sequence[Source]) -> Joined:
     content = _content(ros, parts)
     parts = sorted(parts, key=lambda item: content.order.index(item.labels[_PART]))
     brought = _brought(parts)
-    merged = _labels(ros, content, parts[0].labels[_STACK], brought) | _about_gpus(parts)
+    merged = _labels(ros, content, parts[0].labels[_STACK], brought) | _about_gpus(parts) | _licensed((ros, *parts))
     sources = (ros, *parts)
     facts = _config(ros, parts, brought, merged)
     config = oci.encoded(facts)
@@ -373,6 +373,12 @@ def _labels(ros: Source, content: _Content, stack: str, brought: Sequence[Brough
 def _about_gpus(parts: Sequence[Source]) -> dict[str, str]:
     """The parts' labels about GPUs, which the image gets."""
     return {name: value for part in parts for name, value in part.labels.items() if name.startswith(labels.GPU)}
+
+
+def _licensed(sources: Sequence[Source]) -> dict[str, str]:
+    """The labels about licences of an image of these sources."""
+    licences = [source.labels.get(labels.LICENSES, "") for source in sources]
+    return labels.together(licences, [name for source in sources for name in restricted.named(source.labels)])
 
 
 def _config(

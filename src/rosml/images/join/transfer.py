@@ -11,6 +11,9 @@ from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import near, some
+from rosml.images.image_set import restricted
+from rosml.images.image_set.labels import TITLE
+from rosml.images.image_set.restricted import Declared
 from rosml.images.join.layers import Joined, Source, platform
 from rosml.registry import oci, references
 from rosml.registry.client import Registry
@@ -54,8 +57,20 @@ class Transfer:
         registries: gives the client of a host.
     """
 
-    def __init__(self, registries: Callable[[str], Registry]) -> None:
+    def __init__(
+        self,
+        registries: Callable[[str], Registry],
+        say: Callable[[str], None] = lambda _: None,
+        declared: Callable[[], Declared] = restricted.of_this_machine,
+    ) -> None:
+        """
+        Args:
+            registries: gives the client of a host.
+            say: prints a line for people.
+            declared: gives where restricted parts may go.
+        """
         self.registries = registries
+        self._say, self._said, self._declared = say, set[str](), declared
         self.pool = ThreadPoolExecutor(THREADS)
         self._sources: dict[Reference, Source] = {}
         self._manifests: dict[Reference, oci.Manifest] = {}
@@ -149,6 +164,24 @@ class Transfer:
                 self._sources.setdefault(where, source)
         return self._sources[where]
 
+    def require_allowed(self, labels: Mapping[str, str], name: str, where: Reference) -> None:
+        """Checks that an image may go to a place: it may have restricted parts.
+
+        Args:
+            labels: of the image.
+            name: what people call it.
+
+        Raises:
+            RosmlError: it may not (exit code 2).
+        """
+        if parts := restricted.named(labels):
+            told = restricted.require(parts, name, where.host, where.repository, self._declared())
+            with self._lock:
+                new = told not in self._said
+                self._said.add(told)
+            if told and new:
+                self._say(told)
+
     def push(self, image: Joined, host: str, repository: str, result: Transferred) -> str:
         """Pushes an image by digest, without a tag: layers, then config, then manifest. Gives the digest.
 
@@ -156,8 +189,9 @@ class Transfer:
             result: its counters grow.
 
         Raises:
-            RosmlError: a registry does not answer or refuses.
+            RosmlError: a registry does not answer or refuses; the image has restricted parts, which may not go there (exit code 2).
         """
+        self.require_allowed(image.labels, image.labels.get(TITLE, repository), Reference(host, repository, ""))
         registry = self.registries(host)
         result.layers += len(image.layers)
         if registry.head(repository, image.digest):  # then all its layers are there, too

@@ -28,6 +28,7 @@ VERSION = r"^[0-9]+(\.[0-9A-Za-z]+)*$"
 GENERATION = r"^[1-9][0-9]*$"
 PYTHON = r"^3\.(0|[1-9][0-9]?)$"
 DIGEST = r"^sha256:[0-9a-f]{64}$"
+HOST = r"^[a-z0-9]([a-z0-9.-]*[a-z0-9])?(:[1-9][0-9]{0,4})?$"
 REFERENCE = r"^[a-z0-9]([a-z0-9.-]*[a-z0-9])?(:[1-9][0-9]{0,4})?(/[a-z0-9]+([._-]+[a-z0-9]+)*)*$"
 IMAGE = r"^[a-z0-9.-]+(:[0-9]+)?(/[a-z0-9._-]+)+:[A-Za-z0-9_][A-Za-z0-9._-]*$"
 URL = r"^https?://[^\s\"'$%{}\\]+$"
@@ -47,6 +48,7 @@ PINNED = r"^[A-Za-z0-9][A-Za-z0-9._-]*(\[[a-z0-9,_-]+\])?==[0-9][0-9A-Za-z.+]*$"
 PATTERN = r"^[a-z0-9*][a-z0-9*-]*$"
 CUDA_MAJOR = r"^[1-9][0-9]*$"
 SENTENCE = r"^[A-Za-z0-9][A-Za-z0-9 ,.;:()_+=<>-]*$"
+SPDX = r"^[A-Za-z0-9][A-Za-z0-9.+-]*( (AND|WITH) [A-Za-z0-9][A-Za-z0-9.+-]*)*$"
 PACKAGES = r"^[a-z0-9.+{}_-]+( [a-z0-9.+{}_-]+)*$"
 MEANING = {
     NAME: "a name of lower-case letters, digits and single hyphens, such as desktop-full",
@@ -54,6 +56,7 @@ MEANING = {
     VERSION: "a version, such as 2.10.0",
     PYTHON: 'a Python version of two numbers in quotes, such as "3.11"',
     DIGEST: "a digest: sha256: and 64 hexadecimal digits",
+    HOST: "the host of a registry, such as registry.example.com or registry.example.com:5000",
     REFERENCE: "a registry without https://, such as ghcr.io/owner or localhost:5000",
     IMAGE: "a full image name with its registry and tag, such as docker.io/library/debian:bookworm",
     URL: "an address, such as https://example.org/images",
@@ -68,6 +71,7 @@ MEANING = {
     PATTERN: "a Python package, or a pattern of packages, such as nvidia-*",
     CUDA_MAJOR: 'a generation of CUDA in quotes, such as "12"',
     SENTENCE: "a sentence without quotes",
+    SPDX: "licences by their SPDX names with AND between them, such as Apache-2.0 AND LicenseRef-NVIDIA-CUDA",
     REQUIREMENT: 'a Python requirement, such as "protobuf>=5.28,<7"',
     PINNED: "a Python package with its version, such as ros-jazzy-rclpy[fastrtps]==7.1.6",
     PACKAGES: "Debian package names separated by single spaces; {component}, {metapackage} and {ros_distro} are filled in",
@@ -200,6 +204,18 @@ class Component(Facts):
     )
 
 
+class Licence(Facts):
+    """The licence of what a part holds."""
+
+    spdx: Annotated[str, Field(pattern=SPDX, max_length=200)] = Field(
+        description="its SPDX names with AND between them; LicenseRef-NAME for one that SPDX does not have"
+    )
+    allows: Sentence = Field(description="what it allows, in a short sentence")
+    page: Annotated[str, Field(pattern=URL, max_length=200)] | None = Field(
+        default=None, description="the address of its text"
+    )
+
+
 class PartEntry(Facts):
     """A part: built once from locked inputs, and joined to many images."""
 
@@ -235,6 +251,17 @@ class PartEntry(Facts):
         default=False,
         description="whether it has more of them, in NAME-build, that run in one image of each distribution: they need a compiler, or take long",
     )
+
+    licence: Licence | None = Field(default=None, description="the licence of what it holds, for a label of its images")
+    distribution: Literal["free", "restricted"] = Field(
+        default="free",
+        description="restricted: it goes only to registries on this machine, to those in private, and to places in i_have_the_rights",
+    )
+
+    @property
+    def restricted(self) -> bool:
+        """Whether its licence keeps it out of public registries."""
+        return self.distribution == "restricted"
 
     @property
     def brings(self) -> tuple[str, ...]:
@@ -492,6 +519,13 @@ class Matrix(Facts):
     version: Annotated[Literal[1], BeforeValidator(only_whole)] = Field(description="version of this file's format")
     registry: Annotated[str, Field(pattern=REFERENCE)] = Field(
         description="where images live, unless the variable REGISTRY says otherwise"
+    )
+    private: tuple[Annotated[str, Field(pattern=HOST, max_length=255)], ...] = Field(
+        default=(), description="registries from which only your organization can pull: restricted parts may go there"
+    )
+    i_have_the_rights: tuple[Annotated[str, Field(pattern=REFERENCE, max_length=255)], ...] = Field(
+        default=(),
+        description="places in public registries, such as ghcr.io/me/robots, where the licences of restricted parts let you publish these",
     )
     source: Annotated[str, Field(pattern=URL)] | None = Field(
         default=None, description="the project's address, for the images' label"

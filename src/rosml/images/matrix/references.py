@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from fnmatch import fnmatchcase
 
 from rosml.base.problems import KeyPath, listed, near, unknown
-from rosml.images.matrix import names
+from rosml.images.matrix import names, registries
 from rosml.images.matrix.model import SLOTS, Distribution, Matrix, OperatingSystem, PartEntry, Release, Stack
 from rosml.images.matrix.rules import NVIDIA
 
@@ -22,6 +22,7 @@ def findings(matrix: Matrix) -> Iterator[Finding]:
     """Every problem that involves more than one place of the file."""
     for check in (
         _axes,
+        _registries,
         _default,
         _architectures,
         _operating_systems,
@@ -66,6 +67,17 @@ def _axes(matrix: Matrix) -> Iterator[Finding]:
                 )
             else:
                 taken[name] = f"by {axis}.{name}"
+
+
+def _registries(matrix: Matrix) -> Iterator[Finding]:
+    """Nobody declares a public registry private; what is published there for all is named with its path."""
+    for index, host in enumerate(matrix.private):
+        if registries.is_public(host):
+            text = f"{host} is a public registry; if you may publish restricted parts there, name the place in i_have_the_rights"
+            yield ("private", index), text
+    for index, place in enumerate(matrix.i_have_the_rights):
+        if "/" not in place:
+            yield ("i_have_the_rights", index), f"add the path in {place}: {place}/OWNER"
 
 
 def _architectures(matrix: Matrix) -> Iterator[Finding]:
