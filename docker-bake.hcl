@@ -262,7 +262,6 @@ target "_os-trixie-run" {
 target "_image" {
   inherits = ["_every"]
   labels = {
-    "org.opencontainers.image.licenses" = "Apache-2.0"
     "org.opencontainers.image.revision" = REVISION == "" ? null : REVISION
     "org.opencontainers.image.created"  = timeadd("1970-01-01T00:00:00Z", "${SOURCE_DATE_EPOCH}s")
   }
@@ -301,6 +300,7 @@ target "part-cuda-cu128" {
     "io.rosml.cudnn"                       = "9.10.2.21"
     "io.rosml.gpu.driver"                  = "525"
     "io.rosml.brings"                      = "cuda:cuda:CUDA cudnn::"
+    "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.frameworks"                  = "cuda=cuda* torch=cuda*,common,torch tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -334,6 +334,7 @@ target "part-cuda-cu130" {
     "io.rosml.cudnn"                       = "9.24.0.43"
     "io.rosml.gpu.driver"                  = "580"
     "io.rosml.brings"                      = "cuda:cuda:CUDA cudnn::"
+    "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.frameworks"                  = "cuda=cuda* torch=cuda*,common,torch"
   }
   tags = [
@@ -367,6 +368,7 @@ target "part-cuda-cu132" {
     "io.rosml.cudnn"                       = "9.26.0.51"
     "io.rosml.gpu.driver"                  = "580"
     "io.rosml.brings"                      = "cuda:cuda:CUDA cudnn::"
+    "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.frameworks"                  = "cuda=cuda* torch=cuda*,common,torch"
   }
   tags = [
@@ -400,6 +402,7 @@ target "part-cuda-cu121" {
     "io.rosml.cudnn"                       = "9.1.0.70"
     "io.rosml.gpu.driver"                  = "525"
     "io.rosml.brings"                      = "cuda:cuda:CUDA cudnn::"
+    "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.frameworks"                  = "cuda=cuda* torch=cuda*,common,torch"
   }
   tags = [
@@ -431,6 +434,7 @@ target "part-common-cu121-py38" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cu121"
     "io.rosml.python"                      = "3.8"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -465,6 +469,7 @@ target "part-torch-cu121-py38" {
     "io.rosml.gpu.torch.amd64"             = "sm_50 sm_60 sm_70 sm_75 sm_80 sm_86 sm_90"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -495,6 +500,7 @@ target "part-common-cpu38-py38" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cpu38"
     "io.rosml.python"                      = "3.8"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -528,6 +534,7 @@ target "part-torch-cpu38-py38" {
     "io.rosml.torch"                       = "2.4.1"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=common,torch"
   }
   tags = [
@@ -560,6 +567,7 @@ target "part-tensorflow-cc-cpu38" {
     "io.rosml.tensorflow"                  = "2.13.1"
     "io.rosml.brings"                      = "tensorflow::"
     "io.rosml.release"                     = "tensorflow"
+    "org.opencontainers.image.licenses"    = "Apache-2.0"
     "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -593,6 +601,7 @@ target "part-tensorflow-cpu38-py38" {
     "io.rosml.tensorflow"                  = "2.13.1"
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
     "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -624,6 +633,7 @@ target "part-common-cu128-py310" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.10"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -658,6 +668,7 @@ target "part-torch-cu128-py310" {
     "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -690,6 +701,7 @@ target "part-tensorflow-cc-cu128" {
     "io.rosml.tensorflow"                  = "2.20.0"
     "io.rosml.brings"                      = "tensorflow::"
     "io.rosml.release"                     = "tensorflow"
+    "org.opencontainers.image.licenses"    = "Apache-2.0"
     "io.rosml.frameworks"                  = "tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -724,6 +736,7 @@ target "part-tensorflow-cu128-py310" {
     "io.rosml.gpu.tensorflow.amd64"        = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
     "io.rosml.frameworks"                  = "tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -755,6 +768,7 @@ target "part-common-cu130-py310" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "3.10"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -790,6 +804,7 @@ target "part-torch-cu130-py310" {
     "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -820,6 +835,7 @@ target "part-common-cpu-py310" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cpu"
     "io.rosml.python"                      = "3.10"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -853,6 +869,7 @@ target "part-torch-cpu-py310" {
     "io.rosml.torch"                       = "2.10.0"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=common,torch ml=common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -885,6 +902,7 @@ target "part-tensorflow-cc-cpu" {
     "io.rosml.tensorflow"                  = "2.21.0"
     "io.rosml.brings"                      = "tensorflow::"
     "io.rosml.release"                     = "tensorflow"
+    "org.opencontainers.image.licenses"    = "Apache-2.0"
     "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -918,6 +936,7 @@ target "part-tensorflow-cpu-py310" {
     "io.rosml.tensorflow"                  = "2.21.0"
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
     "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -949,6 +968,7 @@ target "part-common-cu128-py312" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.12"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -983,6 +1003,7 @@ target "part-torch-cu128-py312" {
     "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -1017,6 +1038,7 @@ target "part-tensorflow-cu128-py312" {
     "io.rosml.gpu.tensorflow.amd64"        = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
     "io.rosml.frameworks"                  = "tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -1048,6 +1070,7 @@ target "part-common-cu130-py312" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "3.12"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -1083,6 +1106,7 @@ target "part-torch-cu130-py312" {
     "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -1114,6 +1138,7 @@ target "part-common-cu132-py312" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cu132"
     "io.rosml.python"                      = "3.12"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -1149,6 +1174,7 @@ target "part-torch-cu132-py312" {
     "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -1179,6 +1205,7 @@ target "part-common-cpu-py312" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cpu"
     "io.rosml.python"                      = "3.12"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -1212,6 +1239,7 @@ target "part-torch-cpu-py312" {
     "io.rosml.torch"                       = "2.10.0"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=common,torch ml=common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -1245,6 +1273,7 @@ target "part-tensorflow-cpu-py312" {
     "io.rosml.tensorflow"                  = "2.21.0"
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
     "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -1276,6 +1305,7 @@ target "part-common-cu128-py314" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.14"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -1310,6 +1340,7 @@ target "part-torch-cu128-py314" {
     "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -1341,6 +1372,7 @@ target "part-common-cu130-py314" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "3.14"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -1376,6 +1408,7 @@ target "part-torch-cu130-py314" {
     "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -1407,6 +1440,7 @@ target "part-common-cu132-py314" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cu132"
     "io.rosml.python"                      = "3.14"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -1442,6 +1476,7 @@ target "part-torch-cu132-py314" {
     "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -1472,6 +1507,7 @@ target "part-common-cpu-py314" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cpu"
     "io.rosml.python"                      = "3.14"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -1505,6 +1541,7 @@ target "part-torch-cpu-py314" {
     "io.rosml.torch"                       = "2.10.0"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=common,torch ml=common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -1536,6 +1573,7 @@ target "part-common-cu128-py311" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.11"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -1570,6 +1608,7 @@ target "part-torch-cu128-py311" {
     "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -1604,6 +1643,7 @@ target "part-tensorflow-cu128-py311" {
     "io.rosml.gpu.tensorflow.amd64"        = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
     "io.rosml.frameworks"                  = "tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -1635,6 +1675,7 @@ target "part-common-cu130-py311" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "3.11"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -1670,6 +1711,7 @@ target "part-torch-cu130-py311" {
     "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -1701,6 +1743,7 @@ target "part-common-cu132-py311" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cu132"
     "io.rosml.python"                      = "3.11"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -1736,6 +1779,7 @@ target "part-torch-cu132-py311" {
     "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -1766,6 +1810,7 @@ target "part-common-cpu-py311" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cpu"
     "io.rosml.python"                      = "3.11"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -1799,6 +1844,7 @@ target "part-torch-cpu-py311" {
     "io.rosml.torch"                       = "2.10.0"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=common,torch ml=common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -1832,6 +1878,7 @@ target "part-tensorflow-cpu-py311" {
     "io.rosml.tensorflow"                  = "2.21.0"
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
     "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -1863,6 +1910,7 @@ target "part-common-cu128-py313" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.13"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -1897,6 +1945,7 @@ target "part-torch-cu128-py313" {
     "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -1931,6 +1980,7 @@ target "part-tensorflow-cu128-py313" {
     "io.rosml.gpu.tensorflow.amd64"        = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
     "io.rosml.frameworks"                  = "tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -1962,6 +2012,7 @@ target "part-common-cu130-py313" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "3.13"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -1997,6 +2048,7 @@ target "part-torch-cu130-py313" {
     "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -2028,6 +2080,7 @@ target "part-common-cu132-py313" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cu132"
     "io.rosml.python"                      = "3.13"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -2063,6 +2116,7 @@ target "part-torch-cu132-py313" {
     "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
   }
   tags = [
@@ -2093,6 +2147,7 @@ target "part-common-cpu-py313" {
     "io.rosml.part"                        = "common"
     "io.rosml.stack"                       = "cpu"
     "io.rosml.python"                      = "3.13"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -2126,6 +2181,7 @@ target "part-torch-cpu-py313" {
     "io.rosml.torch"                       = "2.10.0"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=common,torch ml=common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -2159,6 +2215,7 @@ target "part-tensorflow-cpu-py313" {
     "io.rosml.tensorflow"                  = "2.21.0"
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
     "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
@@ -2173,12 +2230,13 @@ target "_cuda-cu128-py38" {
   contexts  = { part-cuda = dependency("cuda-cu128", "part", "_files-cuda-cu128") }
   args      = { CUDA_ROOT = can(digests["cuda-cu128"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "12.8.90"
-    "io.rosml.cudnn"      = "9.10.2.21"
-    "io.rosml.gpu.driver" = "525"
-    "io.rosml.stack"      = "cu128"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2195,12 +2253,13 @@ target "_cuda-cu130-py38" {
   contexts  = { part-cuda = dependency("cuda-cu130", "part", "_files-cuda-cu130") }
   args      = { CUDA_ROOT = can(digests["cuda-cu130"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "13.0.96"
-    "io.rosml.cudnn"      = "9.24.0.43"
-    "io.rosml.gpu.driver" = "580"
-    "io.rosml.stack"      = "cu130"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "13.0.96"
+    "io.rosml.cudnn"                    = "9.24.0.43"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.stack"                    = "cu130"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2217,12 +2276,13 @@ target "_cuda-cu132-py38" {
   contexts  = { part-cuda = dependency("cuda-cu132", "part", "_files-cuda-cu132") }
   args      = { CUDA_ROOT = can(digests["cuda-cu132"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "13.2.86"
-    "io.rosml.cudnn"      = "9.26.0.51"
-    "io.rosml.gpu.driver" = "580"
-    "io.rosml.stack"      = "cu132"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "13.2.86"
+    "io.rosml.cudnn"                    = "9.26.0.51"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.stack"                    = "cu132"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2239,12 +2299,13 @@ target "_cuda-cu121-py38" {
   contexts  = { part-cuda = dependency("cuda-cu121", "part", "_files-cuda-cu121") }
   args      = { CUDA_ROOT = can(digests["cuda-cu121"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "12.1.105"
-    "io.rosml.cudnn"      = "9.1.0.70"
-    "io.rosml.gpu.driver" = "525"
-    "io.rosml.stack"      = "cu121"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "12.1.105"
+    "io.rosml.cudnn"                    = "9.1.0.70"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.stack"                    = "cu121"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2269,14 +2330,15 @@ target "_torch-cu121-py38" {
     TORCH_ROOT  = can(digests["torch-cu121-py38"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"       = "torch"
-    "io.rosml.torch"           = "2.4.1"
-    "io.rosml.cuda"            = "12.1.105"
-    "io.rosml.cudnn"           = "9.1.0.70"
-    "io.rosml.gpu.driver"      = "525"
-    "io.rosml.gpu.torch.amd64" = "sm_50 sm_60 sm_70 sm_75 sm_80 sm_86 sm_90"
-    "io.rosml.stack"           = "cu121"
-    "io.rosml.parts"           = "cuda common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.4.1"
+    "io.rosml.cuda"                     = "12.1.105"
+    "io.rosml.cudnn"                    = "9.1.0.70"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.gpu.torch.amd64"          = "sm_50 sm_60 sm_70 sm_75 sm_80 sm_86 sm_90"
+    "io.rosml.stack"                    = "cu121"
+    "io.rosml.parts"                    = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2305,10 +2367,11 @@ target "_torch-cpu38-py38" {
     TORCH_ROOT  = can(digests["torch-cpu38-py38"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework" = "torch"
-    "io.rosml.torch"     = "2.4.1"
-    "io.rosml.stack"     = "cpu38"
-    "io.rosml.parts"     = "common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.4.1"
+    "io.rosml.stack"                    = "cpu38"
+    "io.rosml.parts"                    = "common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2333,10 +2396,11 @@ target "_tensorflow-cpu38-py38" {
     TENSORFLOW_ROOT    = can(digests["tensorflow-cpu38-py38"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"  = "tensorflow"
-    "io.rosml.tensorflow" = "2.13.1"
-    "io.rosml.stack"      = "cpu38"
-    "io.rosml.parts"      = "common tensorflow-cc tensorflow"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND BSD-2-Clause AND MPL-2.0"
+    "io.rosml.framework"                = "tensorflow"
+    "io.rosml.tensorflow"               = "2.13.1"
+    "io.rosml.stack"                    = "cpu38"
+    "io.rosml.parts"                    = "common tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2355,12 +2419,13 @@ target "_cuda-cu128-py310" {
   contexts  = { part-cuda = dependency("cuda-cu128", "part", "_files-cuda-cu128") }
   args      = { CUDA_ROOT = can(digests["cuda-cu128"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "12.8.90"
-    "io.rosml.cudnn"      = "9.10.2.21"
-    "io.rosml.gpu.driver" = "525"
-    "io.rosml.stack"      = "cu128"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2377,12 +2442,13 @@ target "_cuda-cu130-py310" {
   contexts  = { part-cuda = dependency("cuda-cu130", "part", "_files-cuda-cu130") }
   args      = { CUDA_ROOT = can(digests["cuda-cu130"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "13.0.96"
-    "io.rosml.cudnn"      = "9.24.0.43"
-    "io.rosml.gpu.driver" = "580"
-    "io.rosml.stack"      = "cu130"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "13.0.96"
+    "io.rosml.cudnn"                    = "9.24.0.43"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.stack"                    = "cu130"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2399,12 +2465,13 @@ target "_cuda-cu132-py310" {
   contexts  = { part-cuda = dependency("cuda-cu132", "part", "_files-cuda-cu132") }
   args      = { CUDA_ROOT = can(digests["cuda-cu132"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "13.2.86"
-    "io.rosml.cudnn"      = "9.26.0.51"
-    "io.rosml.gpu.driver" = "580"
-    "io.rosml.stack"      = "cu132"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "13.2.86"
+    "io.rosml.cudnn"                    = "9.26.0.51"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.stack"                    = "cu132"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2421,12 +2488,13 @@ target "_cuda-cu121-py310" {
   contexts  = { part-cuda = dependency("cuda-cu121", "part", "_files-cuda-cu121") }
   args      = { CUDA_ROOT = can(digests["cuda-cu121"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "12.1.105"
-    "io.rosml.cudnn"      = "9.1.0.70"
-    "io.rosml.gpu.driver" = "525"
-    "io.rosml.stack"      = "cu121"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "12.1.105"
+    "io.rosml.cudnn"                    = "9.1.0.70"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.stack"                    = "cu121"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2451,14 +2519,15 @@ target "_torch-cu128-py310" {
     TORCH_ROOT  = can(digests["torch-cu128-py310"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"       = "torch"
-    "io.rosml.torch"           = "2.10.0"
-    "io.rosml.cuda"            = "12.8.90"
-    "io.rosml.cudnn"           = "9.10.2.21"
-    "io.rosml.gpu.driver"      = "525"
-    "io.rosml.gpu.torch.amd64" = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.stack"           = "cu128"
-    "io.rosml.parts"           = "cuda common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.10.0"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.gpu.torch.amd64"          = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2488,15 +2557,16 @@ target "_torch-cu130-py310" {
     TORCH_ROOT  = can(digests["torch-cu130-py310"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"       = "torch"
-    "io.rosml.torch"           = "2.14.1"
-    "io.rosml.cuda"            = "13.0.96"
-    "io.rosml.cudnn"           = "9.24.0.43"
-    "io.rosml.gpu.driver"      = "580"
-    "io.rosml.gpu.torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120"
-    "io.rosml.stack"           = "cu130"
-    "io.rosml.parts"           = "cuda common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.14.1"
+    "io.rosml.cuda"                     = "13.0.96"
+    "io.rosml.cudnn"                    = "9.24.0.43"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.gpu.torch.amd64"          = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"          = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "io.rosml.stack"                    = "cu130"
+    "io.rosml.parts"                    = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2524,10 +2594,11 @@ target "_torch-cpu-py310" {
     TORCH_ROOT  = can(digests["torch-cpu-py310"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework" = "torch"
-    "io.rosml.torch"     = "2.10.0"
-    "io.rosml.stack"     = "cpu"
-    "io.rosml.parts"     = "common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.10.0"
+    "io.rosml.stack"                    = "cpu"
+    "io.rosml.parts"                    = "common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2554,14 +2625,15 @@ target "_tensorflow-cu128-py310" {
     TENSORFLOW_ROOT    = can(digests["tensorflow-cu128-py310"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"            = "tensorflow"
-    "io.rosml.tensorflow"           = "2.20.0"
-    "io.rosml.cuda"                 = "12.8.90"
-    "io.rosml.cudnn"                = "9.10.2.21"
-    "io.rosml.gpu.driver"           = "525"
-    "io.rosml.gpu.tensorflow.amd64" = "sm_60 sm_70 sm_80 sm_89 compute_90"
-    "io.rosml.stack"                = "cu128"
-    "io.rosml.parts"                = "cuda common tensorflow-cc tensorflow"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND BSD-2-Clause AND MPL-2.0"
+    "io.rosml.framework"                = "tensorflow"
+    "io.rosml.tensorflow"               = "2.20.0"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.gpu.tensorflow.amd64"     = "sm_60 sm_70 sm_80 sm_89 compute_90"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda common tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2593,10 +2665,11 @@ target "_tensorflow-cpu-py310" {
     TENSORFLOW_ROOT    = can(digests["tensorflow-cpu-py310"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"  = "tensorflow"
-    "io.rosml.tensorflow" = "2.21.0"
-    "io.rosml.stack"      = "cpu"
-    "io.rosml.parts"      = "common tensorflow-cc tensorflow"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND BSD-2-Clause AND MPL-2.0"
+    "io.rosml.framework"                = "tensorflow"
+    "io.rosml.tensorflow"               = "2.21.0"
+    "io.rosml.stack"                    = "cpu"
+    "io.rosml.parts"                    = "common tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2627,16 +2700,17 @@ target "_ml-cu128-py310" {
     TENSORFLOW_ROOT    = can(digests["tensorflow-cu128-py310"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"            = "ml"
-    "io.rosml.torch"                = "2.10.0"
-    "io.rosml.tensorflow"           = "2.20.0"
-    "io.rosml.cuda"                 = "12.8.90"
-    "io.rosml.cudnn"                = "9.10.2.21"
-    "io.rosml.gpu.driver"           = "525"
-    "io.rosml.gpu.torch.amd64"      = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.tensorflow.amd64" = "sm_60 sm_70 sm_80 sm_89 compute_90"
-    "io.rosml.stack"                = "cu128"
-    "io.rosml.parts"                = "cuda common torch tensorflow-cc tensorflow"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0 AND MPL-2.0"
+    "io.rosml.framework"                = "ml"
+    "io.rosml.torch"                    = "2.10.0"
+    "io.rosml.tensorflow"               = "2.20.0"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.gpu.torch.amd64"          = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.tensorflow.amd64"     = "sm_60 sm_70 sm_80 sm_89 compute_90"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda common torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2673,11 +2747,12 @@ target "_ml-cpu-py310" {
     TENSORFLOW_ROOT    = can(digests["tensorflow-cpu-py310"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"  = "ml"
-    "io.rosml.torch"      = "2.10.0"
-    "io.rosml.tensorflow" = "2.21.0"
-    "io.rosml.stack"      = "cpu"
-    "io.rosml.parts"      = "common torch tensorflow-cc tensorflow"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0 AND MPL-2.0"
+    "io.rosml.framework"                = "ml"
+    "io.rosml.torch"                    = "2.10.0"
+    "io.rosml.tensorflow"               = "2.21.0"
+    "io.rosml.stack"                    = "cpu"
+    "io.rosml.parts"                    = "common torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2699,12 +2774,13 @@ target "_cuda-cu128-py312" {
   contexts  = { part-cuda = dependency("cuda-cu128", "part", "_files-cuda-cu128") }
   args      = { CUDA_ROOT = can(digests["cuda-cu128"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "12.8.90"
-    "io.rosml.cudnn"      = "9.10.2.21"
-    "io.rosml.gpu.driver" = "525"
-    "io.rosml.stack"      = "cu128"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2721,12 +2797,13 @@ target "_cuda-cu130-py312" {
   contexts  = { part-cuda = dependency("cuda-cu130", "part", "_files-cuda-cu130") }
   args      = { CUDA_ROOT = can(digests["cuda-cu130"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "13.0.96"
-    "io.rosml.cudnn"      = "9.24.0.43"
-    "io.rosml.gpu.driver" = "580"
-    "io.rosml.stack"      = "cu130"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "13.0.96"
+    "io.rosml.cudnn"                    = "9.24.0.43"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.stack"                    = "cu130"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2743,12 +2820,13 @@ target "_cuda-cu132-py312" {
   contexts  = { part-cuda = dependency("cuda-cu132", "part", "_files-cuda-cu132") }
   args      = { CUDA_ROOT = can(digests["cuda-cu132"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "13.2.86"
-    "io.rosml.cudnn"      = "9.26.0.51"
-    "io.rosml.gpu.driver" = "580"
-    "io.rosml.stack"      = "cu132"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "13.2.86"
+    "io.rosml.cudnn"                    = "9.26.0.51"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.stack"                    = "cu132"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2765,12 +2843,13 @@ target "_cuda-cu121-py312" {
   contexts  = { part-cuda = dependency("cuda-cu121", "part", "_files-cuda-cu121") }
   args      = { CUDA_ROOT = can(digests["cuda-cu121"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "12.1.105"
-    "io.rosml.cudnn"      = "9.1.0.70"
-    "io.rosml.gpu.driver" = "525"
-    "io.rosml.stack"      = "cu121"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "12.1.105"
+    "io.rosml.cudnn"                    = "9.1.0.70"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.stack"                    = "cu121"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2795,14 +2874,15 @@ target "_torch-cu128-py312" {
     TORCH_ROOT  = can(digests["torch-cu128-py312"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"       = "torch"
-    "io.rosml.torch"           = "2.10.0"
-    "io.rosml.cuda"            = "12.8.90"
-    "io.rosml.cudnn"           = "9.10.2.21"
-    "io.rosml.gpu.driver"      = "525"
-    "io.rosml.gpu.torch.amd64" = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.stack"           = "cu128"
-    "io.rosml.parts"           = "cuda common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.10.0"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.gpu.torch.amd64"          = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2832,15 +2912,16 @@ target "_torch-cu130-py312" {
     TORCH_ROOT  = can(digests["torch-cu130-py312"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"       = "torch"
-    "io.rosml.torch"           = "2.14.1"
-    "io.rosml.cuda"            = "13.0.96"
-    "io.rosml.cudnn"           = "9.24.0.43"
-    "io.rosml.gpu.driver"      = "580"
-    "io.rosml.gpu.torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120"
-    "io.rosml.stack"           = "cu130"
-    "io.rosml.parts"           = "cuda common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.14.1"
+    "io.rosml.cuda"                     = "13.0.96"
+    "io.rosml.cudnn"                    = "9.24.0.43"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.gpu.torch.amd64"          = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"          = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "io.rosml.stack"                    = "cu130"
+    "io.rosml.parts"                    = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2870,15 +2951,16 @@ target "_torch-cu132-py312" {
     TORCH_ROOT  = can(digests["torch-cu132-py312"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"       = "torch"
-    "io.rosml.torch"           = "2.15.0"
-    "io.rosml.cuda"            = "13.2.86"
-    "io.rosml.cudnn"           = "9.26.0.51"
-    "io.rosml.gpu.driver"      = "580"
-    "io.rosml.gpu.torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120"
-    "io.rosml.stack"           = "cu132"
-    "io.rosml.parts"           = "cuda common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.15.0"
+    "io.rosml.cuda"                     = "13.2.86"
+    "io.rosml.cudnn"                    = "9.26.0.51"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.gpu.torch.amd64"          = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"          = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "io.rosml.stack"                    = "cu132"
+    "io.rosml.parts"                    = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2906,10 +2988,11 @@ target "_torch-cpu-py312" {
     TORCH_ROOT  = can(digests["torch-cpu-py312"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework" = "torch"
-    "io.rosml.torch"     = "2.10.0"
-    "io.rosml.stack"     = "cpu"
-    "io.rosml.parts"     = "common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.10.0"
+    "io.rosml.stack"                    = "cpu"
+    "io.rosml.parts"                    = "common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2936,14 +3019,15 @@ target "_tensorflow-cu128-py312" {
     TENSORFLOW_ROOT    = can(digests["tensorflow-cu128-py312"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"            = "tensorflow"
-    "io.rosml.tensorflow"           = "2.20.0"
-    "io.rosml.cuda"                 = "12.8.90"
-    "io.rosml.cudnn"                = "9.10.2.21"
-    "io.rosml.gpu.driver"           = "525"
-    "io.rosml.gpu.tensorflow.amd64" = "sm_60 sm_70 sm_80 sm_89 compute_90"
-    "io.rosml.stack"                = "cu128"
-    "io.rosml.parts"                = "cuda common tensorflow-cc tensorflow"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND BSD-2-Clause AND MPL-2.0"
+    "io.rosml.framework"                = "tensorflow"
+    "io.rosml.tensorflow"               = "2.20.0"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.gpu.tensorflow.amd64"     = "sm_60 sm_70 sm_80 sm_89 compute_90"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda common tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2975,10 +3059,11 @@ target "_tensorflow-cpu-py312" {
     TENSORFLOW_ROOT    = can(digests["tensorflow-cpu-py312"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"  = "tensorflow"
-    "io.rosml.tensorflow" = "2.21.0"
-    "io.rosml.stack"      = "cpu"
-    "io.rosml.parts"      = "common tensorflow-cc tensorflow"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND BSD-2-Clause AND MPL-2.0"
+    "io.rosml.framework"                = "tensorflow"
+    "io.rosml.tensorflow"               = "2.21.0"
+    "io.rosml.stack"                    = "cpu"
+    "io.rosml.parts"                    = "common tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3009,16 +3094,17 @@ target "_ml-cu128-py312" {
     TENSORFLOW_ROOT    = can(digests["tensorflow-cu128-py312"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"            = "ml"
-    "io.rosml.torch"                = "2.10.0"
-    "io.rosml.tensorflow"           = "2.20.0"
-    "io.rosml.cuda"                 = "12.8.90"
-    "io.rosml.cudnn"                = "9.10.2.21"
-    "io.rosml.gpu.driver"           = "525"
-    "io.rosml.gpu.torch.amd64"      = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.tensorflow.amd64" = "sm_60 sm_70 sm_80 sm_89 compute_90"
-    "io.rosml.stack"                = "cu128"
-    "io.rosml.parts"                = "cuda common torch tensorflow-cc tensorflow"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0 AND MPL-2.0"
+    "io.rosml.framework"                = "ml"
+    "io.rosml.torch"                    = "2.10.0"
+    "io.rosml.tensorflow"               = "2.20.0"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.gpu.torch.amd64"          = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.tensorflow.amd64"     = "sm_60 sm_70 sm_80 sm_89 compute_90"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda common torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3055,11 +3141,12 @@ target "_ml-cpu-py312" {
     TENSORFLOW_ROOT    = can(digests["tensorflow-cpu-py312"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"  = "ml"
-    "io.rosml.torch"      = "2.10.0"
-    "io.rosml.tensorflow" = "2.21.0"
-    "io.rosml.stack"      = "cpu"
-    "io.rosml.parts"      = "common torch tensorflow-cc tensorflow"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0 AND MPL-2.0"
+    "io.rosml.framework"                = "ml"
+    "io.rosml.torch"                    = "2.10.0"
+    "io.rosml.tensorflow"               = "2.21.0"
+    "io.rosml.stack"                    = "cpu"
+    "io.rosml.parts"                    = "common torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3081,12 +3168,13 @@ target "_cuda-cu128-py314" {
   contexts  = { part-cuda = dependency("cuda-cu128", "part", "_files-cuda-cu128") }
   args      = { CUDA_ROOT = can(digests["cuda-cu128"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "12.8.90"
-    "io.rosml.cudnn"      = "9.10.2.21"
-    "io.rosml.gpu.driver" = "525"
-    "io.rosml.stack"      = "cu128"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3103,12 +3191,13 @@ target "_cuda-cu130-py314" {
   contexts  = { part-cuda = dependency("cuda-cu130", "part", "_files-cuda-cu130") }
   args      = { CUDA_ROOT = can(digests["cuda-cu130"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "13.0.96"
-    "io.rosml.cudnn"      = "9.24.0.43"
-    "io.rosml.gpu.driver" = "580"
-    "io.rosml.stack"      = "cu130"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "13.0.96"
+    "io.rosml.cudnn"                    = "9.24.0.43"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.stack"                    = "cu130"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3125,12 +3214,13 @@ target "_cuda-cu132-py314" {
   contexts  = { part-cuda = dependency("cuda-cu132", "part", "_files-cuda-cu132") }
   args      = { CUDA_ROOT = can(digests["cuda-cu132"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "13.2.86"
-    "io.rosml.cudnn"      = "9.26.0.51"
-    "io.rosml.gpu.driver" = "580"
-    "io.rosml.stack"      = "cu132"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "13.2.86"
+    "io.rosml.cudnn"                    = "9.26.0.51"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.stack"                    = "cu132"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3147,12 +3237,13 @@ target "_cuda-cu121-py314" {
   contexts  = { part-cuda = dependency("cuda-cu121", "part", "_files-cuda-cu121") }
   args      = { CUDA_ROOT = can(digests["cuda-cu121"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "12.1.105"
-    "io.rosml.cudnn"      = "9.1.0.70"
-    "io.rosml.gpu.driver" = "525"
-    "io.rosml.stack"      = "cu121"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "12.1.105"
+    "io.rosml.cudnn"                    = "9.1.0.70"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.stack"                    = "cu121"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3177,14 +3268,15 @@ target "_torch-cu128-py314" {
     TORCH_ROOT  = can(digests["torch-cu128-py314"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"       = "torch"
-    "io.rosml.torch"           = "2.10.0"
-    "io.rosml.cuda"            = "12.8.90"
-    "io.rosml.cudnn"           = "9.10.2.21"
-    "io.rosml.gpu.driver"      = "525"
-    "io.rosml.gpu.torch.amd64" = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.stack"           = "cu128"
-    "io.rosml.parts"           = "cuda common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.10.0"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.gpu.torch.amd64"          = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3214,15 +3306,16 @@ target "_torch-cu130-py314" {
     TORCH_ROOT  = can(digests["torch-cu130-py314"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"       = "torch"
-    "io.rosml.torch"           = "2.14.1"
-    "io.rosml.cuda"            = "13.0.96"
-    "io.rosml.cudnn"           = "9.24.0.43"
-    "io.rosml.gpu.driver"      = "580"
-    "io.rosml.gpu.torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120"
-    "io.rosml.stack"           = "cu130"
-    "io.rosml.parts"           = "cuda common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.14.1"
+    "io.rosml.cuda"                     = "13.0.96"
+    "io.rosml.cudnn"                    = "9.24.0.43"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.gpu.torch.amd64"          = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"          = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "io.rosml.stack"                    = "cu130"
+    "io.rosml.parts"                    = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3252,15 +3345,16 @@ target "_torch-cu132-py314" {
     TORCH_ROOT  = can(digests["torch-cu132-py314"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"       = "torch"
-    "io.rosml.torch"           = "2.15.0"
-    "io.rosml.cuda"            = "13.2.86"
-    "io.rosml.cudnn"           = "9.26.0.51"
-    "io.rosml.gpu.driver"      = "580"
-    "io.rosml.gpu.torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120"
-    "io.rosml.stack"           = "cu132"
-    "io.rosml.parts"           = "cuda common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.15.0"
+    "io.rosml.cuda"                     = "13.2.86"
+    "io.rosml.cudnn"                    = "9.26.0.51"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.gpu.torch.amd64"          = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"          = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "io.rosml.stack"                    = "cu132"
+    "io.rosml.parts"                    = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3289,10 +3383,11 @@ target "_torch-cpu-py314" {
     TORCH_ROOT  = can(digests["torch-cpu-py314"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework" = "torch"
-    "io.rosml.torch"     = "2.10.0"
-    "io.rosml.stack"     = "cpu"
-    "io.rosml.parts"     = "common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.10.0"
+    "io.rosml.stack"                    = "cpu"
+    "io.rosml.parts"                    = "common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3309,12 +3404,13 @@ target "_cuda-cu128-py311" {
   contexts  = { part-cuda = dependency("cuda-cu128", "part", "_files-cuda-cu128") }
   args      = { CUDA_ROOT = can(digests["cuda-cu128"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "12.8.90"
-    "io.rosml.cudnn"      = "9.10.2.21"
-    "io.rosml.gpu.driver" = "525"
-    "io.rosml.stack"      = "cu128"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3330,12 +3426,13 @@ target "_cuda-cu130-py311" {
   contexts = { part-cuda = dependency("cuda-cu130", "part", "_files-cuda-cu130") }
   args     = { CUDA_ROOT = can(digests["cuda-cu130"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "13.0.96"
-    "io.rosml.cudnn"      = "9.24.0.43"
-    "io.rosml.gpu.driver" = "580"
-    "io.rosml.stack"      = "cu130"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "13.0.96"
+    "io.rosml.cudnn"                    = "9.24.0.43"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.stack"                    = "cu130"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3351,12 +3448,13 @@ target "_cuda-cu132-py311" {
   contexts = { part-cuda = dependency("cuda-cu132", "part", "_files-cuda-cu132") }
   args     = { CUDA_ROOT = can(digests["cuda-cu132"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "13.2.86"
-    "io.rosml.cudnn"      = "9.26.0.51"
-    "io.rosml.gpu.driver" = "580"
-    "io.rosml.stack"      = "cu132"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "13.2.86"
+    "io.rosml.cudnn"                    = "9.26.0.51"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.stack"                    = "cu132"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3373,12 +3471,13 @@ target "_cuda-cu121-py311" {
   contexts  = { part-cuda = dependency("cuda-cu121", "part", "_files-cuda-cu121") }
   args      = { CUDA_ROOT = can(digests["cuda-cu121"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "12.1.105"
-    "io.rosml.cudnn"      = "9.1.0.70"
-    "io.rosml.gpu.driver" = "525"
-    "io.rosml.stack"      = "cu121"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "12.1.105"
+    "io.rosml.cudnn"                    = "9.1.0.70"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.stack"                    = "cu121"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3403,14 +3502,15 @@ target "_torch-cu128-py311" {
     TORCH_ROOT  = can(digests["torch-cu128-py311"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"       = "torch"
-    "io.rosml.torch"           = "2.10.0"
-    "io.rosml.cuda"            = "12.8.90"
-    "io.rosml.cudnn"           = "9.10.2.21"
-    "io.rosml.gpu.driver"      = "525"
-    "io.rosml.gpu.torch.amd64" = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.stack"           = "cu128"
-    "io.rosml.parts"           = "cuda common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.10.0"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.gpu.torch.amd64"          = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3439,15 +3539,16 @@ target "_torch-cu130-py311" {
     TORCH_ROOT  = can(digests["torch-cu130-py311"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"       = "torch"
-    "io.rosml.torch"           = "2.14.1"
-    "io.rosml.cuda"            = "13.0.96"
-    "io.rosml.cudnn"           = "9.24.0.43"
-    "io.rosml.gpu.driver"      = "580"
-    "io.rosml.gpu.torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120"
-    "io.rosml.stack"           = "cu130"
-    "io.rosml.parts"           = "cuda common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.14.1"
+    "io.rosml.cuda"                     = "13.0.96"
+    "io.rosml.cudnn"                    = "9.24.0.43"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.gpu.torch.amd64"          = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"          = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "io.rosml.stack"                    = "cu130"
+    "io.rosml.parts"                    = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3476,15 +3577,16 @@ target "_torch-cu132-py311" {
     TORCH_ROOT  = can(digests["torch-cu132-py311"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"       = "torch"
-    "io.rosml.torch"           = "2.15.0"
-    "io.rosml.cuda"            = "13.2.86"
-    "io.rosml.cudnn"           = "9.26.0.51"
-    "io.rosml.gpu.driver"      = "580"
-    "io.rosml.gpu.torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120"
-    "io.rosml.stack"           = "cu132"
-    "io.rosml.parts"           = "cuda common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.15.0"
+    "io.rosml.cuda"                     = "13.2.86"
+    "io.rosml.cudnn"                    = "9.26.0.51"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.gpu.torch.amd64"          = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"          = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "io.rosml.stack"                    = "cu132"
+    "io.rosml.parts"                    = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3512,10 +3614,11 @@ target "_torch-cpu-py311" {
     TORCH_ROOT  = can(digests["torch-cpu-py311"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework" = "torch"
-    "io.rosml.torch"     = "2.10.0"
-    "io.rosml.stack"     = "cpu"
-    "io.rosml.parts"     = "common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.10.0"
+    "io.rosml.stack"                    = "cpu"
+    "io.rosml.parts"                    = "common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3542,14 +3645,15 @@ target "_tensorflow-cu128-py311" {
     TENSORFLOW_ROOT    = can(digests["tensorflow-cu128-py311"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"            = "tensorflow"
-    "io.rosml.tensorflow"           = "2.20.0"
-    "io.rosml.cuda"                 = "12.8.90"
-    "io.rosml.cudnn"                = "9.10.2.21"
-    "io.rosml.gpu.driver"           = "525"
-    "io.rosml.gpu.tensorflow.amd64" = "sm_60 sm_70 sm_80 sm_89 compute_90"
-    "io.rosml.stack"                = "cu128"
-    "io.rosml.parts"                = "cuda common tensorflow-cc tensorflow"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND BSD-2-Clause AND MPL-2.0"
+    "io.rosml.framework"                = "tensorflow"
+    "io.rosml.tensorflow"               = "2.20.0"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.gpu.tensorflow.amd64"     = "sm_60 sm_70 sm_80 sm_89 compute_90"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda common tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3580,10 +3684,11 @@ target "_tensorflow-cpu-py311" {
     TENSORFLOW_ROOT    = can(digests["tensorflow-cpu-py311"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"  = "tensorflow"
-    "io.rosml.tensorflow" = "2.21.0"
-    "io.rosml.stack"      = "cpu"
-    "io.rosml.parts"      = "common tensorflow-cc tensorflow"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND BSD-2-Clause AND MPL-2.0"
+    "io.rosml.framework"                = "tensorflow"
+    "io.rosml.tensorflow"               = "2.21.0"
+    "io.rosml.stack"                    = "cpu"
+    "io.rosml.parts"                    = "common tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3614,16 +3719,17 @@ target "_ml-cu128-py311" {
     TENSORFLOW_ROOT    = can(digests["tensorflow-cu128-py311"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"            = "ml"
-    "io.rosml.torch"                = "2.10.0"
-    "io.rosml.tensorflow"           = "2.20.0"
-    "io.rosml.cuda"                 = "12.8.90"
-    "io.rosml.cudnn"                = "9.10.2.21"
-    "io.rosml.gpu.driver"           = "525"
-    "io.rosml.gpu.torch.amd64"      = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.tensorflow.amd64" = "sm_60 sm_70 sm_80 sm_89 compute_90"
-    "io.rosml.stack"                = "cu128"
-    "io.rosml.parts"                = "cuda common torch tensorflow-cc tensorflow"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0 AND MPL-2.0"
+    "io.rosml.framework"                = "ml"
+    "io.rosml.torch"                    = "2.10.0"
+    "io.rosml.tensorflow"               = "2.20.0"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.gpu.torch.amd64"          = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.tensorflow.amd64"     = "sm_60 sm_70 sm_80 sm_89 compute_90"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda common torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3660,11 +3766,12 @@ target "_ml-cpu-py311" {
     TENSORFLOW_ROOT    = can(digests["tensorflow-cpu-py311"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"  = "ml"
-    "io.rosml.torch"      = "2.10.0"
-    "io.rosml.tensorflow" = "2.21.0"
-    "io.rosml.stack"      = "cpu"
-    "io.rosml.parts"      = "common torch tensorflow-cc tensorflow"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0 AND MPL-2.0"
+    "io.rosml.framework"                = "ml"
+    "io.rosml.torch"                    = "2.10.0"
+    "io.rosml.tensorflow"               = "2.21.0"
+    "io.rosml.stack"                    = "cpu"
+    "io.rosml.parts"                    = "common torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3686,12 +3793,13 @@ target "_cuda-cu128-py313" {
   contexts  = { part-cuda = dependency("cuda-cu128", "part", "_files-cuda-cu128") }
   args      = { CUDA_ROOT = can(digests["cuda-cu128"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "12.8.90"
-    "io.rosml.cudnn"      = "9.10.2.21"
-    "io.rosml.gpu.driver" = "525"
-    "io.rosml.stack"      = "cu128"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3708,12 +3816,13 @@ target "_cuda-cu130-py313" {
   contexts  = { part-cuda = dependency("cuda-cu130", "part", "_files-cuda-cu130") }
   args      = { CUDA_ROOT = can(digests["cuda-cu130"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "13.0.96"
-    "io.rosml.cudnn"      = "9.24.0.43"
-    "io.rosml.gpu.driver" = "580"
-    "io.rosml.stack"      = "cu130"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "13.0.96"
+    "io.rosml.cudnn"                    = "9.24.0.43"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.stack"                    = "cu130"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3730,12 +3839,13 @@ target "_cuda-cu132-py313" {
   contexts  = { part-cuda = dependency("cuda-cu132", "part", "_files-cuda-cu132") }
   args      = { CUDA_ROOT = can(digests["cuda-cu132"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "13.2.86"
-    "io.rosml.cudnn"      = "9.26.0.51"
-    "io.rosml.gpu.driver" = "580"
-    "io.rosml.stack"      = "cu132"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "13.2.86"
+    "io.rosml.cudnn"                    = "9.26.0.51"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.stack"                    = "cu132"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3752,12 +3862,13 @@ target "_cuda-cu121-py313" {
   contexts  = { part-cuda = dependency("cuda-cu121", "part", "_files-cuda-cu121") }
   args      = { CUDA_ROOT = can(digests["cuda-cu121"]) ? "/" : "/out/" }
   labels = {
-    "io.rosml.framework"  = "cuda"
-    "io.rosml.cuda"       = "12.1.105"
-    "io.rosml.cudnn"      = "9.1.0.70"
-    "io.rosml.gpu.driver" = "525"
-    "io.rosml.stack"      = "cu121"
-    "io.rosml.parts"      = "cuda"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.framework"                = "cuda"
+    "io.rosml.cuda"                     = "12.1.105"
+    "io.rosml.cudnn"                    = "9.1.0.70"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.stack"                    = "cu121"
+    "io.rosml.parts"                    = "cuda"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3782,14 +3893,15 @@ target "_torch-cu128-py313" {
     TORCH_ROOT  = can(digests["torch-cu128-py313"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"       = "torch"
-    "io.rosml.torch"           = "2.10.0"
-    "io.rosml.cuda"            = "12.8.90"
-    "io.rosml.cudnn"           = "9.10.2.21"
-    "io.rosml.gpu.driver"      = "525"
-    "io.rosml.gpu.torch.amd64" = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.stack"           = "cu128"
-    "io.rosml.parts"           = "cuda common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.10.0"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.gpu.torch.amd64"          = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3819,15 +3931,16 @@ target "_torch-cu130-py313" {
     TORCH_ROOT  = can(digests["torch-cu130-py313"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"       = "torch"
-    "io.rosml.torch"           = "2.14.1"
-    "io.rosml.cuda"            = "13.0.96"
-    "io.rosml.cudnn"           = "9.24.0.43"
-    "io.rosml.gpu.driver"      = "580"
-    "io.rosml.gpu.torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120"
-    "io.rosml.stack"           = "cu130"
-    "io.rosml.parts"           = "cuda common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.14.1"
+    "io.rosml.cuda"                     = "13.0.96"
+    "io.rosml.cudnn"                    = "9.24.0.43"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.gpu.torch.amd64"          = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"          = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "io.rosml.stack"                    = "cu130"
+    "io.rosml.parts"                    = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3857,15 +3970,16 @@ target "_torch-cu132-py313" {
     TORCH_ROOT  = can(digests["torch-cu132-py313"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"       = "torch"
-    "io.rosml.torch"           = "2.15.0"
-    "io.rosml.cuda"            = "13.2.86"
-    "io.rosml.cudnn"           = "9.26.0.51"
-    "io.rosml.gpu.driver"      = "580"
-    "io.rosml.gpu.torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120"
-    "io.rosml.stack"           = "cu132"
-    "io.rosml.parts"           = "cuda common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.15.0"
+    "io.rosml.cuda"                     = "13.2.86"
+    "io.rosml.cudnn"                    = "9.26.0.51"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.gpu.torch.amd64"          = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"          = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "io.rosml.stack"                    = "cu132"
+    "io.rosml.parts"                    = "cuda common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3893,10 +4007,11 @@ target "_torch-cpu-py313" {
     TORCH_ROOT  = can(digests["torch-cpu-py313"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework" = "torch"
-    "io.rosml.torch"     = "2.10.0"
-    "io.rosml.stack"     = "cpu"
-    "io.rosml.parts"     = "common torch"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                = "torch"
+    "io.rosml.torch"                    = "2.10.0"
+    "io.rosml.stack"                    = "cpu"
+    "io.rosml.parts"                    = "common torch"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3923,14 +4038,15 @@ target "_tensorflow-cu128-py313" {
     TENSORFLOW_ROOT    = can(digests["tensorflow-cu128-py313"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"            = "tensorflow"
-    "io.rosml.tensorflow"           = "2.20.0"
-    "io.rosml.cuda"                 = "12.8.90"
-    "io.rosml.cudnn"                = "9.10.2.21"
-    "io.rosml.gpu.driver"           = "525"
-    "io.rosml.gpu.tensorflow.amd64" = "sm_60 sm_70 sm_80 sm_89 compute_90"
-    "io.rosml.stack"                = "cu128"
-    "io.rosml.parts"                = "cuda common tensorflow-cc tensorflow"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND BSD-2-Clause AND MPL-2.0"
+    "io.rosml.framework"                = "tensorflow"
+    "io.rosml.tensorflow"               = "2.20.0"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.gpu.tensorflow.amd64"     = "sm_60 sm_70 sm_80 sm_89 compute_90"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda common tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3962,10 +4078,11 @@ target "_tensorflow-cpu-py313" {
     TENSORFLOW_ROOT    = can(digests["tensorflow-cpu-py313"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"  = "tensorflow"
-    "io.rosml.tensorflow" = "2.21.0"
-    "io.rosml.stack"      = "cpu"
-    "io.rosml.parts"      = "common tensorflow-cc tensorflow"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND BSD-2-Clause AND MPL-2.0"
+    "io.rosml.framework"                = "tensorflow"
+    "io.rosml.tensorflow"               = "2.21.0"
+    "io.rosml.stack"                    = "cpu"
+    "io.rosml.parts"                    = "common tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3996,16 +4113,17 @@ target "_ml-cu128-py313" {
     TENSORFLOW_ROOT    = can(digests["tensorflow-cu128-py313"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"            = "ml"
-    "io.rosml.torch"                = "2.10.0"
-    "io.rosml.tensorflow"           = "2.20.0"
-    "io.rosml.cuda"                 = "12.8.90"
-    "io.rosml.cudnn"                = "9.10.2.21"
-    "io.rosml.gpu.driver"           = "525"
-    "io.rosml.gpu.torch.amd64"      = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.tensorflow.amd64" = "sm_60 sm_70 sm_80 sm_89 compute_90"
-    "io.rosml.stack"                = "cu128"
-    "io.rosml.parts"                = "cuda common torch tensorflow-cc tensorflow"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0 AND MPL-2.0"
+    "io.rosml.framework"                = "ml"
+    "io.rosml.torch"                    = "2.10.0"
+    "io.rosml.tensorflow"               = "2.20.0"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.gpu.torch.amd64"          = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.tensorflow.amd64"     = "sm_60 sm_70 sm_80 sm_89 compute_90"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda common torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -4042,11 +4160,12 @@ target "_ml-cpu-py313" {
     TENSORFLOW_ROOT    = can(digests["tensorflow-cpu-py313"]) ? "/" : "/out/"
   }
   labels = {
-    "io.rosml.framework"  = "ml"
-    "io.rosml.torch"      = "2.10.0"
-    "io.rosml.tensorflow" = "2.21.0"
-    "io.rosml.stack"      = "cpu"
-    "io.rosml.parts"      = "common torch tensorflow-cc tensorflow"
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0 AND MPL-2.0"
+    "io.rosml.framework"                = "ml"
+    "io.rosml.torch"                    = "2.10.0"
+    "io.rosml.tensorflow"               = "2.21.0"
+    "io.rosml.stack"                    = "cpu"
+    "io.rosml.parts"                    = "common torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -4093,7 +4212,10 @@ target "_noetic-ros" {
     ROS_TESTING_ADDRESS  = "http://packages.ros.org/ros-testing/ubuntu"
     ROS_SYNC_DATE        = try(sync_dates["noetic"], "")
   }
-  labels = { "io.rosml.framework" = "none" }
+  labels = {
+    "org.opencontainers.image.licenses" = "Apache-2.0"
+    "io.rosml.framework"                = "none"
+  }
 }
 
 target "noetic-core" {
@@ -5146,7 +5268,10 @@ target "_foxy-ros" {
     ROS_TESTING_ADDRESS  = "http://packages.ros.org/ros2-testing/ubuntu"
     ROS_SYNC_DATE        = try(sync_dates["foxy"], "")
   }
-  labels = { "io.rosml.framework" = "none" }
+  labels = {
+    "org.opencontainers.image.licenses" = "Apache-2.0"
+    "io.rosml.framework"                = "none"
+  }
 }
 
 target "foxy-core" {
@@ -5816,7 +5941,10 @@ target "_humble-ros" {
     ROS_APT_SOURCE       = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.jammy_all.deb@sha256:110b9a462d55252decb8b7c816f61c2ba0d9890ce5fb93ac504e97cae5860d76"
     ROS_SYNC_DATE        = try(sync_dates["humble"], "")
   }
-  labels = { "io.rosml.framework" = "none" }
+  labels = {
+    "org.opencontainers.image.licenses" = "Apache-2.0"
+    "io.rosml.framework"                = "none"
+  }
 }
 
 target "humble-core" {
@@ -7184,7 +7312,10 @@ target "_iron-ros" {
     ROS_APT_SOURCE       = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.jammy_all.deb@sha256:110b9a462d55252decb8b7c816f61c2ba0d9890ce5fb93ac504e97cae5860d76"
     ROS_SYNC_DATE        = try(sync_dates["iron"], "")
   }
-  labels = { "io.rosml.framework" = "none" }
+  labels = {
+    "org.opencontainers.image.licenses" = "Apache-2.0"
+    "io.rosml.framework"                = "none"
+  }
 }
 
 target "iron-core" {
@@ -8552,7 +8683,10 @@ target "_jazzy-ros" {
     ROS_APT_SOURCE       = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.noble_all.deb@sha256:f31d84adf5054c7d60ded0e82c0f776a77ea33af53d08f40b9ad7c94cca55296"
     ROS_SYNC_DATE        = try(sync_dates["jazzy"], "")
   }
-  labels = { "io.rosml.framework" = "none" }
+  labels = {
+    "org.opencontainers.image.licenses" = "Apache-2.0"
+    "io.rosml.framework"                = "none"
+  }
 }
 
 target "jazzy-core" {
@@ -10035,7 +10169,10 @@ target "_kilted-ros" {
     ROS_APT_SOURCE       = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.noble_all.deb@sha256:f31d84adf5054c7d60ded0e82c0f776a77ea33af53d08f40b9ad7c94cca55296"
     ROS_SYNC_DATE        = try(sync_dates["kilted"], "")
   }
-  labels = { "io.rosml.framework" = "none" }
+  labels = {
+    "org.opencontainers.image.licenses" = "Apache-2.0"
+    "io.rosml.framework"                = "none"
+  }
 }
 
 target "kilted-core" {
@@ -11513,7 +11650,10 @@ target "_lyrical-ros" {
     ROS_APT_SOURCE       = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.resolute_all.deb@sha256:e70bc980395f4a3b366b9c5e7f8f9b4d63a4064fb115f6ff3bc52f7faa02ef69"
     ROS_SYNC_DATE        = try(sync_dates["lyrical"], "")
   }
-  labels = { "io.rosml.framework" = "none" }
+  labels = {
+    "org.opencontainers.image.licenses" = "Apache-2.0"
+    "io.rosml.framework"                = "none"
+  }
 }
 
 target "lyrical-core" {
@@ -12549,7 +12689,10 @@ target "_rolling-ros" {
     ROS_APT_SOURCE       = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.3.0/ros2-apt-source_1.3.0.resolute_all.deb@sha256:e70bc980395f4a3b366b9c5e7f8f9b4d63a4064fb115f6ff3bc52f7faa02ef69"
     ROS_SYNC_DATE        = try(sync_dates["rolling"], "")
   }
-  labels = { "io.rosml.framework" = "none" }
+  labels = {
+    "org.opencontainers.image.licenses" = "Apache-2.0"
+    "io.rosml.framework"                = "none"
+  }
 }
 
 target "rolling-core" {
@@ -13576,7 +13719,10 @@ target "_ros1-bookworm-ros" {
     ROS_DISTRO  = "Debian"
     ROS_VERSION = "1"
   }
-  labels = { "io.rosml.framework" = "none" }
+  labels = {
+    "org.opencontainers.image.licenses" = "Apache-2.0"
+    "io.rosml.framework"                = "none"
+  }
 }
 
 target "ros1-bookworm-core" {
@@ -15514,7 +15660,10 @@ target "_ros1-trixie-ros" {
     ROS_DISTRO  = "Debian"
     ROS_VERSION = "1"
   }
-  labels = { "io.rosml.framework" = "none" }
+  labels = {
+    "org.opencontainers.image.licenses" = "Apache-2.0"
+    "io.rosml.framework"                = "none"
+  }
 }
 
 target "ros1-trixie-core" {
@@ -17406,6 +17555,7 @@ target "_jazzy-wheels-ros" {
     PYTHON      = "3.11"
   }
   labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0"
     "io.rosml.framework"                   = "none"
     "org.opencontainers.image.title"       = "jazzy-wheels-core"
     "org.opencontainers.image.description" = "ROS 2 core (jazzy-wheels)"
