@@ -217,17 +217,17 @@ def steps(output: str) -> set[str]:
 
 
 _CHANGES = re.compile(
-    r"127\.0\.0\.1:\d+|sha256:[0-9a-f]+|(?:\d+ min )?\b\d+(?:\.\d+)? (?:s|[kMG]?B)\b|\b\d+\.\d(?= +(?:amd|arm)64)"
+    r" \([^()]* of it waiting for another build\)|127\.0\.0\.1:\d+|sha256:[0-9a-f]+|(?:\d+ min )?\b\d+(?:\.\d+)? (?:s|[kMG]?B)\b|\b\d+\.\d(?= +(?:amd|arm)64)"
     r"|(?<=linux/)(?:amd|arm)64$",
     re.MULTILINE,
 )
-"""Addresses, digests, times, sizes with their unit, the column of sizes, and this machine's architecture."""
+"""Waits for other builds, addresses, digests, times, sizes with their unit, the column of sizes, and this machine's architecture."""
 
 
 def stable(output: str) -> list[str]:
     """Lines that every call must print: without steps, and without what changes from call to call."""
     lines = [line for line in output.splitlines() if not re.match(r" +\d+:\d\d ", line)]
-    return [" ".join(_CHANGES.sub("…", line).split()) for line in lines]
+    return [" ".join(_CHANGES.sub("…", line).replace("……", "…").split()) for line in lines]
 
 
 # ---- Drawing ---------------------------------------------------------------------------------------------------------

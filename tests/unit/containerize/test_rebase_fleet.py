@@ -93,6 +93,15 @@ def test_a_night(place: Place) -> None:
         assert place.digest(names[name]) == before[name], "and back"
         assert not place.registry.head(f"me/{name}", "latest-20261127")
 
+    for _ in range(2):
+        again = run(place, *entries[1:])
+        assert {outcome.state for name, outcome in again.items() if name != "odd:latest"} == {"held"}
+        assert {name: place.digest(names[name]) for name in before} == before, "no run does it again"
+    place.base(
+        said=changed(BASE_FACTS, packages=[package("python3", "3.11.2-5")]), files=("usr/bin/env", "bin", "fixed")
+    )
+    assert run(place, *entries)["camera:latest"].state == "moved", "onto another base image"
+
 
 def test_libraries_that_need_a_link(place: Place) -> None:
     old = place.base()

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 KEPT = "interrupted: the old tag stands; the next call finds again what was pushed"
 """The message after Ctrl-C."""
 
-STATES = {name: name for name in ("moved", "planned", "there", "unaffected", "refused", "failed")}
+STATES = {name: name for name in ("moved", "planned", "there", "held", "unaffected", "refused", "failed")}
 STATES |= {"planned": "would move"}
 """What became of an app, by the words for people."""
 

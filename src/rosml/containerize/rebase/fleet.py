@@ -45,7 +45,10 @@ TIMES = 200
 _OURS = "sha256-"
 """The beginning of tags that are no app's: lists of what is attached to an image."""
 
-State = Literal["moved", "planned", "there", "unaffected", "refused", "failed"]
+RUNS = 30
+"""How many runs back a fleet looks for moves that somebody undid."""
+
+State = Literal["moved", "planned", "there", "held", "unaffected", "refused", "failed"]
 
 
 class Entry(Facts):
@@ -73,8 +76,8 @@ class Outcome:
 
     Attributes:
         app: its complete reference; of a pattern without one, the pattern.
-        state: `moved`, `planned` if it would move without `--dry-run`, `there` if it was on the newest base image already, `unaffected` by the vulnerability, `refused` by the checks,
-            or `failed`.
+        state: `moved`, `planned` if it would move without `--dry-run`, `there` if it was on the newest base image already, `held` if
+            somebody undid the same move, `unaffected` by the vulnerability, `refused` by the checks, or `failed`.
         reason: why it was refused or failed.
         remedy: what to do about it.
         rebased: the result, if it moved or would move.
@@ -129,6 +132,8 @@ class Fleet:
     say: Callable[[str], None] = lambda _: None
     screen: Callable[[bytes, str], str] | None = None
     _building: threading.Lock = field(default_factory=threading.Lock)
+    _known: dict[tuple[str, str], frozenset[Move]] = field(default_factory=dict)
+    _reading: threading.Lock = field(default_factory=threading.Lock)
 
     def run(self, entries: Iterable[Entry], dry_run: bool = False) -> list[Outcome]:
         """Moves all apps. An app on another one of them waits for that one.
@@ -221,6 +226,11 @@ class Fleet:
                 return Outcome(name, "refused", f"{has}, and {left} on {plan.base.name}", image.AGAIN)
             if plan.there == plan.digest:
                 return Outcome(name, "there")
+            if self._undone(plan):
+                back = f"rosml rebase {name} moves it all the same"
+                return Outcome(
+                    name, "held", "somebody undid this move; another base image, or another app, moves again", back
+                )
             return _Ready(name, entry, plan, self._moves(plan))
         except RosmlError as error:
             return _stopped(name, error)
@@ -260,6 +270,20 @@ class Fleet:
         raise RosmlError(
             f"{host}/{repository} has no free tag of the day after {day}", "remove those that you do not need"
         )
+
+    def _undone(self, plan: Plan) -> bool:
+        """Whether an earlier run moved the tag to the same image, and somebody undid that run.
+
+        Raises:
+            RosmlError: the registry does not answer, or a record cannot be read.
+        """
+        host, repository, tag = plan.target
+        prefix, _, name = repository.rpartition("/")
+        with self._reading:
+            if prefix and (host, prefix) not in self._known:
+                book = Records(Place(self.rebaser.registries(host), prefix))
+                self._known[host, prefix] = frozenset(tag_moves.undone_moves(book, RUNS))
+        return Move(name, tag, plan.there, plan.digest) in self._known.get((host, prefix), ())
 
     def _push(self, ready: _Ready) -> _Ready | Outcome:
         """Pushes an app by its digest, and tries it in the builder."""

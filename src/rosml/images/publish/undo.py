@@ -14,7 +14,7 @@ from rosml.images.image_set.model import PARTS
 from rosml.images.matrix.names import part_target
 from rosml.images.publish.run import Outcome
 from rosml.images.records.store import INDEX, Records
-from rosml.images.records.tag_moves import UNDO, Move, read_moves, record_name
+from rosml.images.records.tag_moves import UNDO, Move, mark_undone, read_moves, record_name
 
 RECENT = timedelta(days=1)
 """A last run that is older than this is undone only by its name: whoever means last night's may not know that it moved no tag."""
@@ -92,6 +92,7 @@ def undo(book: Records, date: str, run: str | Recorded = "") -> list[Outcome]:
     # Before the first tag moves: if this process is killed in between, the next run moves no tag to these indexes again.
     held = {(move.repository, move.new) for move, where in now if where in (move.old, move.new)}
     side_by_side(lambda item: _hold(book, item[0], item[1], date), sorted(held))
+    mark_undone(book, found.name, date)
     images: dict[tuple[str, str], list[tuple[Move, str]]] = {}
     for move, where in now:
         images.setdefault((move.repository, move.new), []).append((move, where))

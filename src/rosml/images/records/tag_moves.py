@@ -39,9 +39,16 @@ class Move:
 
 
 class _Record(BaseModel):
-    """The content of a record."""
+    """The content of a record.
+
+    Attributes:
+        date: of the run.
+        undone: when somebody undid the run; empty if nobody did.
+    """
 
     moves: list[Move]
+    date: str = ""
+    undone: str = ""
 
 
 def record_name(date: str) -> str:
@@ -55,12 +62,37 @@ def read_moves(records: Records, name: str) -> list[Move]:
     Raises:
         RosmlError: the record cannot be read.
     """
+    return _read(records, name).moves
+
+
+def undone_moves(records: Records, runs: int) -> list[Move]:
+    """The moves of the last runs, as far as somebody undid these.
+
+    Raises:
+        RosmlError: a record cannot be read; the registry does not answer or refuses.
+    """
+    known = sorted(name for name in records.registry.tags(records.repository) if name.startswith(UNDO))
+    found = [_read(records, name) for name in known[-runs:]]
+    return [move for item in found if item.undone for move in item.moves]
+
+
+def mark_undone(records: Records, name: str, date: str) -> None:
+    """Says in a record that the run is undone, before its tags move back.
+
+    Raises:
+        RosmlError: the record cannot be read; the registry does not answer or refuses.
+    """
+    found = _read(records, name)
+    if not found.undone:
+        _write(records, name, found.date, found.moves, date)
+
+
+def _read(records: Records, name: str) -> _Record:
     found = records.registry.manifest(records.repository, name)
     if found is None:
-        return []
+        return _Record(moves=[])
     try:
-        content = untrusted.json_value(records.registry.part(records.repository, found.layers[0]))
-        return _Record.model_validate(content).moves
+        return _Record.model_validate(untrusted.json_value(records.registry.part(records.repository, found.layers[0])))
     except (KeyError, TypeError, ValueError, IndexError):
         raise RosmlError(f"the record {name} cannot be read", "move the tags by hand: regctl image copy") from None
 
@@ -77,6 +109,10 @@ def record(records: Records, date: str, planned: Iterable[Move]) -> None:
     for move in planned:
         first = before.get((move.repository, move.tag))
         merged[move.repository, move.tag] = replace(move, old=first.old if first else move.old)
-    content = {"date": date, "moves": [move.to_json() for move in merged.values()]}
+    _write(records, name, date, merged.values())
+
+
+def _write(records: Records, name: str, date: str, moves: Iterable[Move], undone: str = "") -> None:
+    content = {"date": date, "moves": [move.to_json() for move in moves]} | ({"undone": undone} if undone else {})
     text = json.dumps(content, sort_keys=True)
     records.artifact(name, text.encode(), {ANNOTATION: json.dumps({"undo": date})})
