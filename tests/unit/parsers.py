@@ -29,6 +29,7 @@ from rosml.containerize import (
     app_inputs,
     ci_job,
     contents,
+    desk,
     junit,
     lock,
     names,
@@ -223,6 +224,11 @@ def requirements_of(document: bytes, folder: Path) -> object:
 
 def script(name: str) -> ModuleType:
     return script_of_a_build(f"containerize/{name}.py")
+
+
+def commands_of_compilers(file: Path) -> object:
+    """What packages were compiled with, joined for editors inside and outside of the container."""
+    return script("compile_commands").main(file.parents[1], "/home/jo/robot")
 
 
 PIP = {
@@ -646,6 +652,11 @@ PARSERS: dict[str, Parser] = {
             "a", lambda file: consent.is_allowed(defaults.File("/a/.rosml.toml", b"x", 0, split((), ())), "1", file)
         ),
     ),
+    "compile_commands.json of a build": Parser(
+        "json",
+        as_json([{"directory": "/b", "file": "/a.cpp", "command": "c++ -c /a.cpp"}]),
+        written("build/compile_commands.json", commands_of_compilers),
+    ),
     "apt's list of sources": Parser("text", [LINES], text(lambda found: apt_sources.parse({"a.list": found}, "base"))),
     "apt's paragraphs of sources": Parser(
         "text", [STANZAS], text(lambda found: apt_sources.parse({"a.sources": found}, "base"))
@@ -716,6 +727,9 @@ PARSERS: dict[str, Parser] = {
         "json", [SAVED], lambda document, folder: image_of(archived(config=document), folder)
     ),
     "record": Parser("json", as_json(ENTRY), entry_of),
+    "record of rosml dev": Parser(
+        "json", as_json({"key": "a", "image": "b:latest", "id": "1", "upstream": ""}), written("a.json", desk.read)
+    ),
     "scan of a record": Parser(
         "json",
         as_json(ENTRY["scan"]),

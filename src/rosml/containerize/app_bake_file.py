@@ -12,7 +12,7 @@ from typing import Any
 from rosml import ROOT
 from rosml.containerize.app_base import Base
 from rosml.containerize.app_inputs import Values
-from rosml.containerize.names import SLIM, Names
+from rosml.containerize.names import DESK, SLIM, Names
 from rosml.containerize.stage_cache import BASE
 from rosml.images.builds import adopted
 from rosml.images.builds.base_images import native_architecture
@@ -114,33 +114,8 @@ def render(
         lock: the inputs of the images, for a label.
     """
     values, replaced = inputs.values, replaced or {}
-    steps = _steps(services, environment, names.platforms)
-    if values.parallel_jobs:  # as a secret: the result does not depend on it, so steps need not run again
-        steps["secret"].append("type=env,id=parallel-jobs,env=PARALLEL_JOBS")
-    stages = {name: f"docker-image://{reference}" for name, reference in known.items()}
-    onto = inputs.base.adopted if BASE not in known else None
-    base = {BASE: f"target:{BASE}" if onto else stages.pop(BASE, f"docker-image://{inputs.base.reference}")}
-    if inputs.slim:
-        base["slim"] = f"docker-image://{inputs.slim.reference}"
-    joined = {name: on for name, on in ((BASE, inputs.base), ("slim", inputs.slim)) if on and on.addons}
-    base |= {name: f"target:{_with_addons(name)}" for name in joined}
-    contexts = {name: str(path) for name, path in inputs.contexts.items()}
-    common = {
-        **steps,
-        "context": str(inputs.empty),
-        "dockerfile": str(SCRIPTS / "containerize/Dockerfile"),
-        "contexts": {**base, "scripts": str(SCRIPTS), **contexts, **stages},
-        "args": {
-            "CMAKE_ARGS": values.cmake_args,
-            "COLCON_ARGS": values.colcon_args,
-            "SKIP_KEYS": values.skip_keys,
-            "ROSDEP_DAY": f"{datetime.now(UTC):%F}",
-            "ROS_DISTRO": inputs.distribution,
-            "CONDITIONS": inputs.conditions or inputs.distribution,
-            "MANIFESTS": "changed" if inputs.hooked else "manifests",
-            "DOWNSTREAM": "downstream-results" if values.downstream_workspace else "nothing",
-        },
-    }
+    base, stages = _contexts(inputs, known)
+    common = _common(inputs, names, services, environment, base | stages)
     before, tested = "slim-" if inputs.slim else "", values.tests
     targets: dict[str, Any] = {
         REPORT: {**common, "target": f"{before}{REPORT}", "output": [exported.output(left[REPORT])]}
@@ -153,13 +128,7 @@ def render(
     targets[ASKED] = {**common, "target": ASKED, "output": [exported.output(left[ASKED])]}
     for stage in inputs.stages:
         targets[stage] = {**common, "target": stage}
-    if onto:
-        # Some stages run on the builder's own platform, whatever the app's is.
-        every = [*dict.fromkeys([*names.platforms, f"linux/{native_architecture()}"])]
-        own = {**steps, "platforms": every}
-        targets |= adopted.base_targets(onto, BASE, own, inputs.empty, adopted.stage(services, onto))
-    for name, on in joined.items():
-        targets[_with_addons(name)] = _joined(on, inputs, names)
+    targets |= _adopted(inputs, names, services, environment, known)
     for stage, reference in kept.items():
         output = f"type=image,name={reference},push=true,{COMPRESSION}"
         own = targets[BASE] if stage == BASE else {**common, "target": stage}
@@ -173,10 +142,101 @@ def render(
             "args": {"SOURCE_DATE_EPOCH": str(inputs.time), **_variables(target, inputs)},
             "labels": {**_labels(inputs, names.app, target, replaced.get(target, ())), LOCK: lock},
             "tags": names.tags(target),
-            "output": [names.loading if names.loads else f"type=image,push=true,{COMPRESSION}"],
+            "output": [_output(names)],
         }
     groups = {PACKAGES: {"targets": [*first, *(f"keep-{stage}" for stage in kept)]}}
     return json.dumps(_literal({"group": groups, "target": targets}), indent=2) + "\n"
+
+
+def render_desk(
+    inputs: Inputs, names: Names, services: Services, environment: Iterable[str], left: Path, known: Mapping[str, str]
+) -> str:
+    """The bake file of the image for `rosml dev`. It names no commit: an image with the same content has the same digest.
+
+    Args:
+        environment: the names of set variables.
+        left: the archive of the target `ASKED`.
+        known: references of stages that a registry has.
+    """
+    base, stages = _contexts(inputs, known)
+    common = _common(inputs, names, services, environment, base | stages)
+    targets = {
+        ASKED: {**common, "target": ASKED, "output": [exported.output(left)]},
+        **_adopted(inputs, names, services, environment, known),
+        f"{DESK}-stage": {**common, "target": DESK},
+        DESK: {
+            "context": str(inputs.empty),
+            "dockerfile-inline": _dockerfile(DESK, inputs, linked=False),
+            "platforms": list(names.platforms),
+            "contexts": {DESK: f"target:{DESK}-stage"},
+            "args": {"SOURCE_DATE_EPOCH": str(inputs.time), **_variables(DESK, inputs)},
+            "labels": {TITLE: f"{names.app} ({DESK})", BASE_NAME: inputs.base.name, BASE_DIGEST: inputs.base.digest},
+            "tags": names.tags(DESK),
+            "output": [_output(names)],
+        },
+    }
+    return json.dumps(_literal({"target": targets}), indent=2) + "\n"
+
+
+def _output(names: Names) -> str:
+    """The builder's output of an image: into Docker, or to a registry."""
+    return names.loading if names.loads else f"type=image,push=true,{COMPRESSION}"
+
+
+def _contexts(inputs: Inputs, known: Mapping[str, str]) -> tuple[dict[str, str], dict[str, str]]:
+    """The contexts of the base images, and those of stages that a registry has."""
+    stages = {name: f"docker-image://{reference}" for name, reference in known.items()}
+    onto = inputs.base.adopted if BASE not in known else None
+    base = {BASE: f"target:{BASE}" if onto else stages.pop(BASE, f"docker-image://{inputs.base.reference}")}
+    if inputs.slim:
+        base["slim"] = f"docker-image://{inputs.slim.reference}"
+    return base | {name: f"target:{_with_addons(name)}" for name in _joined(inputs)}, stages
+
+
+def _common(
+    inputs: Inputs, names: Names, services: Services, environment: Iterable[str], contexts: Mapping[str, str]
+) -> dict[str, Any]:
+    """The fields of all targets that are stages of the Dockerfile.
+
+    Args:
+        contexts: beside the scripts and folders.
+    """
+    values = inputs.values
+    steps = _steps(services, environment, names.platforms)
+    if values.parallel_jobs:  # as a secret: the result does not depend on it, so steps need not run again
+        steps["secret"].append("type=env,id=parallel-jobs,env=PARALLEL_JOBS")
+    folders = {name: str(path) for name, path in inputs.contexts.items()}
+    return {
+        **steps,
+        "context": str(inputs.empty),
+        "dockerfile": str(SCRIPTS / "containerize/Dockerfile"),
+        "contexts": {"scripts": str(SCRIPTS), **folders, **contexts},
+        "args": {
+            "CMAKE_ARGS": values.cmake_args,
+            "COLCON_ARGS": values.colcon_args,
+            "SKIP_KEYS": values.skip_keys,
+            "ROSDEP_DAY": f"{datetime.now(UTC):%F}",
+            "ROS_DISTRO": inputs.distribution,
+            "CONDITIONS": inputs.conditions or inputs.distribution,
+            "MANIFESTS": "changed" if inputs.hooked else "manifests",
+            "DOWNSTREAM": "downstream-results" if values.downstream_workspace else "nothing",
+        },
+    }
+
+
+def _adopted(
+    inputs: Inputs, names: Names, services: Services, environment: Iterable[str], known: Mapping[str, str]
+) -> dict[str, Any]:
+    """The targets that join add-ons to base images, or install ROS on one; none of the latter if it has ROS, or if a registry has the
+    result."""
+    # Some stages run on the builder's own platform, whatever the app's is.
+    every = [*dict.fromkeys([*names.platforms, f"linux/{native_architecture()}"])]
+    found = {_with_addons(name): _joining(base, inputs, every) for name, base in _joined(inputs).items()}
+    onto = inputs.base.adopted
+    if onto is None or BASE in known:
+        return found
+    own = _steps(services, environment, every)
+    return adopted.base_targets(onto, BASE, own, inputs.empty, adopted.stage(services, onto))
 
 
 def _with_addons(name: str) -> str:
@@ -184,14 +244,19 @@ def _with_addons(name: str) -> str:
     return f"{name}-with-addons"
 
 
-def _joined(base: Base, inputs: Inputs, names: Names) -> dict[str, Any]:
+def _joined(inputs: Inputs) -> dict[str, Base]:
+    """The base images with add-ons, by the names of their contexts."""
+    return {name: base for name, base in ((BASE, inputs.base), ("slim", inputs.slim)) if base and base.addons}
+
+
+def _joining(base: Base, inputs: Inputs, platforms: Sequence[str]) -> dict[str, Any]:
     """The target that joins add-ons to a base image."""
     assert base.addons
     return {
         "context": str(inputs.empty),
         "dockerfile-inline": base.addons.dockerfile("without"),
         "contexts": {"without": f"docker-image://{base.reference}", **base.addons.contexts()},
-        "platforms": [*dict.fromkeys([*names.platforms, f"linux/{native_architecture()}"])],
+        "platforms": list(platforms),
         "labels": dict(base.addons.labels),
     }
 
@@ -254,15 +319,15 @@ def _variables(target: str, inputs: Inputs) -> dict[str, str]:
         found["ROS_DISTRO"] = inputs.distribution
     if values.rmw_implementation:
         found["RMW_IMPLEMENTATION"] = values.rmw_implementation
-    if target != "dev":
+    if target not in (DESK, "dev"):
         found["DEFAULT_CMD"] = values.command
     return {f"APP_{name}": value for name, value in found.items()}
 
 
 def _dockerfile(target: str, inputs: Inputs, linked: bool) -> str:
     """The Dockerfile that joins an image without running anything. Values are arguments, as they may have several lines."""
-    lines, command = ["FROM workspace"], ["bash"]
-    if target != "dev":
+    lines, command = [f"FROM {DESK if target == DESK else 'workspace'}"], ["bash"]
+    if target not in (DESK, "dev"):
         before = "slim-" if target == SLIM else ""
         base = (target if before else "base") if linked else f"{before}runtime"
         lines = [f"FROM {base}", f"COPY --link --from={before}app / /"]

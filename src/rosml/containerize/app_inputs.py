@@ -409,12 +409,13 @@ LARGEST_TEXT = 1 << 20
 LARGEST_ENV = 256 << 10
 """The most bytes of a file of variables."""
 
-_NOTHING = re.compile(r"(?:[ \t\n]|(?<![^ \t\n])#[^\n]*)*+")
+# No possessive group, such as (…)*+: up to Python 3.11.4 it may end too early.
+_NOTHING = re.compile(r"(?:[ \t\n]+|(?<![^ \t\n])#[^\n]*)*")
 """Blanks, empty lines, and comments."""
 
 _BEGIN = re.compile(r"(?:export[ \t]+)?([A-Za-z_][A-Za-z0-9_]*)=")
 
-_PART = re.compile(r"""'([^']*)'|"((?:[^"\\]|\\.)*+)"|\\(.)|([^ \t\n'"\\]++)""", re.DOTALL)
+_PART = re.compile(r"""'([^']*)'|"([^"\\]*(?:\\.[^"\\]*)*)"|\\(.)|([^ \t\n'"\\]++)""", re.DOTALL)
 """A piece of a value. A shell's only blanks are spaces, tabs and line ends."""
 
 

@@ -36,7 +36,7 @@ from rosml.containerize import (
 from rosml.containerize.app_inputs import Values
 from rosml.containerize.git import Access
 from rosml.containerize.left_out import LeftOut
-from rosml.containerize.names import SLIM, Names
+from rosml.containerize.names import DESK, SLIM, Names
 from rosml.containerize.outcome import Outcome
 from rosml.containerize.stage_cache import IDENTIFIED
 from rosml.images.image_set import restricted
@@ -62,6 +62,21 @@ class Made:
     target: str
     reference: str
     digest: str
+
+
+@dataclass(frozen=True)
+class Desk:
+    """The image for `rosml dev`.
+
+    Attributes:
+        reference: its name in Docker, or its name by digest in a registry.
+        loaded: whether it is in Docker.
+        upstream: the folder with the imported repositories; None if there are none.
+    """
+
+    reference: str
+    loaded: bool
+    upstream: Path | None
 
 
 @dataclass
@@ -218,20 +233,11 @@ class App:
 
     def _build(self) -> Built:
         started, waited = time.monotonic(), buildx.waited()
-        locked = None if self._renew else lock.read(self._lock_file, self._folder)
-        named = self._values.base_image
-        digest = locked.base_image.of(named) if locked else ""
-        base = app_base.find(named, self._services, self._names.platforms, digest)
-        self._say(f"base image {base.name}")
-        base = adopt.with_ros(base, self._services, self._values, self._names.platforms, self._say)
+        base, locked = self._base()
         if not self._names.loads:
             with Registries(self._services.ca_bundle) as registries:
                 tags = [tag for target in self._names.targets for tag in self._names.tags(target)]
                 app_base.require_kept(registries, tags, self._names.platforms)
-        if locked:
-            self._say(f"{self._lock_file} says which versions")
-            if missing := locked.lacks(self._names.platforms):
-                self._say(f"it has no packages for {', '.join(missing)}: they are the newest; {lock.RENEW}")
         built = Built(base.reference)
         built.upstream, built.downstream = self._import(locked)
         slim = self._slim(base, locked)
@@ -254,6 +260,51 @@ class App:
                 self._say(f"{self._lock_file}: {text}")
         built.seconds, built.waited = time.monotonic() - started, buildx.waited() - waited
         return built
+
+    def desk(self) -> Desk:
+        """Builds the image for `rosml dev`: the environment of the packages, with debuggers. The packages are not built.
+
+        Raises:
+            RosmlError: an input is wrong, or a step failed.
+        """
+        self._state.mkdir(parents=True, exist_ok=True)
+        with turn(self._state / "lock", lambda: self._say(f"waiting for another call that makes {self._names.app}")):
+            base, locked = self._base()
+            upstream, _ = self._import(locked)
+            inputs = replace(self._inputs(self._with_addons(base, locked), None, locked), time=TIME)
+            known: dict[str, str] = {}
+            if self._values.cache:
+                if self._values.rosdep_index:
+                    inputs = self._with_lists(inputs, locked)
+                with stage_cache.Cache(self._values.cache, self._services.ca_bundle) as cache:
+                    known = cache.found(self._keys(inputs))
+            if IDENTIFIED not in known:
+                inputs = self._with_lists(inputs, locked)
+            self._names.targets = (DESK,)
+            file, asked = self._state / "bake.json", self._state / f"{app_bake_file.ASKED}.tar"
+            files.write(
+                file,
+                app_bake_file.render_desk(inputs, self._names, self._services, [*self._environment], asked, known),
+            )
+            metadata = self._bake(DESK, file, asked)
+            reference = self._names.reference(DESK)
+            if not self._names.loads:
+                reference = f"{reference.rpartition(':')[0]}@{metadata.get('containerimage.digest', '')}"
+            return Desk(reference, self._names.loads, self._state / "upstream" if upstream else None)
+
+    def _base(self) -> tuple[app_base.Base, lock.Lock | None]:
+        """The base image, and the lock file; None if there is none."""
+        locked = None if self._renew else lock.read(self._lock_file, self._folder)
+        named = self._values.base_image
+        digest = locked.base_image.of(named) if locked else ""
+        base = app_base.find(named, self._services, self._names.platforms, digest)
+        self._say(f"base image {base.name}")
+        base = adopt.with_ros(base, self._services, self._values, self._names.platforms, self._say)
+        if locked:
+            self._say(f"{self._lock_file} says which versions")
+            if missing := locked.lacks(self._names.platforms):
+                self._say(f"it has no packages for {', '.join(missing)}: they are the newest; {lock.RENEW}")
+        return base, locked
 
     def _make(
         self, inputs: app_bake_file.Inputs, built: Built, cache: stage_cache.Cache | None, locked: lock.Lock | None
@@ -288,7 +339,7 @@ class App:
             for archive in left.values():
                 archive.unlink(missing_ok=True)
             files.write(file, app_bake_file.render(*arguments))
-            self._packages(file, left[app_bake_file.ASKED])
+            self._bake(app_bake_file.PACKAGES, file, left[app_bake_file.ASKED])
             said = report.Said(left[app_bake_file.REPORT], self._state / "said", self._names.platforms)
             _take(built, said, slim=inputs.slim is not None)
             if self._values.tests:
@@ -313,8 +364,8 @@ class App:
             elif cache:
                 self._describe(built, functools.partial(cache.detail, keys))
 
-    def _packages(self, file: Path, asked: Path) -> None:
-        """Builds all targets before the images.
+    def _bake(self, target: str, file: Path, asked: Path) -> Mapping[str, str]:
+        """Builds a target that installs packages. Returns the builder's facts about it.
 
         Args:
             file: the bake file.
@@ -325,9 +376,9 @@ class App:
         """
         jobs = {"PARALLEL_JOBS": self._values.parallel_jobs}
         name = f"containerize-{self._state.name}"
-        call = buildx.Bake(app_bake_file.PACKAGES, name, file, variables=jobs, foreign=app_bake_file.FOREIGN)
+        call = buildx.Bake(target, name, file, variables=jobs, foreign=app_bake_file.FOREIGN)
         try:
-            buildx.run(self._services, call)
+            return buildx.run(self._services, call)[1]
         except RosmlError as error:
             self._explain(error, file, asked)
             raise

@@ -20,8 +20,10 @@ MADE = {
     "log": ("COLCON_IGNORE",),
     "logs": ("../.catkin_tools",),
     ".catkin_tools": ("CATKIN_IGNORE",),
+    ".rosml": ("dev/COLCON_IGNORE",),
 }
-"""Folders that colcon, catkin_make and catkin_tools make in the current folder, each with the files by which we know it."""
+"""Folders that colcon, catkin_make, catkin_tools and `rosml dev` make in the current folder, each with the files by which we know
+it."""
 
 SPACE = ".catkin"
 """A file in each install space and each devel space of catkin."""

@@ -23,6 +23,10 @@ SLIM = "slim"
 """The image to run the app on a base image without compilers. It comes with the run image."""
 
 
+DESK = "desk"
+"""The image for `rosml dev`. It is in no other place than this machine's."""
+
+
 class Names:
     """The images that the values of inputs ask for.
 
@@ -51,7 +55,7 @@ class Names:
         """The full name of an image, with its tag."""
         values = self._values
         name, tag = self.app, values.image_tag
-        if target != "run":
+        if target not in (DESK, "run"):
             name = _name(values.named(f"{target}-image-name")) if values.named(f"{target}-image-name") else name
             tag = values.named(f"{target}-image-tag") or f"{tag}-{target}"
         if not re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}", tag):

@@ -36,6 +36,7 @@ from rosml.containerize import (
     app_base,
     app_inputs,
     build,
+    desk,
     junit,
     lock,
     manifest,
@@ -48,7 +49,7 @@ from rosml.containerize import (
 from rosml.images.builds import variables
 from rosml.images.builds.base_images import native_architecture
 from rosml.images.image_set import load
-from rosml.machine import buildx
+from rosml.machine import buildx, git
 from rosml.machine.services import Services
 from rosml.registry import oci
 from rosml.registry.client import Registries, Registry
@@ -571,7 +572,7 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
             seen.append({"name": bake.target, **wanted["system"]})
             archives.write(Path(wanted["system"]["output"][0].partition("dest=")[2]), NOBLE)
             return None, {}
-        seen.append({"name": bake.target, "variables": bake.variables, **wanted.get(bake.target, wanted["report"])})
+        seen.append({"name": bake.target, "variables": bake.variables, **(wanted.get(bake.target) or wanted["report"])})
         if bake.target == "packages":
             said = {"dependencies.json": DEPENDENCIES, "app.json": APP, "slim.json": SLIM}
             left = {name: json.dumps(content) for name, content in said.items()}
@@ -612,6 +613,24 @@ def test_images_are_joined_after_the_report_is_read(
     assert run["args"]["APP_RMW_IMPLEMENTATION"] == "rmw_zenoh_cpp"
     assert run["labels"][app_bake_file.BASE_DIGEST] == digest
     assert dev["dockerfile-inline"].startswith("FROM workspace\n")
+
+
+def test_an_image_to_work_in_is_the_same_for_each_commit(
+    repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is no reason to leave a container that runs. The packages are neither built nor tested for it."""
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    seen = []
+    for commit in ("a", "b"):
+        monkeypatch.setattr(git, "commit", lambda *_, commit=commit: git.Commit(commit, ord(commit)))
+        said = app_inputs.values({"base-image": "ros:jazzy", "command": "true"}, repository, {})
+        values = desk.values(dataclasses.replace(said, image_name="ghcr.io/me/robot", push=True), repository)
+        made = build.App(repository, values, {}, services, lambda line: None).desk()
+        assert made == build.Desk(f"{services.registry}/{desk.name(repository)}@sha256:1", False, None)
+        seen.append(calls.pop())
+    assert calls == [] and seen[0] == seen[1]
+    assert seen[0]["name"] == names.DESK and seen[0]["dockerfile-inline"].startswith(f"FROM {names.DESK}\n")
+    assert "APP_DEFAULT_CMD" not in seen[0]["args"]
 
 
 def test_a_name_to_leave_out_that_no_package_has_is_a_warning(
@@ -1132,7 +1151,7 @@ def test_a_folder_is_looked_at_before_options_and_services(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, files: dict[str, str], says: str
 ) -> None:
     """A script may mend its manifests, and a list may bring the packages."""
-    monkeypatch.setattr(containerize, "_services", lambda: pytest.fail("services were asked for"))
+    monkeypatch.setattr(containerize, "services_for_builds", lambda: pytest.fail("services were asked for"))
     for name, text in files.items():
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(text)

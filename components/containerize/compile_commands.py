@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""Joins the compile_commands.json of a workspace's packages into one, which language servers find above the sources.
+
+    compile_commands.py WORKSPACE FOLDER
+
+FOLDER is the path of the sources on the machine that has the container. If it is not empty, `host/compile_commands.json` has the
+paths of that machine.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shlex
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any, Dict
+
+PLACES = ("build", "build_isolated")
+NAME = "compile_commands.json"
+
+Entry = Dict[str, Any]
+
+
+def read(workspace: Path) -> list[Entry]:
+    """The entries of all packages. Files that a build is writing, or that are damaged, do not count."""
+    found: list[Entry] = []
+    for place in PLACES:
+        # catkin_make has one for all. colcon may write one as well, beside those of the packages.
+        for file in sorted((workspace / place).glob(f"*/{NAME}")) or [workspace / place / NAME]:
+            try:
+                entries = json.loads(file.read_text(encoding="utf-8"))
+            except (OSError, RecursionError, ValueError):
+                continue
+            found += filter(understood, entries) if isinstance(entries, list) else []
+    return found
+
+
+def understood(entry: Any) -> bool:
+    """Whether an entry has all that there must be: https://clang.llvm.org/docs/JSONCompilationDatabase.html."""
+    if not isinstance(entry, dict) or not all(isinstance(entry.get(key), str) for key in ("directory", "file")):
+        return False
+    try:
+        words = entry.get("arguments") or shlex.split(entry["command"])
+    except (AttributeError, KeyError, TypeError, ValueError):
+        return False
+    return isinstance(words, list) and all(isinstance(word, str) for word in words)
+
+
+def moved(entry: Entry, places: dict[str, str]) -> Entry:
+    """An entry with the paths of another machine.
+
+    Args:
+        places: the new path for the beginning of each old one. The first that fits counts.
+    """
+
+    def path(text: str) -> str:
+        for old, new in places.items():
+            before, found, after = text.partition(old)
+            if found and not after[:1].isalnum():
+                return before + new + after
+        return text
+
+    made = {key: path(str(value)) for key, value in entry.items() if key in ("directory", "file", "output")}
+    words = entry.get("arguments") or shlex.split(entry.get("command", ""))
+    return {**made, "arguments": [path(word) for word in words]}
+
+
+def write(file: Path, entries: list[Entry]) -> None:
+    """Writes a file at once, unless it has the same content."""
+    text = json.dumps(entries, indent=1) + "\n"
+    try:
+        if file.read_text(encoding="utf-8") == text:
+            return
+    except (OSError, ValueError):
+        pass
+    file.parent.mkdir(exist_ok=True)
+    with tempfile.NamedTemporaryFile("w", dir=str(file.parent), delete=False, encoding="utf-8") as stream:
+        stream.write(text)
+    os.chmod(stream.name, 0o644)
+    os.replace(stream.name, file)
+
+
+def main(workspace: Path, folder: str) -> None:
+    """Joins the files of a workspace. If there is none, nothing is written."""
+    entries = read(workspace)
+    if not entries:
+        return
+    write(workspace / NAME, entries)
+    if folder:
+        places = {f"{workspace}/src/target": folder, str(workspace): f"{folder}/.rosml/dev"}
+        write(workspace / "host" / NAME, [moved(entry, places) for entry in entries])
+
+
+if __name__ == "__main__":
+    try:
+        main(Path(sys.argv[1]), sys.argv[2])
+    except OSError as error:  # the build itself went well
+        print(f"warning: {error.filename}: {error.strerror}: editors do not find {NAME}", file=sys.stderr)
