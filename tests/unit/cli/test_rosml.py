@@ -41,6 +41,7 @@ WORDS = [
     "ci",
     "containerize",
     "delta",
+    "dev",
     "diff",
     "doctor",
     "explain",
@@ -462,6 +463,7 @@ def exists(words: list[str]) -> bool:
     while isinstance(found, click.Group) and words and words[0] in found.commands:
         found, words = found.commands[words[0]], words[1:]
     options = {name for parameter in found.get_params(click.Context(found)) for name in parameter.opts}
+    words = words[: [*words, "--"].index("--")]  # a command in a container stands after it
     return found is not main.cli and {word for word in words if word.startswith("--")} <= options
 
 

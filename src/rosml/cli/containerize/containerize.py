@@ -35,7 +35,7 @@ def _options(function: Function) -> Function:
     return function
 
 
-def _services() -> Services:
+def services_for_builds() -> Services:
     """The builder and the registry: those of the checkout; the user's Docker if `rosml` is installed."""
     from rosml.cli.machine import setup
     from rosml.machine.services import Services
@@ -85,7 +85,7 @@ def main(folder: Path, lock: bool, as_json: bool, **given: str | bool | None) ->
     values = app_inputs.values(said, folder, os.environ)
     for sentence in app_inputs.answers(folder, os.environ):
         say(sentence)
-    services = _services()
+    services = services_for_builds()
     services.require_builder()
     built = build.App(folder, values, os.environ, services, say, renew=lock).build()
     if as_json:

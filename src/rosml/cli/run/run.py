@@ -17,6 +17,7 @@ from rosml.cli.run import container, defaults, trust
 from rosml.run import plugins, words
 from rosml.run.context import Context, Person
 from rosml.run.defaults import HERE, Files
+from rosml.run.plugin import Plugin
 
 if TYPE_CHECKING:
     from rosml.run import engine
@@ -189,7 +190,7 @@ def start(program: str, line: words.Line, caller: Person, files: Files) -> None:
             defaults wants what is not allowed.
     """
     from rosml.run import attach, concerns, engine
-    from rosml.run.host import host, write
+    from rosml.run.host import host
 
     if line.asks("verbose"):
         for text in files.said(line):
@@ -214,8 +215,21 @@ def start(program: str, line: words.Line, caller: Person, files: Files) -> None:
         facts = engine.ask(program, line.image, "")
     if facts.image is None:
         raise engine.still_lacking(program, line.image)
-    machine = host(os.environ)
-    plan = planned(trust.settled(Context(line, facts.engine, caller, facts.image, machine)))
+    begin(Context(line, facts.engine, caller, facts.image, host(os.environ)))
+
+
+def begin(context: Context, *more: Plugin) -> None:
+    """Starts a container, or shows how.
+
+    Args:
+        more: plugins of the caller, after all others.
+
+    Raises:
+        RosmlError: a plugin cannot do what the user asks for.
+    """
+    from rosml.run.host import write
+
+    plan, machine = planned(trust.settled(context), *more), context.host
 
     def prepare() -> None:
         for folder in plan.folders:
@@ -225,7 +239,7 @@ def start(program: str, line: words.Line, caller: Person, files: Files) -> None:
         for file, content in plan.files.items():
             write(machine.path(file), content)
 
-    container.perform(line, plan.argv, prepare)
+    container.perform(context.line, plan.argv, prepare)
 
 
 def of_machine(
@@ -252,9 +266,9 @@ def of_machine(
     return line, engine.ask(program, other, name)
 
 
-def planned(context: Context) -> plugins.Plan:
-    """The plan of the plugins. Prints their warnings."""
-    plan = plugins.plan(context, found().plugins)
+def planned(context: Context, *more: Plugin) -> plugins.Plan:
+    """The plan of all plugins, and of those of the caller. Prints their warnings."""
+    plan = plugins.plan(context, (*found().plugins, *more))
     for text, remedy in (*found().notes, *plan.notes):
         command.warn(text, remedy)
     return plan

@@ -1,0 +1,257 @@
+"""`rosml dev`: a container to work on the ROS packages of a folder."""
+
+from __future__ import annotations
+
+import os
+import shlex
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from rosml.base.errors import RosmlError
+from rosml.cli.command import say, warn
+from rosml.cli.run import container, defaults, run, trust
+from rosml.run import words
+
+if TYPE_CHECKING:
+    from rosml.containerize.app_inputs import Values
+    from rosml.containerize.desk import Record
+    from rosml.run.context import Container, Context, Person
+    from rosml.run.engine import Facts
+    from rosml.run.plugin import Plugin
+
+KEPT = "interrupted: nothing was started; finished steps are kept, the next call carries on"
+"""The message after Ctrl-C."""
+
+LABEL = "io.rosml.dev"
+"""The label of a container with a shell of `rosml dev`: the digest of its image's inputs."""
+
+WORKSPACE = "/docker-ros/ws"
+"""The workspace in the image."""
+
+RESERVED = ("base-image", "build")
+"""The command's own options, beside those of `rosml run`: no file with defaults may set one."""
+
+BUILT_IN = ("mwd", "mws")
+"""Options of `rosml run` that do nothing here: the folder is mounted anyway."""
+
+
+class Dev(run.Run):
+    """A command of which the first word that is no option is the folder. The words after `--` are the command in the container."""
+
+    def for_click(self, ctx: click.Context, args: Sequence[str]) -> list[str]:
+        """The words that click reads.
+
+        Raises:
+            RosmlError: a command stands before `--`, or as in `container.Words`.
+        """
+        end = [*args, "--"].index("--")
+        command = tuple(args[end + 1 :])
+        read = super().for_click(ctx, args[:end])
+        line: words.Line | None = ctx.meta.get(container.LINE)
+        if line is None:  # a shell completes a word, or --help
+            return read
+        if line.command:
+            whole = shlex.join((line.image, *line.command, *command))
+            text = f"{line.command[0]} stands after the folder {line.image}"
+            raise RosmlError(text, f"a command stands after --: rosml dev -- {whole}", exit_code=2)
+        ctx.meta[container.LINE] = replace(line, command=command)
+        return read
+
+
+@click.command(
+    "dev",
+    cls=Dev,
+    short_help="Opens a shell to build, test and debug your ROS packages.",
+    alone=True,
+    kept=KEPT,
+    context_settings=container.SETTINGS,
+    options_metavar="[OPTIONS OF ROSML, DOCKER OR PODMAN]",
+)
+@click.option("--base-image", default="", metavar="IMAGE", help="the image to build on, as for rosml containerize")
+@click.option("--build", is_flag=True, help="make the image again, with the newest base image and .repos")
+@click.option("--no-defaults", is_flag=True, expose_value=False, help="read neither .rosml.toml nor your own run.toml")
+@click.option(
+    f"--{trust.OPTION}", is_flag=True, expose_value=False, help="from now on, let images of this folder start as root"
+)
+@container.showing
+@click.argument("folder", default=".")
+@click.pass_context
+def main(context: click.Context, /, folder: str, base_image: str, build: bool) -> None:
+    """Opens a shell in a container with all that the ROS packages of FOLDER need, as you. FOLDER is mounted there as
+    /docker-ros/ws/src/target. The words after -- are a command instead of the shell, and the exit code is its own.
+
+    \b
+    The image has the dependencies of your packages, as rosml containerize finds them, with ccache, gdb and debugpy.
+    It is made again if a package.xml or another input changes.
+
+    What you build stays in FOLDER/.rosml/dev for the next call. colcon builds and tests as in CI. A second call enters the
+    container of the first.
+
+    The inputs of rosml containerize count, such as BASE_IMAGE in .env. All options of docker run go to the engine. The exit
+    code is 125 if nothing starts.
+
+    \b
+    Examples:
+      rosml dev --base-image ros:jazzy-base
+      rosml dev -- colcon build
+      rosml dev -- colcon test --packages-select my_package
+      rosml dev -p 127.0.0.1:5678:5678 ~/my_robot
+    """
+    from rosml.containerize import desk
+    from rosml.run import engine, paths
+    from rosml.run.person import person
+
+    line: words.Line = context.meta[container.LINE]
+    caller = person(os.environ)
+    place = _place(folder)
+    if line.has("platform"):
+        raise RosmlError("--platform: the image is for this machine", "leave it out", exit_code=2)
+    line = replace(line, engine=tuple(paths.resolved(given, caller.folder) for given in line.engine))
+    caller = replace(caller, folder=str(place))
+    values = _values(place, base_image)
+    program = engine.program(os.environ)
+    desk.require_yours(place, caller.uid)
+    key = desk.key(place, values)
+    if not build and (found := _running(program, caller.folder)):
+        _enter(program, line, caller, found, key)
+        return
+    own = [f"--{name}" for plugin in run.found().plugins for name in plugin.options if name not in BUILT_IN]
+    files = defaults.read(line, own, [f"--{name}" for name in (*run.RESERVED, *RESERVED, *BUILT_IN)], caller.folder)
+    defaults.require(replace(line, image=desk.name(place)), files.project)
+    record, facts = _image(program, place, values, key, line, build)
+    started = files.under(replace(line, image=record.image))
+    _start(replace(started, own=tuple(word for word in started.own if word[2:] not in BUILT_IN)), caller, facts, record)
+
+
+def _place(folder: str) -> Path:
+    """The folder, with links followed.
+
+    Raises:
+        RosmlError: there is none (exit code 2).
+    """
+    place = Path(folder).expanduser()
+    if not place.is_dir():
+        remedy = f"name a folder; a command stands after --: rosml dev -- {shlex.quote(folder)}"
+        raise RosmlError(f"there is no folder {folder}", remedy, exit_code=2)
+    return place.resolve()
+
+
+def _values(folder: Path, base_image: str) -> Values:
+    """The inputs of the image.
+
+    Raises:
+        RosmlError: the folder has no packages, or an input is wrong (exit code 2).
+    """
+    from rosml.containerize import app_inputs, desk, manifest
+
+    given = {"base-image": base_image} if base_image else {}
+    manifest.require(folder, given, os.environ)
+    return desk.values(app_inputs.values({**given, "push": "false"}, folder, os.environ), folder)
+
+
+def _running(program: str, folder: str) -> Container | None:
+    """The container of a folder in which a shell runs; None if there is none."""
+    from rosml.run import concerns, engine
+
+    found = [it for it in engine.containers(program, LABEL) if it.state == "running"]
+    return next((it for it in found if it.labels.get(concerns.FOLDER) == folder), None)
+
+
+def _enter(program: str, line: words.Line, caller: Person, found: Container, key: str) -> None:
+    """Enters a container that runs.
+
+    Args:
+        key: the digest of the present inputs of its image.
+
+    Raises:
+        RosmlError: an option is for a container that starts (exit code 2).
+    """
+    from rosml.run import attach
+
+    again = f"end its shells, or call {program} stop {found.name}; then call this again"
+    if late := next((x.words[0] for x in line.engine if not {*x.names} <= attach.PASSED), ""):
+        raise RosmlError(f"{late} is for a container that starts, and {found.name} runs already", again, exit_code=2)
+    if found.labels[LABEL] != key:
+        warn(f"{found.name} has the dependencies of before: a package.xml or another input of its image changed", again)
+    container.enter(program, line, caller, found)
+
+
+def _image(program: str, folder: Path, values: Values, key: str, line: words.Line, renew: bool) -> tuple[Record, Facts]:
+    """The image, and what the engine says of it. If its inputs changed, it is made.
+
+    Raises:
+        RosmlError: it cannot be made, or it would be and nothing shall run.
+    """
+    from rosml import STATE
+    from rosml.cli.containerize import containerize
+    from rosml.containerize import build, desk
+    from rosml.run import engine
+
+    file = desk.record_of(folder, STATE)
+    record = desk.read(file)
+    if record and record.key == key and not renew:
+        facts = engine.ask(program, record.image, "")
+        if facts.image and facts.image.id == record.id:
+            return record, facts
+    if container.only_shown(line):
+        raise RosmlError("the image of this folder is not made, or its inputs changed", "call rosml dev first")
+    engine.answering(program)
+    services = containerize.services_for_builds()
+    services.require_builder()
+    made = build.App(folder, values, os.environ, services, say).desk()
+    facts = engine.ask(program, made.reference, "")
+    if facts.image is None and made.loaded:
+        text = f"the image is in Docker, and {program} does not have it"
+        raise RosmlError(text, "set ROSML_ENGINE=docker; check DOCKER_HOST and docker context ls")
+    if facts.image is None:
+        engine.pull(program, replace(line, image=made.reference))
+        facts = engine.ask(program, made.reference, "")
+    if facts.image is None:
+        raise engine.still_lacking(program, made.reference)
+    record = desk.Record(key=key, image=made.reference, id=facts.image.id, upstream=str(made.upstream or ""))
+    desk.write(file, record)
+    return record, facts
+
+
+def _start(line: words.Line, caller: Person, facts: Facts, record: Record) -> None:
+    """Starts a container, or shows how."""
+    from rosml.containerize import desk
+    from rosml.run import concerns, engine
+    from rosml.run.context import Context
+    from rosml.run.host import host
+
+    assert facts.image
+    if not line.command and caller.terminal and not line.has("name") and not line.asks("no-name"):
+        name = f"{concerns.as_name(Path(caller.folder).name) or 'workspace'}-dev"
+        if engine.container(facts.engine.program, name) is None:
+            line = replace(line, engine=(*line.engine, words.Given(("--name", name), ("name",), name)))
+    line = line if line.has("name") else replace(line, own=(*line.own, "--no-name"))
+    if not container.only_shown(line):
+        desk.prepare(Path(caller.folder))
+    context = Context(line, facts.engine, caller, facts.image, host(os.environ))
+    run.begin(context, _plugin(record))
+
+
+def _plugin(record: Record) -> Plugin:
+    """The plugin that mounts the workspace."""
+    from rosml.containerize import desk
+    from rosml.run import paths
+    from rosml.run.plugin import Plugin
+
+    def mounted(context: Context) -> list[str]:
+        folder = context.person.folder
+        added = ["--mount", paths.bind(f"{folder}/{desk.KEPT}", WORKSPACE)]
+        added += ["--mount", paths.bind(folder, f"{WORKSPACE}/src/target")]
+        if record.upstream:
+            added += ["--mount", f"{paths.bind(record.upstream, f'{WORKSPACE}/src/upstream')},readonly"]
+        if not context.line.command:
+            added += ["--label", f"{LABEL}={record.key}"]
+        if not context.line.has("workdir"):
+            added += ["--workdir", WORKSPACE]
+        return [*added, "-e", f"ROSML_DEV_FOLDER={folder}"]
+
+    return Plugin("dev", mounted)

@@ -1,0 +1,404 @@
+"""`rosml dev`: when its image is made, what the engine gets, and what is said where nothing starts. The engine and the builder are
+local replacements."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+from desks import OURS, Desk
+from stubs import script_of_a_build
+
+import rosml
+from rosml.base.errors import RosmlError
+from rosml.cli import main
+from rosml.cli.containerize import containerize, dev
+from rosml.cli.run import container
+from rosml.containerize import app_bake_file, build, desk, workspace
+from rosml.containerize.left_out import LeftOut
+from rosml.run import concerns
+
+COMMAND = app_bake_file.SCRIPTS / "containerize/desk_command.sh"
+
+
+@dataclass
+class Place:
+    """A folder with a package, in which somebody calls `rosml dev`.
+
+    Attributes:
+        folder: the current one.
+        engine: what the engine has.
+        made: how often the builder made the image.
+        loaded: whether the image goes to Docker, or else to a registry.
+        ran: the engine's commands that the calls became.
+        said: standard error of the last call.
+    """
+
+    folder: Path
+    desk: Desk
+    made: int = 0
+    loaded: bool = True
+    ran: list[Sequence[str]] = field(default_factory=list)
+    said: str = ""
+
+    @property
+    def image(self) -> str:
+        return desk.name(self.folder) + (":latest" if self.loaded else "@sha256:1")
+
+    def call(self, *words: str) -> list[str]:
+        """The engine's command that a call becomes.
+
+        Raises:
+            RosmlError: nothing starts.
+        """
+        before = len(self.ran)
+        done = CliRunner().invoke(main.cli, ["dev", *words])
+        self.said = done.stderr
+        if isinstance(done.exception, RosmlError):
+            raise done.exception
+        assert len(self.ran) == before + 1, (done.output, done.exception)
+        return [*self.ran[-1]]
+
+    def mounts(self, *words: str) -> dict[str, str]:
+        """The value of each `--mount`, by its target."""
+        argv = self.call(*words)
+        found = [argv[at + 1] for at, word in enumerate(argv) if word == "--mount"]
+        return {value.partition("target=")[2].partition(",")[0]: value for value in found}
+
+
+@pytest.fixture
+def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
+    made = Place(tmp_path / "my robot", Desk(tmp_path))
+    (made.folder / "src/arm").mkdir(parents=True)
+    (made.folder / "src/arm/package.xml").write_text("<package><name>arm</name></package>")
+    (made.folder / ".env").write_text("BASE_IMAGE=ros:jazzy-base\n")
+    made.desk.engine(images={})
+
+    class App:
+        def __init__(self, folder: Path, values: Any, *_: object) -> None:
+            assert (folder, values.image_name, values.push) == (made.folder, desk.name(folder), False)
+
+        def desk(self) -> build.Desk:
+            made.made += 1
+            there: dict[str, Any] = {"images": {made.image: OURS}} if made.loaded else {"registry": {made.image: OURS}}
+            made.desk.engine(**there)
+            return build.Desk(made.image, made.loaded, None)
+
+    class Builder:
+        def require_builder(self) -> None:
+            """It answers."""
+
+    def become(argv: Sequence[str]) -> None:
+        made.ran.append(argv)
+        raise SystemExit(0)
+
+    for name in [name for name in os.environ if name.startswith(("ROSML_", "XDG_", "DOCKER_"))]:
+        monkeypatch.delenv(name)
+    monkeypatch.setenv("PATH", str(made.desk.bin))
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.setattr(rosml, "STATE", tmp_path / "state")
+    monkeypatch.setattr(build, "App", App)
+    monkeypatch.setattr(containerize, "services_for_builds", Builder)
+    monkeypatch.setattr(container, "become", become)
+    monkeypatch.chdir(made.folder)
+    return made
+
+
+def write(name: str, text: str = "x") -> Callable[[Path], None]:
+    def change(folder: Path) -> None:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+
+    return change
+
+
+# ---- The image -------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("change", "again"),
+    [
+        (write("src/arm/package.xml", "<package><name>arm</name><depend>tf2</depend></package>"), True),
+        (write("src/leg/package.xml", "<package><name>leg</name></package>"), True),
+        (write("docker/additional-debs.txt", "htop\n"), True),
+        (write("deps.repos", "repositories: {}\n"), True),
+        (write(".env", "BASE_IMAGE=ros:humble-base\n"), True),
+        (write("src/arm/arm.cpp"), False),
+        (write(f"{desk.KEPT}/install/arm/package.xml", "<package><name>arm</name></package>"), False),
+    ],
+)
+def test_an_image_is_made_again_if_its_inputs_changed(
+    place: Place, change: Callable[[Path], None], again: bool
+) -> None:
+    place.call()
+    place.call("--", "colcon", "build")
+    assert place.made == 1
+    change(place.folder)
+    place.call()
+    assert place.made == 1 + again
+
+
+def test_an_image_is_made_again_if_the_engine_has_another(place: Place) -> None:
+    place.call()
+    place.desk.engine(images={})
+    place.call()
+    assert place.made == 2
+    place.call("--build")
+    assert place.made == 3
+
+
+def test_an_image_of_the_local_registry_is_pulled_by_its_digest(place: Place) -> None:
+    place.loaded = False
+    assert place.call()[-1] == place.image
+    assert ["docker", "pull", place.image] in place.desk.calls
+
+
+def test_an_image_that_another_engine_has_is_not_pulled(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Docker Hub may have one of that name."""
+    monkeypatch.setattr(place.desk, "engine", lambda **_: None)
+    with pytest.raises(RosmlError, match="the image is in Docker, and docker does not have it"):
+        place.call()
+    assert not place.desk.called("pull")
+
+
+# ---- What the engine gets --------------------------------------------------------------------------------------------
+
+
+def test_the_folder_is_mounted_and_what_is_built_is_kept(place: Place) -> None:
+    argv = place.call("--", "colcon", "build", "--packages-select", "a b")
+    assert argv[-5:] == [place.image, "colcon", "build", "--packages-select", "a b"]
+    assert argv[argv.index("--workdir") + 1] == dev.WORKSPACE
+    mounts = place.mounts()
+    assert mounts[dev.WORKSPACE] == f"type=bind,source={place.folder}/{desk.KEPT},target={dev.WORKSPACE}"
+    target = f"{dev.WORKSPACE}/src/target"
+    assert mounts[target] == f"type=bind,source={place.folder},target={target}"
+    for point in desk.POINTS:
+        assert (place.folder / desk.KEPT / point).is_dir(), "the engine would make it, for root"
+
+
+def test_imported_repositories_cannot_be_changed(place: Place, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    place.call()
+    file = desk.record_of(place.folder, tmp_path / "state")
+    record = desk.read(file)
+    assert record
+    desk.write(file, record.model_copy(update={"upstream": "/imported"}))
+    assert place.mounts()[f"{dev.WORKSPACE}/src/upstream"].endswith(",readonly")
+
+
+def test_options_go_to_the_engine(place: Place, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """A relative path is one of the current folder, and not of the folder that is named."""
+    monkeypatch.chdir(tmp_path)
+    (place.folder / ".rosml.toml").write_text('image = "other"\ncommand = ["ls"]\noptions = ["--loc"]\n')
+    argv = place.call("-v", "./bags:/bags", "-w", "/tmp", "my robot")
+    assert argv[-1] == place.image
+    assert f"{tmp_path}/bags:/bags" in argv and argv.count("--workdir") == 0
+
+
+def test_git_and_builds_leave_out_what_is_kept(place: Place, tmp_path: Path) -> None:
+    place.call()
+    workspace.stage(place.folder, tmp_path / "staged", left=LeftOut(place.folder))
+    assert not (tmp_path / "staged/.rosml").exists()
+    git = shutil.which("git", path=os.defpath)
+    assert git
+    subprocess.run([git, "init", "--quiet", place.folder], check=True)
+    listed = subprocess.run([git, "status", "--short"], cwd=place.folder, capture_output=True, text=True, check=True)
+    assert "src/" in listed.stdout and ".rosml" not in listed.stdout
+
+
+# ---- A container that runs -------------------------------------------------------------------------------------------
+
+
+def running(place: Place, key: str) -> None:
+    labels = {concerns.FOLDER: str(place.folder), dev.LABEL: key}
+    config = {"Image": place.image, "Env": OURS, "Labels": labels, "Entrypoint": ["/tini", "--", "/entrypoint.sh"]}
+    place.desk.engine(images={place.image: OURS}, containers={"r": ["running", "/r", place.image, config]})
+
+
+def test_a_second_call_enters_the_container_of_the_first(place: Place) -> None:
+    argv = place.call()
+    key = next(word for word in argv if word.startswith(f"{dev.LABEL}=")).partition("=")[2]
+    running(place, key)
+    argv = place.call("--", "colcon", "test")
+    assert argv[:2] == ["docker", "exec"] and argv[-4:] == ["r", "/entrypoint.sh", "colcon", "test"]
+    assert (place.said, place.made) == ("", 1)
+
+
+def test_a_container_of_a_command_is_entered_by_nobody(place: Place) -> None:
+    """It ends with the command, and a shell in it would end as well."""
+    assert not [word for word in place.call("--", "colcon", "build") if word.startswith(dev.LABEL)]
+
+
+def test_a_container_with_an_older_image_is_entered_with_a_warning(place: Place) -> None:
+    running(place, "older")
+    assert place.call()[1] == "exec"
+    assert "r has the dependencies of before" in place.said and "docker stop r" in place.said
+    with pytest.raises(RosmlError, match="-p is for a container that starts, and r runs already"):
+        place.call("-p", "127.0.0.1:5678:5678")
+    assert place.call("--build")[1] == "run"
+
+
+# ---- What is wrong ---------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        (["colcon", "test"], "a command stands after --: rosml dev -- colcon test"),
+        (["htop"], "there is no folder htop"),
+        (["src/arm/package.xml"], "there is no folder"),
+        (["--platform", "linux/arm64"], "--platform: the image is for this machine"),
+        (["--dry-run"], "the image of this folder is not made"),
+        (["--base-image", "ros:jazzy-base", ".."], "PLACE"),
+    ],
+)
+def test_a_wrong_call_is_told_before_anything_is_made(place: Place, words: list[str], says: str) -> None:
+    if says == "PLACE":
+        says = f"there is no package.xml in {place.folder}/empty"
+        (place.folder / "empty").mkdir()
+        words = ["empty"]
+    with pytest.raises(RosmlError) as error:
+        place.call(*words)
+    assert says in f"{error.value.message} {error.value.remedy}"
+    assert not place.made and not (place.folder / ".rosml").exists()
+
+
+def test_there_is_no_engine(place: Place) -> None:
+    (place.desk.bin / "docker").unlink()
+    with pytest.raises(RosmlError, match="neither docker nor podman is installed"):
+        place.call()
+
+
+def test_nothing_is_kept_in_a_folder_of_somebody_else(tmp_path: Path) -> None:
+    uid = os.geteuid()
+    desk.require_yours(tmp_path, uid)
+    desk.prepare(tmp_path)
+    desk.require_yours(tmp_path, uid)
+    with pytest.raises(RosmlError, match=r"\.rosml belongs to the user") as error:
+        desk.require_yours(tmp_path, uid + 1)
+    assert error.value.remedy == f"remove it: sudo rm -rf '{tmp_path}/{desk.KEPT}'"
+    tmp_path.chmod(0o555)
+    if uid:
+        with pytest.raises(RosmlError, match="you cannot write there"):
+            desk.require_yours(tmp_path, uid)
+        with pytest.raises(RosmlError, match="and you are root"):
+            desk.require_yours(tmp_path, 0)
+    tmp_path.chmod(0o755)
+
+
+@pytest.mark.parametrize("place_of_link", [".rosml", desk.KEPT, f"{desk.KEPT}/src", f"{desk.KEPT}/src/target"])
+def test_nothing_is_kept_behind_a_link(place: Place, tmp_path: Path, place_of_link: str) -> None:
+    """A repository may have one that leads to any folder of the person's."""
+    link = place.folder / place_of_link
+    link.parent.mkdir(parents=True, exist_ok=True)
+    link.symlink_to(tmp_path)
+    with pytest.raises(RosmlError, match="is no folder"):
+        place.call()
+    assert not place.made
+
+
+# ---- In the container ------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def joiner() -> ModuleType:
+    return script_of_a_build("containerize/compile_commands.py")
+
+
+def entry(name: str, flags: str = "") -> dict[str, str]:
+    file = f"/docker-ros/ws/src/target/src/{name}.cpp"
+    return {"directory": f"/docker-ros/ws/build/{name}", "file": file, "command": f"c++ {flags} -c {file}"}
+
+
+def test_commands_of_compilers_are_joined(joiner: ModuleType, tmp_path: Path) -> None:
+    """colcon may write a file of its own for all packages; catkin_make has no other one."""
+    write("build/compile_commands.json", json.dumps([entry("all")]))(tmp_path)
+    joiner.main(tmp_path, "")
+    file = tmp_path / "compile_commands.json"
+    assert json.loads(file.read_text()) == [entry("all")]
+    for name in ("leg", "arm"):
+        write(f"build/{name}/compile_commands.json", json.dumps([entry(name)]))(tmp_path)
+    write("build/half/compile_commands.json", "[{")(tmp_path)
+    odd = [1, {"directory": 1, "file": "a", "command": "c++"}, {"directory": "/", "file": "a", "command": "c++ 'a"}]
+    write("build/odd/compile_commands.json", json.dumps(odd))(tmp_path)
+    joiner.main(tmp_path, "")
+    assert json.loads(file.read_text()) == [entry("arm"), entry("leg")]
+    assert not (tmp_path / "host").exists()
+
+
+def test_commands_have_paths_of_the_machine_as_well(joiner: ModuleType) -> None:
+    places = {"/docker-ros/ws/src/target": "/home/jo/my robot", "/docker-ros/ws": "/home/jo/my robot/.rosml/dev"}
+    assert joiner.moved(entry("arm", "-I/docker-ros/ws/install/arm -DA='\"b c\"'"), places) == {
+        "directory": "/home/jo/my robot/.rosml/dev/build/arm",
+        "file": "/home/jo/my robot/src/arm.cpp",
+        "arguments": [
+            "c++",
+            "-I/home/jo/my robot/.rosml/dev/install/arm",
+            '-DA="b c"',
+            "-c",
+            "/home/jo/my robot/src/arm.cpp",
+        ],
+    }
+
+
+COLCON = """\
+#!/bin/sh
+printf '%s\\n' "$*" >>"{folder}/calls"
+case $* in "${{FAILS-nothing}}"*) exit 3 ;; esac
+"""
+
+
+@pytest.fixture
+def colcon(tmp_path: Path) -> Callable[..., tuple[int, list[str]]]:
+    """Calls colcon as in the container; gives its exit code, and how the real one was called."""
+    shim, real = tmp_path / "desk", tmp_path / "bin"
+    for folder in (shim, real, tmp_path / "ws/src/target"):
+        folder.mkdir(parents=True)
+    shutil.copy(COMMAND, shim / "command.sh")
+    shutil.copy(COMMAND.with_name("compile_commands.py"), shim)
+    (shim / "colcon").symlink_to("command.sh")
+    (shim / "colcon_args").write_text("--executor sequential 'a b'\n")
+    (real / "colcon").write_text(COLCON.format(folder=tmp_path))
+    (real / "colcon").chmod(0o755)
+
+    def call(*words: str, **variables: str) -> tuple[int, list[str]]:
+        (tmp_path / "calls").write_text("")
+        env = {
+            "PATH": f"{shim}:{real}:/usr/bin:/bin",
+            "WORKSPACE": str(tmp_path / "ws"),
+            "ROS_VERSION": "1",
+            **variables,
+        }
+        done = subprocess.run([shim / "colcon", *words], env=env, check=False)
+        calls = (tmp_path / "calls").read_text().replace(str(tmp_path / "ws"), "WS")
+        return done.returncode, calls.splitlines()
+
+    return call
+
+
+def test_colcon_builds_and_tests_as_in_ci(colcon: Callable[..., tuple[int, list[str]]], tmp_path: Path) -> None:
+    assert colcon("list") == (0, ["list"])
+    assert colcon("build", "--packages-select", "arm") == (0, ["build --executor sequential a b --packages-select arm"])
+    tests = "--cmake-args --cmake-target tests --cmake-target-skip-unavailable"
+    words = ["test", "--packages-select", "arm", "leg", "--event-handlers", "x+", "--packages-skip", "b"]
+    assert colcon(*words) == (
+        0,
+        [f"build --base-paths WS/src/target --packages-select arm leg --packages-skip b {tests}", " ".join(words)],
+    )
+    assert colcon("test", ROS_VERSION="2") == (0, ["test"])
+    (tmp_path / "ws/src/target/colcon.meta").touch()
+    assert colcon("test", ROS_VERSION="2") == (0, ["test --metas WS/src/target/colcon.meta"])
+
+
+def test_its_exit_code_is_colcons(colcon: Callable[..., tuple[int, list[str]]]) -> None:
+    assert colcon("test", FAILS="test")[0] == 3
+    code, calls = colcon("test", FAILS="build")
+    assert (code, len(calls)) == (3, 1), "tests that do not build do not run"
