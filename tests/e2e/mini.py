@@ -251,7 +251,7 @@ OCI = {
     "description": r"ROS 1 (core|base) \((ros1-bookworm|broken|late)\)(, TensorFlow 2\.21\.0)?",
     "version": r"(ros1-bookworm|broken|late)-(core|base)(-cpu-tf2\.21\.0)?",
     "created": r"2026-01-01T00:00:00Z",
-    "licenses": r"Apache-2\.0",
+    "licenses": r"Apache-2\.0( AND [A-Za-z0-9.-]+)*",
     "base.name": r"\S*debian:bookworm",
     "base.digest": r"sha256:[0-9a-f]{64}",
     "source": re.escape(SOURCE),
@@ -338,11 +338,14 @@ def make(folder: Path, services: Services) -> Mini:
         "bookworm": matrix["operating_systems"]["bookworm"] | {"image": image, "digest": digest}
     }
     matrix["frameworks"] = {name: matrix["frameworks"][name] for name in ("none", "tensorflow")}
-    matrix["parts"] = [part for part in matrix["parts"] if part["name"] != "torch"]
+    chosen = matrix["frameworks"]["tensorflow"]["parts"]
+    matrix["parts"] = [part for part in matrix["parts"] if part["name"] in chosen]
     release = matrix["stacks"]["cpu"]["releases"]["tensorflow"]
-    matrix["stacks"] = {"cpu": matrix["stacks"]["cpu"] | {"releases": {"tensorflow": release}}}
+    package = matrix["stacks"]["cpu"]["packages"]["tensorflow"]
+    own = {"releases": {"tensorflow": release}, "packages": {"tensorflow": package}}
+    matrix["stacks"] = {"cpu": matrix["stacks"]["cpu"] | own}
     matrix["releases"] = {"tensorflow": {release: matrix["releases"]["tensorflow"][release]}}
-    parts = {name: size for name, size in matrix["disk"]["parts"]["cpu"].items() if name != "torch"}
+    parts = {name: size for name, size in matrix["disk"]["parts"]["cpu"].items() if name in chosen}
     matrix["disk"] |= {"parts": {"cpu": parts}, "budgets": {}}
     matrix["source"] = SOURCE
     matrix["default"] = {"targets": ["ros1-bookworm-core"], "group": ["ros1-bookworm-core"], "assembler": "bookworm"}

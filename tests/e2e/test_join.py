@@ -26,7 +26,7 @@ from tests.e2e.conftest import LOG, NAMESPACE, Published, Run, run
 from tests.e2e.images import build, push_part
 from tests.e2e.mini import Mini
 
-PARTS = ("common-cpu-py311", "tensorflow-cc-cpu", "tensorflow-cpu-py311")
+PARTS = ("common-cpu-py311", "grpc-cpu-py311", "tensorflow-cc-cpu", "tensorflow-cpu-py311")
 BYTES = 10_000
 """What joining an image may upload."""
 
@@ -101,10 +101,10 @@ def test_for_users(mini: Mini) -> None:
 
 def test_what_does_not_go_together(mini: Mini) -> None:
     ros, tag = f"{mini.registry}/ros:ros1-bookworm-core", f"{mini.registry}/mine:never"
-    common, cc, tensorflow = parts(mini)
+    common, grpc, cc, tensorflow = parts(mini)
     for arguments, words in {
         (ros, tensorflow): "common",
-        (ros, common, cc, tensorflow, tensorflow): "twice",
+        (ros, common, grpc, cc, tensorflow, tensorflow): "twice",
         (common, cc): "is a part",
         (ros, ros): "is a ROS image",
         (f"{mini.registry}/ros-tf:ros1-bookworm-core-cpu", common): "already",

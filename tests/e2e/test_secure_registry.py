@@ -172,7 +172,7 @@ def test_everything(company: Company, tmp_path: Path) -> None:
     pruned = company.publish("prune", "--days", "0", "--newest", "0", "--apply")
     assert pruned.code == 0, pruned.err
     program, mine = str(company.folder / "src"), f"{company.registry}/mine:latest"
-    parts = [f"{company.registry}/part:{name}-cpu" for name in ("common", "tensorflow-cc", "tensorflow")]
+    parts = [f"{company.registry}/part:{name}-cpu" for name in ("common", "grpc", "tensorflow-cc", "tensorflow")]
     parts = [part if part.endswith("cc-cpu") else f"{part}-py311" for part in parts]
     ros = f"{company.registry}/ros:ros1-bookworm-core"
     joined = run(sys.executable, program, "join", ros, *parts, "--tag", mine, "--json")
