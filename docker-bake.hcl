@@ -301,7 +301,7 @@ target "part-cuda-cu128" {
     "io.rosml.gpu.driver"                  = "525"
     "io.rosml.brings"                      = "cuda:cuda:CUDA cudnn::"
     "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
-    "io.rosml.frameworks"                  = "cuda=cuda* torch=cuda*,common,torch tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "cuda=cuda* torch=cuda*,common,torch tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:cuda-cu128"
@@ -501,7 +501,7 @@ target "part-common-cpu38-py38" {
     "io.rosml.stack"                       = "cpu38"
     "io.rosml.python"                      = "3.8"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,grpc,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:common-cpu38-py38"
@@ -542,6 +542,37 @@ target "part-torch-cpu38-py38" {
   ]
 }
 
+target "_files-grpc-cpu38-py38" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_20_04 }
+  args = {
+    PART         = "grpc"
+    STACK        = "cpu38"
+    PYTHON       = "3.8"
+    WHEEL_PYTHON = "3.8"
+    ACCELERATOR  = "cpu"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cpu38-py38" {
+  inherits = ["_files-grpc-cpu38-py38"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cpu38-py38"
+    "org.opencontainers.image.description" = "part grpc of stack cpu38, for Python 3.8"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cpu38"
+    "io.rosml.python"                      = "3.8"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = "tensorflow=common,grpc,tensorflow-cc*,tensorflow"
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cpu38-py38"
+  ]
+}
+
 target "_files-tensorflow-cc-cpu38" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -568,7 +599,7 @@ target "part-tensorflow-cc-cpu38" {
     "io.rosml.brings"                      = "tensorflow::"
     "io.rosml.release"                     = "tensorflow"
     "org.opencontainers.image.licenses"    = "Apache-2.0"
-    "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=common,grpc,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:tensorflow-cc-cpu38"
@@ -602,7 +633,7 @@ target "part-tensorflow-cpu38-py38" {
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
-    "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=common,grpc,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:tensorflow-cpu38-py38"
@@ -634,7 +665,7 @@ target "part-common-cu128-py310" {
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.10"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=cuda*,common,torch tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda*,common,torch tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:common-cu128-py310"
@@ -669,10 +700,41 @@ target "part-torch-cu128-py310" {
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:torch-cu128-py310"
+  ]
+}
+
+target "_files-grpc-cu128-py310" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_22_04 }
+  args = {
+    PART         = "grpc"
+    STACK        = "cu128"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cuda"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cu128-py310" {
+  inherits = ["_files-grpc-cu128-py310"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cu128-py310"
+    "org.opencontainers.image.description" = "part grpc of stack cu128, for Python 3.10"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.10"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = "tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cu128-py310"
   ]
 }
 
@@ -702,7 +764,7 @@ target "part-tensorflow-cc-cu128" {
     "io.rosml.brings"                      = "tensorflow::"
     "io.rosml.release"                     = "tensorflow"
     "org.opencontainers.image.licenses"    = "Apache-2.0"
-    "io.rosml.frameworks"                  = "tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:tensorflow-cc-cu128"
@@ -737,10 +799,45 @@ target "part-tensorflow-cu128-py310" {
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
-    "io.rosml.frameworks"                  = "tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:tensorflow-cu128-py310"
+  ]
+}
+
+target "_files-tritonclient-cu128-py310" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_22_04 }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cu128"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cuda"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cu128-py310" {
+  inherits = ["_files-tritonclient-cu128-py310"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cu128-py310"
+    "org.opencontainers.image.description" = "part tritonclient of stack cu128, for Python 3.10"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.10"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cu128-py310"
   ]
 }
 
@@ -812,6 +909,170 @@ target "part-torch-cu130-py310" {
   ]
 }
 
+target "_files-grpc-cu130-py310" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_22_04 }
+  args = {
+    PART         = "grpc"
+    STACK        = "cu130"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cuda"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cu130-py310" {
+  inherits = ["_files-grpc-cu130-py310"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cu130-py310"
+    "org.opencontainers.image.description" = "part grpc of stack cu130, for Python 3.10"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.10"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cu130-py310"
+  ]
+}
+
+target "_files-tritonclient-cu130-py310" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_22_04 }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cu130"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cuda"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cu130-py310" {
+  inherits = ["_files-tritonclient-cu130-py310"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cu130-py310"
+    "org.opencontainers.image.description" = "part tritonclient of stack cu130, for Python 3.10"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.10"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cu130-py310"
+  ]
+}
+
+target "_files-common-cu132-py310" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_22_04 }
+  args = {
+    PART         = "common"
+    STACK        = "cu132"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cuda"
+    SLOT         = "01"
+    SHOWS        = "cuda"
+  }
+}
+
+target "part-common-cu132-py310" {
+  inherits = ["_files-common-cu132-py310"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "common-cu132-py310"
+    "org.opencontainers.image.description" = "part common of stack cu132, for Python 3.10"
+    "io.rosml.part"                        = "common"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.10"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
+  }
+  tags = [
+    "${REGISTRY}/part:common-cu132-py310"
+  ]
+}
+
+target "_files-grpc-cu132-py310" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_22_04 }
+  args = {
+    PART         = "grpc"
+    STACK        = "cu132"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cuda"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cu132-py310" {
+  inherits = ["_files-grpc-cu132-py310"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cu132-py310"
+    "org.opencontainers.image.description" = "part grpc of stack cu132, for Python 3.10"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.10"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cu132-py310"
+  ]
+}
+
+target "_files-tritonclient-cu132-py310" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_22_04 }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cu132"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cuda"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cu132-py310" {
+  inherits = ["_files-tritonclient-cu132-py310"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cu132-py310"
+    "org.opencontainers.image.description" = "part tritonclient of stack cu132, for Python 3.10"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.10"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cu132-py310"
+  ]
+}
+
 target "_files-common-cpu-py310" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -836,7 +1097,7 @@ target "part-common-cpu-py310" {
     "io.rosml.stack"                       = "cpu"
     "io.rosml.python"                      = "3.10"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,grpc,tensorflow-cc*,tensorflow ml=common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:common-cpu-py310"
@@ -870,10 +1131,41 @@ target "part-torch-cpu-py310" {
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=common,torch ml=common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch ml=common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:torch-cpu-py310"
+  ]
+}
+
+target "_files-grpc-cpu-py310" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_22_04 }
+  args = {
+    PART         = "grpc"
+    STACK        = "cpu"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cpu"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cpu-py310" {
+  inherits = ["_files-grpc-cpu-py310"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cpu-py310"
+    "org.opencontainers.image.description" = "part grpc of stack cpu, for Python 3.10"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.10"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = "tensorflow=common,grpc,tensorflow-cc*,tensorflow ml=common,grpc,torch,tensorflow-cc*,tensorflow"
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cpu-py310"
   ]
 }
 
@@ -903,7 +1195,7 @@ target "part-tensorflow-cc-cpu" {
     "io.rosml.brings"                      = "tensorflow::"
     "io.rosml.release"                     = "tensorflow"
     "org.opencontainers.image.licenses"    = "Apache-2.0"
-    "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=common,grpc,tensorflow-cc*,tensorflow ml=common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:tensorflow-cc-cpu"
@@ -937,10 +1229,45 @@ target "part-tensorflow-cpu-py310" {
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
-    "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=common,grpc,tensorflow-cc*,tensorflow ml=common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:tensorflow-cpu-py310"
+  ]
+}
+
+target "_files-tritonclient-cpu-py310" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_22_04 }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cpu"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cpu"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cpu-py310" {
+  inherits = ["_files-tritonclient-cpu-py310"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cpu-py310"
+    "org.opencontainers.image.description" = "part tritonclient of stack cpu, for Python 3.10"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.10"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cpu-py310"
   ]
 }
 
@@ -969,7 +1296,7 @@ target "part-common-cu128-py312" {
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.12"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=cuda*,common,torch tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda*,common,torch tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:common-cu128-py312"
@@ -1004,10 +1331,41 @@ target "part-torch-cu128-py312" {
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:torch-cu128-py312"
+  ]
+}
+
+target "_files-grpc-cu128-py312" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_24_04 }
+  args = {
+    PART         = "grpc"
+    STACK        = "cu128"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cuda"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cu128-py312" {
+  inherits = ["_files-grpc-cu128-py312"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cu128-py312"
+    "org.opencontainers.image.description" = "part grpc of stack cu128, for Python 3.12"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.12"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = "tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cu128-py312"
   ]
 }
 
@@ -1039,10 +1397,45 @@ target "part-tensorflow-cu128-py312" {
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
-    "io.rosml.frameworks"                  = "tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:tensorflow-cu128-py312"
+  ]
+}
+
+target "_files-tritonclient-cu128-py312" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_24_04 }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cu128"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cuda"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cu128-py312" {
+  inherits = ["_files-tritonclient-cu128-py312"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cu128-py312"
+    "org.opencontainers.image.description" = "part tritonclient of stack cu128, for Python 3.12"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.12"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cu128-py312"
   ]
 }
 
@@ -1114,6 +1507,72 @@ target "part-torch-cu130-py312" {
   ]
 }
 
+target "_files-grpc-cu130-py312" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_24_04 }
+  args = {
+    PART         = "grpc"
+    STACK        = "cu130"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cuda"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cu130-py312" {
+  inherits = ["_files-grpc-cu130-py312"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cu130-py312"
+    "org.opencontainers.image.description" = "part grpc of stack cu130, for Python 3.12"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.12"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cu130-py312"
+  ]
+}
+
+target "_files-tritonclient-cu130-py312" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_24_04 }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cu130"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cuda"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cu130-py312" {
+  inherits = ["_files-tritonclient-cu130-py312"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cu130-py312"
+    "org.opencontainers.image.description" = "part tritonclient of stack cu130, for Python 3.12"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.12"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cu130-py312"
+  ]
+}
+
 target "_files-common-cu132-py312" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -1182,6 +1641,72 @@ target "part-torch-cu132-py312" {
   ]
 }
 
+target "_files-grpc-cu132-py312" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_24_04 }
+  args = {
+    PART         = "grpc"
+    STACK        = "cu132"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cuda"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cu132-py312" {
+  inherits = ["_files-grpc-cu132-py312"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cu132-py312"
+    "org.opencontainers.image.description" = "part grpc of stack cu132, for Python 3.12"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.12"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cu132-py312"
+  ]
+}
+
+target "_files-tritonclient-cu132-py312" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_24_04 }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cu132"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cuda"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cu132-py312" {
+  inherits = ["_files-tritonclient-cu132-py312"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cu132-py312"
+    "org.opencontainers.image.description" = "part tritonclient of stack cu132, for Python 3.12"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.12"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cu132-py312"
+  ]
+}
+
 target "_files-common-cpu-py312" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -1206,7 +1731,7 @@ target "part-common-cpu-py312" {
     "io.rosml.stack"                       = "cpu"
     "io.rosml.python"                      = "3.12"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,grpc,tensorflow-cc*,tensorflow ml=common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:common-cpu-py312"
@@ -1240,10 +1765,41 @@ target "part-torch-cpu-py312" {
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=common,torch ml=common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch ml=common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:torch-cpu-py312"
+  ]
+}
+
+target "_files-grpc-cpu-py312" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_24_04 }
+  args = {
+    PART         = "grpc"
+    STACK        = "cpu"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cpu"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cpu-py312" {
+  inherits = ["_files-grpc-cpu-py312"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cpu-py312"
+    "org.opencontainers.image.description" = "part grpc of stack cpu, for Python 3.12"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.12"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = "tensorflow=common,grpc,tensorflow-cc*,tensorflow ml=common,grpc,torch,tensorflow-cc*,tensorflow"
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cpu-py312"
   ]
 }
 
@@ -1274,10 +1830,45 @@ target "part-tensorflow-cpu-py312" {
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
-    "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=common,grpc,tensorflow-cc*,tensorflow ml=common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:tensorflow-cpu-py312"
+  ]
+}
+
+target "_files-tritonclient-cpu-py312" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_24_04 }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cpu"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cpu"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cpu-py312" {
+  inherits = ["_files-tritonclient-cpu-py312"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cpu-py312"
+    "org.opencontainers.image.description" = "part tritonclient of stack cpu, for Python 3.12"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.12"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cpu-py312"
   ]
 }
 
@@ -1306,7 +1897,7 @@ target "part-common-cu128-py314" {
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.14"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=cuda*,common,torch tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda*,common,torch tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:common-cu128-py314"
@@ -1341,10 +1932,76 @@ target "part-torch-cu128-py314" {
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:torch-cu128-py314"
+  ]
+}
+
+target "_files-grpc-cu128-py314" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_26_04 }
+  args = {
+    PART         = "grpc"
+    STACK        = "cu128"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cuda"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cu128-py314" {
+  inherits = ["_files-grpc-cu128-py314"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cu128-py314"
+    "org.opencontainers.image.description" = "part grpc of stack cu128, for Python 3.14"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.14"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = "tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cu128-py314"
+  ]
+}
+
+target "_files-tritonclient-cu128-py314" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_26_04 }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cu128"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cuda"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cu128-py314" {
+  inherits = ["_files-tritonclient-cu128-py314"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cu128-py314"
+    "org.opencontainers.image.description" = "part tritonclient of stack cu128, for Python 3.14"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.14"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cu128-py314"
   ]
 }
 
@@ -1416,6 +2073,72 @@ target "part-torch-cu130-py314" {
   ]
 }
 
+target "_files-grpc-cu130-py314" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_26_04 }
+  args = {
+    PART         = "grpc"
+    STACK        = "cu130"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cuda"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cu130-py314" {
+  inherits = ["_files-grpc-cu130-py314"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cu130-py314"
+    "org.opencontainers.image.description" = "part grpc of stack cu130, for Python 3.14"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.14"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cu130-py314"
+  ]
+}
+
+target "_files-tritonclient-cu130-py314" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_26_04 }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cu130"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cuda"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cu130-py314" {
+  inherits = ["_files-tritonclient-cu130-py314"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cu130-py314"
+    "org.opencontainers.image.description" = "part tritonclient of stack cu130, for Python 3.14"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.14"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cu130-py314"
+  ]
+}
+
 target "_files-common-cu132-py314" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -1484,6 +2207,72 @@ target "part-torch-cu132-py314" {
   ]
 }
 
+target "_files-grpc-cu132-py314" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_26_04 }
+  args = {
+    PART         = "grpc"
+    STACK        = "cu132"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cuda"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cu132-py314" {
+  inherits = ["_files-grpc-cu132-py314"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cu132-py314"
+    "org.opencontainers.image.description" = "part grpc of stack cu132, for Python 3.14"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.14"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cu132-py314"
+  ]
+}
+
+target "_files-tritonclient-cu132-py314" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_26_04 }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cu132"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cuda"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cu132-py314" {
+  inherits = ["_files-tritonclient-cu132-py314"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cu132-py314"
+    "org.opencontainers.image.description" = "part tritonclient of stack cu132, for Python 3.14"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.14"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cu132-py314"
+  ]
+}
+
 target "_files-common-cpu-py314" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -1508,7 +2297,7 @@ target "part-common-cpu-py314" {
     "io.rosml.stack"                       = "cpu"
     "io.rosml.python"                      = "3.14"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,grpc,tensorflow-cc*,tensorflow ml=common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:common-cpu-py314"
@@ -1542,10 +2331,76 @@ target "part-torch-cpu-py314" {
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=common,torch ml=common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch ml=common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:torch-cpu-py314"
+  ]
+}
+
+target "_files-grpc-cpu-py314" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_26_04 }
+  args = {
+    PART         = "grpc"
+    STACK        = "cpu"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cpu"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cpu-py314" {
+  inherits = ["_files-grpc-cpu-py314"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cpu-py314"
+    "org.opencontainers.image.description" = "part grpc of stack cpu, for Python 3.14"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.14"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = "tensorflow=common,grpc,tensorflow-cc*,tensorflow ml=common,grpc,torch,tensorflow-cc*,tensorflow"
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cpu-py314"
+  ]
+}
+
+target "_files-tritonclient-cpu-py314" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_26_04 }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cpu"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cpu"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cpu-py314" {
+  inherits = ["_files-tritonclient-cpu-py314"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cpu-py314"
+    "org.opencontainers.image.description" = "part tritonclient of stack cpu, for Python 3.14"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.14"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cpu-py314"
   ]
 }
 
@@ -1574,7 +2429,7 @@ target "part-common-cu128-py311" {
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.11"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=cuda*,common,torch tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda*,common,torch tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:common-cu128-py311"
@@ -1609,10 +2464,41 @@ target "part-torch-cu128-py311" {
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:torch-cu128-py311"
+  ]
+}
+
+target "_files-grpc-cu128-py311" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "grpc"
+    STACK        = "cu128"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cu128-py311" {
+  inherits = ["_files-grpc-cu128-py311"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cu128-py311"
+    "org.opencontainers.image.description" = "part grpc of stack cu128, for Python 3.11"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.11"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = "tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cu128-py311"
   ]
 }
 
@@ -1644,10 +2530,45 @@ target "part-tensorflow-cu128-py311" {
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
-    "io.rosml.frameworks"                  = "tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:tensorflow-cu128-py311"
+  ]
+}
+
+target "_files-tritonclient-cu128-py311" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cu128"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cu128-py311" {
+  inherits = ["_files-tritonclient-cu128-py311"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cu128-py311"
+    "org.opencontainers.image.description" = "part tritonclient of stack cu128, for Python 3.11"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cu128-py311"
   ]
 }
 
@@ -1719,6 +2640,72 @@ target "part-torch-cu130-py311" {
   ]
 }
 
+target "_files-grpc-cu130-py311" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "grpc"
+    STACK        = "cu130"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cu130-py311" {
+  inherits = ["_files-grpc-cu130-py311"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cu130-py311"
+    "org.opencontainers.image.description" = "part grpc of stack cu130, for Python 3.11"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.11"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cu130-py311"
+  ]
+}
+
+target "_files-tritonclient-cu130-py311" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cu130"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cu130-py311" {
+  inherits = ["_files-tritonclient-cu130-py311"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cu130-py311"
+    "org.opencontainers.image.description" = "part tritonclient of stack cu130, for Python 3.11"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cu130-py311"
+  ]
+}
+
 target "_files-common-cu132-py311" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -1787,6 +2774,72 @@ target "part-torch-cu132-py311" {
   ]
 }
 
+target "_files-grpc-cu132-py311" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "grpc"
+    STACK        = "cu132"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cu132-py311" {
+  inherits = ["_files-grpc-cu132-py311"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cu132-py311"
+    "org.opencontainers.image.description" = "part grpc of stack cu132, for Python 3.11"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.11"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cu132-py311"
+  ]
+}
+
+target "_files-tritonclient-cu132-py311" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cu132"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cu132-py311" {
+  inherits = ["_files-tritonclient-cu132-py311"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cu132-py311"
+    "org.opencontainers.image.description" = "part tritonclient of stack cu132, for Python 3.11"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cu132-py311"
+  ]
+}
+
 target "_files-common-cpu-py311" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -1811,7 +2864,7 @@ target "part-common-cpu-py311" {
     "io.rosml.stack"                       = "cpu"
     "io.rosml.python"                      = "3.11"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,grpc,tensorflow-cc*,tensorflow ml=common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:common-cpu-py311"
@@ -1845,10 +2898,41 @@ target "part-torch-cpu-py311" {
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=common,torch ml=common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch ml=common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:torch-cpu-py311"
+  ]
+}
+
+target "_files-grpc-cpu-py311" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "grpc"
+    STACK        = "cpu"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cpu"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cpu-py311" {
+  inherits = ["_files-grpc-cpu-py311"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cpu-py311"
+    "org.opencontainers.image.description" = "part grpc of stack cpu, for Python 3.11"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.11"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = "tensorflow=common,grpc,tensorflow-cc*,tensorflow ml=common,grpc,torch,tensorflow-cc*,tensorflow"
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cpu-py311"
   ]
 }
 
@@ -1879,10 +2963,45 @@ target "part-tensorflow-cpu-py311" {
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
-    "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=common,grpc,tensorflow-cc*,tensorflow ml=common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:tensorflow-cpu-py311"
+  ]
+}
+
+target "_files-tritonclient-cpu-py311" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cpu"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cpu"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cpu-py311" {
+  inherits = ["_files-tritonclient-cpu-py311"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cpu-py311"
+    "org.opencontainers.image.description" = "part tritonclient of stack cpu, for Python 3.11"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cpu-py311"
   ]
 }
 
@@ -1911,7 +3030,7 @@ target "part-common-cu128-py313" {
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.13"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=cuda*,common,torch tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda*,common,torch tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:common-cu128-py313"
@@ -1946,10 +3065,41 @@ target "part-torch-cu128-py313" {
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:torch-cu128-py313"
+  ]
+}
+
+target "_files-grpc-cu128-py313" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_TRIXIE }
+  args = {
+    PART         = "grpc"
+    STACK        = "cu128"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cuda"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cu128-py313" {
+  inherits = ["_files-grpc-cu128-py313"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cu128-py313"
+    "org.opencontainers.image.description" = "part grpc of stack cu128, for Python 3.13"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.13"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = "tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cu128-py313"
   ]
 }
 
@@ -1981,10 +3131,45 @@ target "part-tensorflow-cu128-py313" {
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
-    "io.rosml.frameworks"                  = "tensorflow=cuda*,common,tensorflow-cc*,tensorflow ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:tensorflow-cu128-py313"
+  ]
+}
+
+target "_files-tritonclient-cu128-py313" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_TRIXIE }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cu128"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cuda"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cu128-py313" {
+  inherits = ["_files-tritonclient-cu128-py313"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cu128-py313"
+    "org.opencontainers.image.description" = "part tritonclient of stack cu128, for Python 3.13"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.13"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cu128-py313"
   ]
 }
 
@@ -2056,6 +3241,72 @@ target "part-torch-cu130-py313" {
   ]
 }
 
+target "_files-grpc-cu130-py313" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_TRIXIE }
+  args = {
+    PART         = "grpc"
+    STACK        = "cu130"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cuda"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cu130-py313" {
+  inherits = ["_files-grpc-cu130-py313"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cu130-py313"
+    "org.opencontainers.image.description" = "part grpc of stack cu130, for Python 3.13"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.13"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cu130-py313"
+  ]
+}
+
+target "_files-tritonclient-cu130-py313" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_TRIXIE }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cu130"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cuda"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cu130-py313" {
+  inherits = ["_files-tritonclient-cu130-py313"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cu130-py313"
+    "org.opencontainers.image.description" = "part tritonclient of stack cu130, for Python 3.13"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.13"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cu130-py313"
+  ]
+}
+
 target "_files-common-cu132-py313" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -2124,6 +3375,72 @@ target "part-torch-cu132-py313" {
   ]
 }
 
+target "_files-grpc-cu132-py313" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_TRIXIE }
+  args = {
+    PART         = "grpc"
+    STACK        = "cu132"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cuda"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cu132-py313" {
+  inherits = ["_files-grpc-cu132-py313"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cu132-py313"
+    "org.opencontainers.image.description" = "part grpc of stack cu132, for Python 3.13"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.13"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cu132-py313"
+  ]
+}
+
+target "_files-tritonclient-cu132-py313" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_TRIXIE }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cu132"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cuda"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cu132-py313" {
+  inherits = ["_files-tritonclient-cu132-py313"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cu132-py313"
+    "org.opencontainers.image.description" = "part tritonclient of stack cu132, for Python 3.13"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.13"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cu132-py313"
+  ]
+}
+
 target "_files-common-cpu-py313" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -2148,7 +3465,7 @@ target "part-common-cpu-py313" {
     "io.rosml.stack"                       = "cpu"
     "io.rosml.python"                      = "3.13"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,grpc,tensorflow-cc*,tensorflow ml=common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:common-cpu-py313"
@@ -2182,10 +3499,41 @@ target "part-torch-cpu-py313" {
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.frameworks"                  = "torch=common,torch ml=common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch ml=common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:torch-cpu-py313"
+  ]
+}
+
+target "_files-grpc-cpu-py313" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_TRIXIE }
+  args = {
+    PART         = "grpc"
+    STACK        = "cpu"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cpu"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cpu-py313" {
+  inherits = ["_files-grpc-cpu-py313"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cpu-py313"
+    "org.opencontainers.image.description" = "part grpc of stack cpu, for Python 3.13"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.13"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = "tensorflow=common,grpc,tensorflow-cc*,tensorflow ml=common,grpc,torch,tensorflow-cc*,tensorflow"
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cpu-py313"
   ]
 }
 
@@ -2216,10 +3564,45 @@ target "part-tensorflow-cpu-py313" {
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
-    "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc*,tensorflow ml=common,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=common,grpc,tensorflow-cc*,tensorflow ml=common,grpc,torch,tensorflow-cc*,tensorflow"
   }
   tags = [
     "${REGISTRY}/part:tensorflow-cpu-py313"
+  ]
+}
+
+target "_files-tritonclient-cpu-py313" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_TRIXIE }
+  args = {
+    PART         = "tritonclient"
+    STACK        = "cpu"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cpu"
+    SLOT         = "09"
+  }
+}
+
+target "part-tritonclient-cpu-py313" {
+  inherits = ["_files-tritonclient-cpu-py313"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tritonclient-cpu-py313"
+    "org.opencontainers.image.description" = "part tritonclient of stack cpu, for Python 3.13"
+    "io.rosml.part"                        = "tritonclient"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.13"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
+    "io.rosml.release"                     = "tritonclient"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "triton=common,grpc,tritonclient"
+  }
+  tags = [
+    "${REGISTRY}/part:tritonclient-cpu-py313"
   ]
 }
 
@@ -2387,11 +3770,13 @@ target "_tensorflow-cpu38-py38" {
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     part-common        = dependency("common-cpu38-py38", "part", "_files-common-cpu38-py38")
+    part-grpc          = dependency("grpc-cpu38-py38", "part", "_files-grpc-cpu38-py38")
     part-tensorflow-cc = dependency("tensorflow-cc-cpu38", "part", "_files-tensorflow-cc-cpu38")
     part-tensorflow    = dependency("tensorflow-cpu38-py38", "part", "_files-tensorflow-cpu38-py38")
   }
   args = {
     COMMON_ROOT        = can(digests["common-cpu38-py38"]) ? "/" : "/out/"
+    GRPC_ROOT          = can(digests["grpc-cpu38-py38"]) ? "/" : "/out/"
     TENSORFLOW_CC_ROOT = can(digests["tensorflow-cc-cpu38"]) ? "/" : "/out/"
     TENSORFLOW_ROOT    = can(digests["tensorflow-cpu38-py38"]) ? "/" : "/out/"
   }
@@ -2400,12 +3785,14 @@ target "_tensorflow-cpu38-py38" {
     "io.rosml.framework"                = "tensorflow"
     "io.rosml.tensorflow"               = "2.13.1"
     "io.rosml.stack"                    = "cpu38"
-    "io.rosml.parts"                    = "common tensorflow-cc tensorflow"
+    "io.rosml.parts"                    = "common grpc tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
     ARG COMMON_ROOT
     COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
     ARG TENSORFLOW_CC_ROOT
     COPY --link --from=part-tensorflow-cc $TENSORFLOW_CC_ROOT /
     ARG TENSORFLOW_ROOT
@@ -2615,12 +4002,14 @@ target "_tensorflow-cu128-py310" {
   contexts = {
     part-cuda          = dependency("cuda-cu128", "part", "_files-cuda-cu128")
     part-common        = dependency("common-cu128-py310", "part", "_files-common-cu128-py310")
+    part-grpc          = dependency("grpc-cu128-py310", "part", "_files-grpc-cu128-py310")
     part-tensorflow-cc = dependency("tensorflow-cc-cu128", "part", "_files-tensorflow-cc-cu128")
     part-tensorflow    = dependency("tensorflow-cu128-py310", "part", "_files-tensorflow-cu128-py310")
   }
   args = {
     CUDA_ROOT          = can(digests["cuda-cu128"]) ? "/" : "/out/"
     COMMON_ROOT        = can(digests["common-cu128-py310"]) ? "/" : "/out/"
+    GRPC_ROOT          = can(digests["grpc-cu128-py310"]) ? "/" : "/out/"
     TENSORFLOW_CC_ROOT = can(digests["tensorflow-cc-cu128"]) ? "/" : "/out/"
     TENSORFLOW_ROOT    = can(digests["tensorflow-cu128-py310"]) ? "/" : "/out/"
   }
@@ -2633,7 +4022,7 @@ target "_tensorflow-cu128-py310" {
     "io.rosml.gpu.driver"               = "525"
     "io.rosml.gpu.tensorflow.amd64"     = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.stack"                    = "cu128"
-    "io.rosml.parts"                    = "cuda common tensorflow-cc tensorflow"
+    "io.rosml.parts"                    = "cuda common grpc tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2641,6 +4030,8 @@ target "_tensorflow-cu128-py310" {
     COPY --link --from=part-cuda $CUDA_ROOT /
     ARG COMMON_ROOT
     COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
     ARG TENSORFLOW_CC_ROOT
     COPY --link --from=part-tensorflow-cc $TENSORFLOW_CC_ROOT /
     ARG TENSORFLOW_ROOT
@@ -2656,11 +4047,13 @@ target "_tensorflow-cpu-py310" {
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     part-common        = dependency("common-cpu-py310", "part", "_files-common-cpu-py310")
+    part-grpc          = dependency("grpc-cpu-py310", "part", "_files-grpc-cpu-py310")
     part-tensorflow-cc = dependency("tensorflow-cc-cpu", "part", "_files-tensorflow-cc-cpu")
     part-tensorflow    = dependency("tensorflow-cpu-py310", "part", "_files-tensorflow-cpu-py310")
   }
   args = {
     COMMON_ROOT        = can(digests["common-cpu-py310"]) ? "/" : "/out/"
+    GRPC_ROOT          = can(digests["grpc-cpu-py310"]) ? "/" : "/out/"
     TENSORFLOW_CC_ROOT = can(digests["tensorflow-cc-cpu"]) ? "/" : "/out/"
     TENSORFLOW_ROOT    = can(digests["tensorflow-cpu-py310"]) ? "/" : "/out/"
   }
@@ -2669,12 +4062,14 @@ target "_tensorflow-cpu-py310" {
     "io.rosml.framework"                = "tensorflow"
     "io.rosml.tensorflow"               = "2.21.0"
     "io.rosml.stack"                    = "cpu"
-    "io.rosml.parts"                    = "common tensorflow-cc tensorflow"
+    "io.rosml.parts"                    = "common grpc tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
     ARG COMMON_ROOT
     COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
     ARG TENSORFLOW_CC_ROOT
     COPY --link --from=part-tensorflow-cc $TENSORFLOW_CC_ROOT /
     ARG TENSORFLOW_ROOT
@@ -2688,6 +4083,7 @@ target "_ml-cu128-py310" {
   contexts = {
     part-cuda          = dependency("cuda-cu128", "part", "_files-cuda-cu128")
     part-common        = dependency("common-cu128-py310", "part", "_files-common-cu128-py310")
+    part-grpc          = dependency("grpc-cu128-py310", "part", "_files-grpc-cu128-py310")
     part-torch         = dependency("torch-cu128-py310", "part", "_files-torch-cu128-py310")
     part-tensorflow-cc = dependency("tensorflow-cc-cu128", "part", "_files-tensorflow-cc-cu128")
     part-tensorflow    = dependency("tensorflow-cu128-py310", "part", "_files-tensorflow-cu128-py310")
@@ -2695,6 +4091,7 @@ target "_ml-cu128-py310" {
   args = {
     CUDA_ROOT          = can(digests["cuda-cu128"]) ? "/" : "/out/"
     COMMON_ROOT        = can(digests["common-cu128-py310"]) ? "/" : "/out/"
+    GRPC_ROOT          = can(digests["grpc-cu128-py310"]) ? "/" : "/out/"
     TORCH_ROOT         = can(digests["torch-cu128-py310"]) ? "/" : "/out/"
     TENSORFLOW_CC_ROOT = can(digests["tensorflow-cc-cu128"]) ? "/" : "/out/"
     TENSORFLOW_ROOT    = can(digests["tensorflow-cu128-py310"]) ? "/" : "/out/"
@@ -2710,7 +4107,7 @@ target "_ml-cu128-py310" {
     "io.rosml.gpu.torch.amd64"          = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.tensorflow.amd64"     = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.stack"                    = "cu128"
-    "io.rosml.parts"                    = "cuda common torch tensorflow-cc tensorflow"
+    "io.rosml.parts"                    = "cuda common grpc torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -2718,6 +4115,8 @@ target "_ml-cu128-py310" {
     COPY --link --from=part-cuda $CUDA_ROOT /
     ARG COMMON_ROOT
     COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
     ARG TORCH_ROOT
     COPY --link --from=part-torch $TORCH_ROOT /
     ARG TENSORFLOW_CC_ROOT
@@ -2736,12 +4135,14 @@ target "_ml-cpu-py310" {
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     part-common        = dependency("common-cpu-py310", "part", "_files-common-cpu-py310")
+    part-grpc          = dependency("grpc-cpu-py310", "part", "_files-grpc-cpu-py310")
     part-torch         = dependency("torch-cpu-py310", "part", "_files-torch-cpu-py310")
     part-tensorflow-cc = dependency("tensorflow-cc-cpu", "part", "_files-tensorflow-cc-cpu")
     part-tensorflow    = dependency("tensorflow-cpu-py310", "part", "_files-tensorflow-cpu-py310")
   }
   args = {
     COMMON_ROOT        = can(digests["common-cpu-py310"]) ? "/" : "/out/"
+    GRPC_ROOT          = can(digests["grpc-cpu-py310"]) ? "/" : "/out/"
     TORCH_ROOT         = can(digests["torch-cpu-py310"]) ? "/" : "/out/"
     TENSORFLOW_CC_ROOT = can(digests["tensorflow-cc-cpu"]) ? "/" : "/out/"
     TENSORFLOW_ROOT    = can(digests["tensorflow-cpu-py310"]) ? "/" : "/out/"
@@ -2752,12 +4153,14 @@ target "_ml-cpu-py310" {
     "io.rosml.torch"                    = "2.10.0"
     "io.rosml.tensorflow"               = "2.21.0"
     "io.rosml.stack"                    = "cpu"
-    "io.rosml.parts"                    = "common torch tensorflow-cc tensorflow"
+    "io.rosml.parts"                    = "common grpc torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
     ARG COMMON_ROOT
     COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
     ARG TORCH_ROOT
     COPY --link --from=part-torch $TORCH_ROOT /
     ARG TENSORFLOW_CC_ROOT
@@ -3009,12 +4412,14 @@ target "_tensorflow-cu128-py312" {
   contexts = {
     part-cuda          = dependency("cuda-cu128", "part", "_files-cuda-cu128")
     part-common        = dependency("common-cu128-py312", "part", "_files-common-cu128-py312")
+    part-grpc          = dependency("grpc-cu128-py312", "part", "_files-grpc-cu128-py312")
     part-tensorflow-cc = dependency("tensorflow-cc-cu128", "part", "_files-tensorflow-cc-cu128")
     part-tensorflow    = dependency("tensorflow-cu128-py312", "part", "_files-tensorflow-cu128-py312")
   }
   args = {
     CUDA_ROOT          = can(digests["cuda-cu128"]) ? "/" : "/out/"
     COMMON_ROOT        = can(digests["common-cu128-py312"]) ? "/" : "/out/"
+    GRPC_ROOT          = can(digests["grpc-cu128-py312"]) ? "/" : "/out/"
     TENSORFLOW_CC_ROOT = can(digests["tensorflow-cc-cu128"]) ? "/" : "/out/"
     TENSORFLOW_ROOT    = can(digests["tensorflow-cu128-py312"]) ? "/" : "/out/"
   }
@@ -3027,7 +4432,7 @@ target "_tensorflow-cu128-py312" {
     "io.rosml.gpu.driver"               = "525"
     "io.rosml.gpu.tensorflow.amd64"     = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.stack"                    = "cu128"
-    "io.rosml.parts"                    = "cuda common tensorflow-cc tensorflow"
+    "io.rosml.parts"                    = "cuda common grpc tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3035,6 +4440,8 @@ target "_tensorflow-cu128-py312" {
     COPY --link --from=part-cuda $CUDA_ROOT /
     ARG COMMON_ROOT
     COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
     ARG TENSORFLOW_CC_ROOT
     COPY --link --from=part-tensorflow-cc $TENSORFLOW_CC_ROOT /
     ARG TENSORFLOW_ROOT
@@ -3050,11 +4457,13 @@ target "_tensorflow-cpu-py312" {
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     part-common        = dependency("common-cpu-py312", "part", "_files-common-cpu-py312")
+    part-grpc          = dependency("grpc-cpu-py312", "part", "_files-grpc-cpu-py312")
     part-tensorflow-cc = dependency("tensorflow-cc-cpu", "part", "_files-tensorflow-cc-cpu")
     part-tensorflow    = dependency("tensorflow-cpu-py312", "part", "_files-tensorflow-cpu-py312")
   }
   args = {
     COMMON_ROOT        = can(digests["common-cpu-py312"]) ? "/" : "/out/"
+    GRPC_ROOT          = can(digests["grpc-cpu-py312"]) ? "/" : "/out/"
     TENSORFLOW_CC_ROOT = can(digests["tensorflow-cc-cpu"]) ? "/" : "/out/"
     TENSORFLOW_ROOT    = can(digests["tensorflow-cpu-py312"]) ? "/" : "/out/"
   }
@@ -3063,12 +4472,14 @@ target "_tensorflow-cpu-py312" {
     "io.rosml.framework"                = "tensorflow"
     "io.rosml.tensorflow"               = "2.21.0"
     "io.rosml.stack"                    = "cpu"
-    "io.rosml.parts"                    = "common tensorflow-cc tensorflow"
+    "io.rosml.parts"                    = "common grpc tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
     ARG COMMON_ROOT
     COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
     ARG TENSORFLOW_CC_ROOT
     COPY --link --from=part-tensorflow-cc $TENSORFLOW_CC_ROOT /
     ARG TENSORFLOW_ROOT
@@ -3082,6 +4493,7 @@ target "_ml-cu128-py312" {
   contexts = {
     part-cuda          = dependency("cuda-cu128", "part", "_files-cuda-cu128")
     part-common        = dependency("common-cu128-py312", "part", "_files-common-cu128-py312")
+    part-grpc          = dependency("grpc-cu128-py312", "part", "_files-grpc-cu128-py312")
     part-torch         = dependency("torch-cu128-py312", "part", "_files-torch-cu128-py312")
     part-tensorflow-cc = dependency("tensorflow-cc-cu128", "part", "_files-tensorflow-cc-cu128")
     part-tensorflow    = dependency("tensorflow-cu128-py312", "part", "_files-tensorflow-cu128-py312")
@@ -3089,6 +4501,7 @@ target "_ml-cu128-py312" {
   args = {
     CUDA_ROOT          = can(digests["cuda-cu128"]) ? "/" : "/out/"
     COMMON_ROOT        = can(digests["common-cu128-py312"]) ? "/" : "/out/"
+    GRPC_ROOT          = can(digests["grpc-cu128-py312"]) ? "/" : "/out/"
     TORCH_ROOT         = can(digests["torch-cu128-py312"]) ? "/" : "/out/"
     TENSORFLOW_CC_ROOT = can(digests["tensorflow-cc-cu128"]) ? "/" : "/out/"
     TENSORFLOW_ROOT    = can(digests["tensorflow-cu128-py312"]) ? "/" : "/out/"
@@ -3104,7 +4517,7 @@ target "_ml-cu128-py312" {
     "io.rosml.gpu.torch.amd64"          = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.tensorflow.amd64"     = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.stack"                    = "cu128"
-    "io.rosml.parts"                    = "cuda common torch tensorflow-cc tensorflow"
+    "io.rosml.parts"                    = "cuda common grpc torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3112,6 +4525,8 @@ target "_ml-cu128-py312" {
     COPY --link --from=part-cuda $CUDA_ROOT /
     ARG COMMON_ROOT
     COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
     ARG TORCH_ROOT
     COPY --link --from=part-torch $TORCH_ROOT /
     ARG TENSORFLOW_CC_ROOT
@@ -3130,12 +4545,14 @@ target "_ml-cpu-py312" {
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     part-common        = dependency("common-cpu-py312", "part", "_files-common-cpu-py312")
+    part-grpc          = dependency("grpc-cpu-py312", "part", "_files-grpc-cpu-py312")
     part-torch         = dependency("torch-cpu-py312", "part", "_files-torch-cpu-py312")
     part-tensorflow-cc = dependency("tensorflow-cc-cpu", "part", "_files-tensorflow-cc-cpu")
     part-tensorflow    = dependency("tensorflow-cpu-py312", "part", "_files-tensorflow-cpu-py312")
   }
   args = {
     COMMON_ROOT        = can(digests["common-cpu-py312"]) ? "/" : "/out/"
+    GRPC_ROOT          = can(digests["grpc-cpu-py312"]) ? "/" : "/out/"
     TORCH_ROOT         = can(digests["torch-cpu-py312"]) ? "/" : "/out/"
     TENSORFLOW_CC_ROOT = can(digests["tensorflow-cc-cpu"]) ? "/" : "/out/"
     TENSORFLOW_ROOT    = can(digests["tensorflow-cpu-py312"]) ? "/" : "/out/"
@@ -3146,12 +4563,14 @@ target "_ml-cpu-py312" {
     "io.rosml.torch"                    = "2.10.0"
     "io.rosml.tensorflow"               = "2.21.0"
     "io.rosml.stack"                    = "cpu"
-    "io.rosml.parts"                    = "common torch tensorflow-cc tensorflow"
+    "io.rosml.parts"                    = "common grpc torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
     ARG COMMON_ROOT
     COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
     ARG TORCH_ROOT
     COPY --link --from=part-torch $TORCH_ROOT /
     ARG TENSORFLOW_CC_ROOT
@@ -3635,12 +5054,14 @@ target "_tensorflow-cu128-py311" {
   contexts = {
     part-cuda          = dependency("cuda-cu128", "part", "_files-cuda-cu128")
     part-common        = dependency("common-cu128-py311", "part", "_files-common-cu128-py311")
+    part-grpc          = dependency("grpc-cu128-py311", "part", "_files-grpc-cu128-py311")
     part-tensorflow-cc = dependency("tensorflow-cc-cu128", "part", "_files-tensorflow-cc-cu128")
     part-tensorflow    = dependency("tensorflow-cu128-py311", "part", "_files-tensorflow-cu128-py311")
   }
   args = {
     CUDA_ROOT          = can(digests["cuda-cu128"]) ? "/" : "/out/"
     COMMON_ROOT        = can(digests["common-cu128-py311"]) ? "/" : "/out/"
+    GRPC_ROOT          = can(digests["grpc-cu128-py311"]) ? "/" : "/out/"
     TENSORFLOW_CC_ROOT = can(digests["tensorflow-cc-cu128"]) ? "/" : "/out/"
     TENSORFLOW_ROOT    = can(digests["tensorflow-cu128-py311"]) ? "/" : "/out/"
   }
@@ -3653,7 +5074,7 @@ target "_tensorflow-cu128-py311" {
     "io.rosml.gpu.driver"               = "525"
     "io.rosml.gpu.tensorflow.amd64"     = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.stack"                    = "cu128"
-    "io.rosml.parts"                    = "cuda common tensorflow-cc tensorflow"
+    "io.rosml.parts"                    = "cuda common grpc tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3661,6 +5082,8 @@ target "_tensorflow-cu128-py311" {
     COPY --link --from=part-cuda $CUDA_ROOT /
     ARG COMMON_ROOT
     COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
     ARG TENSORFLOW_CC_ROOT
     COPY --link --from=part-tensorflow-cc $TENSORFLOW_CC_ROOT /
     ARG TENSORFLOW_ROOT
@@ -3675,11 +5098,13 @@ target "_tensorflow-cu128-py311" {
 target "_tensorflow-cpu-py311" {
   contexts = {
     part-common        = dependency("common-cpu-py311", "part", "_files-common-cpu-py311")
+    part-grpc          = dependency("grpc-cpu-py311", "part", "_files-grpc-cpu-py311")
     part-tensorflow-cc = dependency("tensorflow-cc-cpu", "part", "_files-tensorflow-cc-cpu")
     part-tensorflow    = dependency("tensorflow-cpu-py311", "part", "_files-tensorflow-cpu-py311")
   }
   args = {
     COMMON_ROOT        = can(digests["common-cpu-py311"]) ? "/" : "/out/"
+    GRPC_ROOT          = can(digests["grpc-cpu-py311"]) ? "/" : "/out/"
     TENSORFLOW_CC_ROOT = can(digests["tensorflow-cc-cpu"]) ? "/" : "/out/"
     TENSORFLOW_ROOT    = can(digests["tensorflow-cpu-py311"]) ? "/" : "/out/"
   }
@@ -3688,12 +5113,14 @@ target "_tensorflow-cpu-py311" {
     "io.rosml.framework"                = "tensorflow"
     "io.rosml.tensorflow"               = "2.21.0"
     "io.rosml.stack"                    = "cpu"
-    "io.rosml.parts"                    = "common tensorflow-cc tensorflow"
+    "io.rosml.parts"                    = "common grpc tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
     ARG COMMON_ROOT
     COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
     ARG TENSORFLOW_CC_ROOT
     COPY --link --from=part-tensorflow-cc $TENSORFLOW_CC_ROOT /
     ARG TENSORFLOW_ROOT
@@ -3707,6 +5134,7 @@ target "_ml-cu128-py311" {
   contexts = {
     part-cuda          = dependency("cuda-cu128", "part", "_files-cuda-cu128")
     part-common        = dependency("common-cu128-py311", "part", "_files-common-cu128-py311")
+    part-grpc          = dependency("grpc-cu128-py311", "part", "_files-grpc-cu128-py311")
     part-torch         = dependency("torch-cu128-py311", "part", "_files-torch-cu128-py311")
     part-tensorflow-cc = dependency("tensorflow-cc-cu128", "part", "_files-tensorflow-cc-cu128")
     part-tensorflow    = dependency("tensorflow-cu128-py311", "part", "_files-tensorflow-cu128-py311")
@@ -3714,6 +5142,7 @@ target "_ml-cu128-py311" {
   args = {
     CUDA_ROOT          = can(digests["cuda-cu128"]) ? "/" : "/out/"
     COMMON_ROOT        = can(digests["common-cu128-py311"]) ? "/" : "/out/"
+    GRPC_ROOT          = can(digests["grpc-cu128-py311"]) ? "/" : "/out/"
     TORCH_ROOT         = can(digests["torch-cu128-py311"]) ? "/" : "/out/"
     TENSORFLOW_CC_ROOT = can(digests["tensorflow-cc-cu128"]) ? "/" : "/out/"
     TENSORFLOW_ROOT    = can(digests["tensorflow-cu128-py311"]) ? "/" : "/out/"
@@ -3729,7 +5158,7 @@ target "_ml-cu128-py311" {
     "io.rosml.gpu.torch.amd64"          = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.tensorflow.amd64"     = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.stack"                    = "cu128"
-    "io.rosml.parts"                    = "cuda common torch tensorflow-cc tensorflow"
+    "io.rosml.parts"                    = "cuda common grpc torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -3737,6 +5166,8 @@ target "_ml-cu128-py311" {
     COPY --link --from=part-cuda $CUDA_ROOT /
     ARG COMMON_ROOT
     COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
     ARG TORCH_ROOT
     COPY --link --from=part-torch $TORCH_ROOT /
     ARG TENSORFLOW_CC_ROOT
@@ -3755,12 +5186,14 @@ target "_ml-cpu-py311" {
   description = "cannot be built yet: no lock; run 'rosml locks' on a machine that reaches the package indexes, PyTorch's own among them"
   contexts = {
     part-common        = dependency("common-cpu-py311", "part", "_files-common-cpu-py311")
+    part-grpc          = dependency("grpc-cpu-py311", "part", "_files-grpc-cpu-py311")
     part-torch         = dependency("torch-cpu-py311", "part", "_files-torch-cpu-py311")
     part-tensorflow-cc = dependency("tensorflow-cc-cpu", "part", "_files-tensorflow-cc-cpu")
     part-tensorflow    = dependency("tensorflow-cpu-py311", "part", "_files-tensorflow-cpu-py311")
   }
   args = {
     COMMON_ROOT        = can(digests["common-cpu-py311"]) ? "/" : "/out/"
+    GRPC_ROOT          = can(digests["grpc-cpu-py311"]) ? "/" : "/out/"
     TORCH_ROOT         = can(digests["torch-cpu-py311"]) ? "/" : "/out/"
     TENSORFLOW_CC_ROOT = can(digests["tensorflow-cc-cpu"]) ? "/" : "/out/"
     TENSORFLOW_ROOT    = can(digests["tensorflow-cpu-py311"]) ? "/" : "/out/"
@@ -3771,12 +5204,14 @@ target "_ml-cpu-py311" {
     "io.rosml.torch"                    = "2.10.0"
     "io.rosml.tensorflow"               = "2.21.0"
     "io.rosml.stack"                    = "cpu"
-    "io.rosml.parts"                    = "common torch tensorflow-cc tensorflow"
+    "io.rosml.parts"                    = "common grpc torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
     ARG COMMON_ROOT
     COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
     ARG TORCH_ROOT
     COPY --link --from=part-torch $TORCH_ROOT /
     ARG TENSORFLOW_CC_ROOT
@@ -4028,12 +5463,14 @@ target "_tensorflow-cu128-py313" {
   contexts = {
     part-cuda          = dependency("cuda-cu128", "part", "_files-cuda-cu128")
     part-common        = dependency("common-cu128-py313", "part", "_files-common-cu128-py313")
+    part-grpc          = dependency("grpc-cu128-py313", "part", "_files-grpc-cu128-py313")
     part-tensorflow-cc = dependency("tensorflow-cc-cu128", "part", "_files-tensorflow-cc-cu128")
     part-tensorflow    = dependency("tensorflow-cu128-py313", "part", "_files-tensorflow-cu128-py313")
   }
   args = {
     CUDA_ROOT          = can(digests["cuda-cu128"]) ? "/" : "/out/"
     COMMON_ROOT        = can(digests["common-cu128-py313"]) ? "/" : "/out/"
+    GRPC_ROOT          = can(digests["grpc-cu128-py313"]) ? "/" : "/out/"
     TENSORFLOW_CC_ROOT = can(digests["tensorflow-cc-cu128"]) ? "/" : "/out/"
     TENSORFLOW_ROOT    = can(digests["tensorflow-cu128-py313"]) ? "/" : "/out/"
   }
@@ -4046,7 +5483,7 @@ target "_tensorflow-cu128-py313" {
     "io.rosml.gpu.driver"               = "525"
     "io.rosml.gpu.tensorflow.amd64"     = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.stack"                    = "cu128"
-    "io.rosml.parts"                    = "cuda common tensorflow-cc tensorflow"
+    "io.rosml.parts"                    = "cuda common grpc tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -4054,6 +5491,8 @@ target "_tensorflow-cu128-py313" {
     COPY --link --from=part-cuda $CUDA_ROOT /
     ARG COMMON_ROOT
     COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
     ARG TENSORFLOW_CC_ROOT
     COPY --link --from=part-tensorflow-cc $TENSORFLOW_CC_ROOT /
     ARG TENSORFLOW_ROOT
@@ -4069,11 +5508,13 @@ target "_tensorflow-cpu-py313" {
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     part-common        = dependency("common-cpu-py313", "part", "_files-common-cpu-py313")
+    part-grpc          = dependency("grpc-cpu-py313", "part", "_files-grpc-cpu-py313")
     part-tensorflow-cc = dependency("tensorflow-cc-cpu", "part", "_files-tensorflow-cc-cpu")
     part-tensorflow    = dependency("tensorflow-cpu-py313", "part", "_files-tensorflow-cpu-py313")
   }
   args = {
     COMMON_ROOT        = can(digests["common-cpu-py313"]) ? "/" : "/out/"
+    GRPC_ROOT          = can(digests["grpc-cpu-py313"]) ? "/" : "/out/"
     TENSORFLOW_CC_ROOT = can(digests["tensorflow-cc-cpu"]) ? "/" : "/out/"
     TENSORFLOW_ROOT    = can(digests["tensorflow-cpu-py313"]) ? "/" : "/out/"
   }
@@ -4082,12 +5523,14 @@ target "_tensorflow-cpu-py313" {
     "io.rosml.framework"                = "tensorflow"
     "io.rosml.tensorflow"               = "2.21.0"
     "io.rosml.stack"                    = "cpu"
-    "io.rosml.parts"                    = "common tensorflow-cc tensorflow"
+    "io.rosml.parts"                    = "common grpc tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
     ARG COMMON_ROOT
     COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
     ARG TENSORFLOW_CC_ROOT
     COPY --link --from=part-tensorflow-cc $TENSORFLOW_CC_ROOT /
     ARG TENSORFLOW_ROOT
@@ -4101,6 +5544,7 @@ target "_ml-cu128-py313" {
   contexts = {
     part-cuda          = dependency("cuda-cu128", "part", "_files-cuda-cu128")
     part-common        = dependency("common-cu128-py313", "part", "_files-common-cu128-py313")
+    part-grpc          = dependency("grpc-cu128-py313", "part", "_files-grpc-cu128-py313")
     part-torch         = dependency("torch-cu128-py313", "part", "_files-torch-cu128-py313")
     part-tensorflow-cc = dependency("tensorflow-cc-cu128", "part", "_files-tensorflow-cc-cu128")
     part-tensorflow    = dependency("tensorflow-cu128-py313", "part", "_files-tensorflow-cu128-py313")
@@ -4108,6 +5552,7 @@ target "_ml-cu128-py313" {
   args = {
     CUDA_ROOT          = can(digests["cuda-cu128"]) ? "/" : "/out/"
     COMMON_ROOT        = can(digests["common-cu128-py313"]) ? "/" : "/out/"
+    GRPC_ROOT          = can(digests["grpc-cu128-py313"]) ? "/" : "/out/"
     TORCH_ROOT         = can(digests["torch-cu128-py313"]) ? "/" : "/out/"
     TENSORFLOW_CC_ROOT = can(digests["tensorflow-cc-cu128"]) ? "/" : "/out/"
     TENSORFLOW_ROOT    = can(digests["tensorflow-cu128-py313"]) ? "/" : "/out/"
@@ -4123,7 +5568,7 @@ target "_ml-cu128-py313" {
     "io.rosml.gpu.torch.amd64"          = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.tensorflow.amd64"     = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.stack"                    = "cu128"
-    "io.rosml.parts"                    = "cuda common torch tensorflow-cc tensorflow"
+    "io.rosml.parts"                    = "cuda common grpc torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
@@ -4131,6 +5576,8 @@ target "_ml-cu128-py313" {
     COPY --link --from=part-cuda $CUDA_ROOT /
     ARG COMMON_ROOT
     COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
     ARG TORCH_ROOT
     COPY --link --from=part-torch $TORCH_ROOT /
     ARG TENSORFLOW_CC_ROOT
@@ -4149,12 +5596,14 @@ target "_ml-cpu-py313" {
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     part-common        = dependency("common-cpu-py313", "part", "_files-common-cpu-py313")
+    part-grpc          = dependency("grpc-cpu-py313", "part", "_files-grpc-cpu-py313")
     part-torch         = dependency("torch-cpu-py313", "part", "_files-torch-cpu-py313")
     part-tensorflow-cc = dependency("tensorflow-cc-cpu", "part", "_files-tensorflow-cc-cpu")
     part-tensorflow    = dependency("tensorflow-cpu-py313", "part", "_files-tensorflow-cpu-py313")
   }
   args = {
     COMMON_ROOT        = can(digests["common-cpu-py313"]) ? "/" : "/out/"
+    GRPC_ROOT          = can(digests["grpc-cpu-py313"]) ? "/" : "/out/"
     TORCH_ROOT         = can(digests["torch-cpu-py313"]) ? "/" : "/out/"
     TENSORFLOW_CC_ROOT = can(digests["tensorflow-cc-cpu"]) ? "/" : "/out/"
     TENSORFLOW_ROOT    = can(digests["tensorflow-cpu-py313"]) ? "/" : "/out/"
@@ -4165,12 +5614,14 @@ target "_ml-cpu-py313" {
     "io.rosml.torch"                    = "2.10.0"
     "io.rosml.tensorflow"               = "2.21.0"
     "io.rosml.stack"                    = "cpu"
-    "io.rosml.parts"                    = "common torch tensorflow-cc tensorflow"
+    "io.rosml.parts"                    = "common grpc torch tensorflow-cc tensorflow"
   }
   dockerfile-inline = <<-EOT
     FROM ros
     ARG COMMON_ROOT
     COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
     ARG TORCH_ROOT
     COPY --link --from=part-torch $TORCH_ROOT /
     ARG TENSORFLOW_CC_ROOT
@@ -4179,6 +5630,916 @@ target "_ml-cpu-py313" {
     COPY --link --from=part-tensorflow $TENSORFLOW_ROOT /
     ENV TORCH_VERSION=2.10.0
     ENV TENSORFLOW_VERSION=2.21.0
+  EOT
+}
+
+target "_none-triton-cu128-py310" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("humble-core", "ros", "humble-core")
+    part-cuda         = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common       = dependency("common-cu128-py310", "part", "_files-common-cu128-py310")
+    part-grpc         = dependency("grpc-cu128-py310", "part", "_files-grpc-cu128-py310")
+    part-tritonclient = dependency("tritonclient-cu128-py310", "part", "_files-tritonclient-cu128-py310")
+  }
+  args = {
+    CUDA_ROOT         = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu128-py310"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu128-py310"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu128-py310"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.cuda"                        = "12.8.90"
+    "io.rosml.cudnn"                       = "9.10.2.21"
+    "io.rosml.gpu.driver"                  = "525"
+    "org.opencontainers.image.title"       = "humble-core-triton-cu128"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), tritonclient 2.73.0, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "humble-core-cu128-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.parts"                       = "cuda common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_none-triton-cu128-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("jazzy-core", "ros", "jazzy-core")
+    part-cuda         = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common       = dependency("common-cu128-py312", "part", "_files-common-cu128-py312")
+    part-grpc         = dependency("grpc-cu128-py312", "part", "_files-grpc-cu128-py312")
+    part-tritonclient = dependency("tritonclient-cu128-py312", "part", "_files-tritonclient-cu128-py312")
+  }
+  args = {
+    CUDA_ROOT         = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu128-py312"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu128-py312"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu128-py312"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.cuda"                        = "12.8.90"
+    "io.rosml.cudnn"                       = "9.10.2.21"
+    "io.rosml.gpu.driver"                  = "525"
+    "org.opencontainers.image.title"       = "jazzy-core-triton-cu128"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), tritonclient 2.73.0, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "jazzy-core-cu128-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.parts"                       = "cuda common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_none-triton-cu128-py314" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("lyrical-core", "ros", "lyrical-core")
+    part-cuda         = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common       = dependency("common-cu128-py314", "part", "_files-common-cu128-py314")
+    part-grpc         = dependency("grpc-cu128-py314", "part", "_files-grpc-cu128-py314")
+    part-tritonclient = dependency("tritonclient-cu128-py314", "part", "_files-tritonclient-cu128-py314")
+  }
+  args = {
+    CUDA_ROOT         = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu128-py314"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu128-py314"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu128-py314"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.cuda"                        = "12.8.90"
+    "io.rosml.cudnn"                       = "9.10.2.21"
+    "io.rosml.gpu.driver"                  = "525"
+    "org.opencontainers.image.title"       = "lyrical-core-triton-cu128"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), tritonclient 2.73.0, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "lyrical-core-cu128-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.parts"                       = "cuda common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_none-triton-cu128-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda         = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common       = dependency("common-cu128-py311", "part", "_files-common-cu128-py311")
+    part-grpc         = dependency("grpc-cu128-py311", "part", "_files-grpc-cu128-py311")
+    part-tritonclient = dependency("tritonclient-cu128-py311", "part", "_files-tritonclient-cu128-py311")
+  }
+  args = {
+    CUDA_ROOT         = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu128-py311"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu128-py311"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu128-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.cuda"                        = "12.8.90"
+    "io.rosml.cudnn"                       = "9.10.2.21"
+    "io.rosml.gpu.driver"                  = "525"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-triton-cu128"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), tritonclient 2.73.0, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu128-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.parts"                       = "cuda common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_none-triton-cu128-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-cuda         = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common       = dependency("common-cu128-py313", "part", "_files-common-cu128-py313")
+    part-grpc         = dependency("grpc-cu128-py313", "part", "_files-grpc-cu128-py313")
+    part-tritonclient = dependency("tritonclient-cu128-py313", "part", "_files-tritonclient-cu128-py313")
+  }
+  args = {
+    CUDA_ROOT         = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu128-py313"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu128-py313"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu128-py313"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.cuda"                        = "12.8.90"
+    "io.rosml.cudnn"                       = "9.10.2.21"
+    "io.rosml.gpu.driver"                  = "525"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-triton-cu128"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), tritonclient 2.73.0, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu128-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.parts"                       = "cuda common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_none-triton-cu130-py310" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("humble-core", "ros", "humble-core")
+    part-cuda         = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common       = dependency("common-cu130-py310", "part", "_files-common-cu130-py310")
+    part-grpc         = dependency("grpc-cu130-py310", "part", "_files-grpc-cu130-py310")
+    part-tritonclient = dependency("tritonclient-cu130-py310", "part", "_files-tritonclient-cu130-py310")
+  }
+  args = {
+    CUDA_ROOT         = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu130-py310"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu130-py310"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu130-py310"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "humble-core-triton-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), tritonclient 2.73.0, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "humble-core-cu130-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-triton-cu130-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("jazzy-core", "ros", "jazzy-core")
+    part-cuda         = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common       = dependency("common-cu130-py312", "part", "_files-common-cu130-py312")
+    part-grpc         = dependency("grpc-cu130-py312", "part", "_files-grpc-cu130-py312")
+    part-tritonclient = dependency("tritonclient-cu130-py312", "part", "_files-tritonclient-cu130-py312")
+  }
+  args = {
+    CUDA_ROOT         = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu130-py312"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu130-py312"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu130-py312"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "jazzy-core-triton-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), tritonclient 2.73.0, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "jazzy-core-cu130-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-triton-cu130-py314" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("lyrical-core", "ros", "lyrical-core")
+    part-cuda         = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common       = dependency("common-cu130-py314", "part", "_files-common-cu130-py314")
+    part-grpc         = dependency("grpc-cu130-py314", "part", "_files-grpc-cu130-py314")
+    part-tritonclient = dependency("tritonclient-cu130-py314", "part", "_files-tritonclient-cu130-py314")
+  }
+  args = {
+    CUDA_ROOT         = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu130-py314"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu130-py314"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu130-py314"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "lyrical-core-triton-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), tritonclient 2.73.0, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "lyrical-core-cu130-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-triton-cu130-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda         = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common       = dependency("common-cu130-py311", "part", "_files-common-cu130-py311")
+    part-grpc         = dependency("grpc-cu130-py311", "part", "_files-grpc-cu130-py311")
+    part-tritonclient = dependency("tritonclient-cu130-py311", "part", "_files-tritonclient-cu130-py311")
+  }
+  args = {
+    CUDA_ROOT         = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu130-py311"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu130-py311"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu130-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-triton-cu130"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), tritonclient 2.73.0, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu130-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-triton-cu130-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-cuda         = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common       = dependency("common-cu130-py313", "part", "_files-common-cu130-py313")
+    part-grpc         = dependency("grpc-cu130-py313", "part", "_files-grpc-cu130-py313")
+    part-tritonclient = dependency("tritonclient-cu130-py313", "part", "_files-tritonclient-cu130-py313")
+  }
+  args = {
+    CUDA_ROOT         = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu130-py313"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu130-py313"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu130-py313"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-triton-cu130"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), tritonclient 2.73.0, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu130-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-triton-cu132-py310" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("humble-core", "ros", "humble-core")
+    part-cuda         = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common       = dependency("common-cu132-py310", "part", "_files-common-cu132-py310")
+    part-grpc         = dependency("grpc-cu132-py310", "part", "_files-grpc-cu132-py310")
+    part-tritonclient = dependency("tritonclient-cu132-py310", "part", "_files-tritonclient-cu132-py310")
+  }
+  args = {
+    CUDA_ROOT         = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu132-py310"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu132-py310"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu132-py310"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "humble-core-triton-cu132"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), tritonclient 2.73.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "humble-core-cu132-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-triton-cu132-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("jazzy-core", "ros", "jazzy-core")
+    part-cuda         = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common       = dependency("common-cu132-py312", "part", "_files-common-cu132-py312")
+    part-grpc         = dependency("grpc-cu132-py312", "part", "_files-grpc-cu132-py312")
+    part-tritonclient = dependency("tritonclient-cu132-py312", "part", "_files-tritonclient-cu132-py312")
+  }
+  args = {
+    CUDA_ROOT         = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu132-py312"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu132-py312"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu132-py312"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "jazzy-core-triton-cu132"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), tritonclient 2.73.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "jazzy-core-cu132-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-triton-cu132-py314" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("lyrical-core", "ros", "lyrical-core")
+    part-cuda         = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common       = dependency("common-cu132-py314", "part", "_files-common-cu132-py314")
+    part-grpc         = dependency("grpc-cu132-py314", "part", "_files-grpc-cu132-py314")
+    part-tritonclient = dependency("tritonclient-cu132-py314", "part", "_files-tritonclient-cu132-py314")
+  }
+  args = {
+    CUDA_ROOT         = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu132-py314"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu132-py314"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu132-py314"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "lyrical-core-triton-cu132"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), tritonclient 2.73.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "lyrical-core-cu132-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-triton-cu132-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda         = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common       = dependency("common-cu132-py311", "part", "_files-common-cu132-py311")
+    part-grpc         = dependency("grpc-cu132-py311", "part", "_files-grpc-cu132-py311")
+    part-tritonclient = dependency("tritonclient-cu132-py311", "part", "_files-tritonclient-cu132-py311")
+  }
+  args = {
+    CUDA_ROOT         = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu132-py311"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu132-py311"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu132-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-triton-cu132"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), tritonclient 2.73.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu132-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-triton-cu132-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-cuda         = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common       = dependency("common-cu132-py313", "part", "_files-common-cu132-py313")
+    part-grpc         = dependency("grpc-cu132-py313", "part", "_files-grpc-cu132-py313")
+    part-tritonclient = dependency("tritonclient-cu132-py313", "part", "_files-tritonclient-cu132-py313")
+  }
+  args = {
+    CUDA_ROOT         = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu132-py313"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu132-py313"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu132-py313"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-triton-cu132"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), tritonclient 2.73.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu132-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-triton-cpu-py310" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("humble-core", "ros", "humble-core")
+    part-common       = dependency("common-cpu-py310", "part", "_files-common-cpu-py310")
+    part-grpc         = dependency("grpc-cpu-py310", "part", "_files-grpc-cpu-py310")
+    part-tritonclient = dependency("tritonclient-cpu-py310", "part", "_files-tritonclient-cpu-py310")
+  }
+  args = {
+    COMMON_ROOT       = can(digests["common-cpu-py310"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cpu-py310"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cpu-py310"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "org.opencontainers.image.title"       = "humble-core-triton-cpu"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), tritonclient 2.73.0"
+    "org.opencontainers.image.version"     = "humble-core-cpu-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.parts"                       = "common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+  EOT
+}
+
+target "_none-triton-cpu-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("jazzy-core", "ros", "jazzy-core")
+    part-common       = dependency("common-cpu-py312", "part", "_files-common-cpu-py312")
+    part-grpc         = dependency("grpc-cpu-py312", "part", "_files-grpc-cpu-py312")
+    part-tritonclient = dependency("tritonclient-cpu-py312", "part", "_files-tritonclient-cpu-py312")
+  }
+  args = {
+    COMMON_ROOT       = can(digests["common-cpu-py312"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cpu-py312"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cpu-py312"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "org.opencontainers.image.title"       = "jazzy-core-triton-cpu"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), tritonclient 2.73.0"
+    "org.opencontainers.image.version"     = "jazzy-core-cpu-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.parts"                       = "common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+  EOT
+}
+
+target "_none-triton-cpu-py314" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("lyrical-core", "ros", "lyrical-core")
+    part-common       = dependency("common-cpu-py314", "part", "_files-common-cpu-py314")
+    part-grpc         = dependency("grpc-cpu-py314", "part", "_files-grpc-cpu-py314")
+    part-tritonclient = dependency("tritonclient-cpu-py314", "part", "_files-tritonclient-cpu-py314")
+  }
+  args = {
+    COMMON_ROOT       = can(digests["common-cpu-py314"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cpu-py314"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cpu-py314"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "org.opencontainers.image.title"       = "lyrical-core-triton-cpu"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), tritonclient 2.73.0"
+    "org.opencontainers.image.version"     = "lyrical-core-cpu-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.parts"                       = "common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+  EOT
+}
+
+target "_none-triton-cpu-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-common       = dependency("common-cpu-py311", "part", "_files-common-cpu-py311")
+    part-grpc         = dependency("grpc-cpu-py311", "part", "_files-grpc-cpu-py311")
+    part-tritonclient = dependency("tritonclient-cpu-py311", "part", "_files-tritonclient-cpu-py311")
+  }
+  args = {
+    COMMON_ROOT       = can(digests["common-cpu-py311"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cpu-py311"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cpu-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-triton-cpu"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), tritonclient 2.73.0"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cpu-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.parts"                       = "common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+  EOT
+}
+
+target "_none-triton-cpu-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-common       = dependency("common-cpu-py313", "part", "_files-common-cpu-py313")
+    part-grpc         = dependency("grpc-cpu-py313", "part", "_files-grpc-cpu-py313")
+    part-tritonclient = dependency("tritonclient-cpu-py313", "part", "_files-tritonclient-cpu-py313")
+  }
+  args = {
+    COMMON_ROOT       = can(digests["common-cpu-py313"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cpu-py313"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cpu-py313"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-triton-cpu"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), tritonclient 2.73.0"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cpu-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.parts"                       = "common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
   EOT
 }
 
@@ -7281,6 +9642,22 @@ target "humble-base-run-ml-cpu" {
   ]
 }
 
+target "humble-core-triton-cu128" {
+  inherits = ["_humble", "_none-triton-cu128-py310"]
+}
+
+target "humble-core-triton-cu130" {
+  inherits = ["_humble", "_none-triton-cu130-py310"]
+}
+
+target "humble-core-triton-cu132" {
+  inherits = ["_humble", "_none-triton-cu132-py310"]
+}
+
+target "humble-core-triton-cpu" {
+  inherits = ["_humble", "_none-triton-cpu-py310"]
+}
+
 # ---- iron -----------------------------------------------------------------------------------------------------------
 
 target "_iron" {
@@ -10138,6 +12515,22 @@ target "jazzy-base-run-ml-cpu" {
   ]
 }
 
+target "jazzy-core-triton-cu128" {
+  inherits = ["_jazzy", "_none-triton-cu128-py312"]
+}
+
+target "jazzy-core-triton-cu130" {
+  inherits = ["_jazzy", "_none-triton-cu130-py312"]
+}
+
+target "jazzy-core-triton-cu132" {
+  inherits = ["_jazzy", "_none-triton-cu132-py312"]
+}
+
+target "jazzy-core-triton-cpu" {
+  inherits = ["_jazzy", "_none-triton-cpu-py312"]
+}
+
 # ---- kilted ---------------------------------------------------------------------------------------------------------
 
 target "_kilted" {
@@ -12656,6 +15049,22 @@ target "lyrical-base-run-torch-cpu" {
     "${REGISTRY}/ros-torch:lyrical-base-run-cpu",
     "${REGISTRY}/ros-torch:lyrical-base-run-cpu-torch2.10.0"
   ]
+}
+
+target "lyrical-core-triton-cu128" {
+  inherits = ["_lyrical", "_none-triton-cu128-py314"]
+}
+
+target "lyrical-core-triton-cu130" {
+  inherits = ["_lyrical", "_none-triton-cu130-py314"]
+}
+
+target "lyrical-core-triton-cu132" {
+  inherits = ["_lyrical", "_none-triton-cu132-py314"]
+}
+
+target "lyrical-core-triton-cpu" {
+  inherits = ["_lyrical", "_none-triton-cpu-py314"]
 }
 
 # ---- rolling --------------------------------------------------------------------------------------------------------
@@ -15638,6 +18047,22 @@ target "ros1-bookworm-base-run-ml-cpu" {
   ]
 }
 
+target "ros1-bookworm-core-triton-cu128" {
+  inherits = ["_ros1-bookworm", "_none-triton-cu128-py311"]
+}
+
+target "ros1-bookworm-core-triton-cu130" {
+  inherits = ["_ros1-bookworm", "_none-triton-cu130-py311"]
+}
+
+target "ros1-bookworm-core-triton-cu132" {
+  inherits = ["_ros1-bookworm", "_none-triton-cu132-py311"]
+}
+
+target "ros1-bookworm-core-triton-cpu" {
+  inherits = ["_ros1-bookworm", "_none-triton-cpu-py311"]
+}
+
 # ---- ros1-trixie ----------------------------------------------------------------------------------------------------
 
 target "_ros1-trixie" {
@@ -17523,6 +19948,22 @@ target "ros1-trixie-base-run-ml-cpu" {
   ]
 }
 
+target "ros1-trixie-core-triton-cu128" {
+  inherits = ["_ros1-trixie", "_none-triton-cu128-py313"]
+}
+
+target "ros1-trixie-core-triton-cu130" {
+  inherits = ["_ros1-trixie", "_none-triton-cu130-py313"]
+}
+
+target "ros1-trixie-core-triton-cu132" {
+  inherits = ["_ros1-trixie", "_none-triton-cu132-py313"]
+}
+
+target "ros1-trixie-core-triton-cpu" {
+  inherits = ["_ros1-trixie", "_none-triton-cpu-py313"]
+}
+
 # ---- jazzy-wheels ---------------------------------------------------------------------------------------------------
 
 target "_jazzy-wheels" {
@@ -17998,6 +20439,31 @@ group "ml" {
   ]
 }
 
+group "triton" {
+  targets = [
+    "humble-core-triton-cu128",
+    "jazzy-core-triton-cu128",
+    "lyrical-core-triton-cu128",
+    "ros1-bookworm-core-triton-cu128",
+    "ros1-trixie-core-triton-cu128",
+    "humble-core-triton-cu130",
+    "jazzy-core-triton-cu130",
+    "lyrical-core-triton-cu130",
+    "ros1-bookworm-core-triton-cu130",
+    "ros1-trixie-core-triton-cu130",
+    "humble-core-triton-cu132",
+    "jazzy-core-triton-cu132",
+    "lyrical-core-triton-cu132",
+    "ros1-bookworm-core-triton-cu132",
+    "ros1-trixie-core-triton-cu132",
+    "humble-core-triton-cpu",
+    "jazzy-core-triton-cpu",
+    "lyrical-core-triton-cpu",
+    "ros1-bookworm-core-triton-cpu",
+    "ros1-trixie-core-triton-cpu",
+  ]
+}
+
 group "cu128" {
   targets = [
     "noetic-core-cuda-cu128", "noetic-base-cuda-cu128", "noetic-robot-cuda-cu128", "noetic-perception-cuda-cu128", "noetic-desktop-cuda-cu128", "noetic-desktop-full-cuda-cu128", "noetic-core-run-cuda-cu128", "noetic-base-run-cuda-cu128",
@@ -18099,6 +20565,6 @@ group "all" {
 
 group "parts" {
   targets = [
-    "part-cuda-cu128", "part-cuda-cu130", "part-cuda-cu132", "part-cuda-cu121", "part-common-cu121-py38", "part-torch-cu121-py38", "part-common-cpu38-py38", "part-tensorflow-cc-cpu38", "part-tensorflow-cpu38-py38", "part-common-cu128-py310", "part-torch-cu128-py310", "part-tensorflow-cc-cu128", "part-tensorflow-cu128-py310", "part-common-cu130-py310", "part-torch-cu130-py310", "part-common-cpu-py310", "part-torch-cpu-py310", "part-tensorflow-cc-cpu", "part-tensorflow-cpu-py310", "part-common-cu128-py312", "part-torch-cu128-py312", "part-tensorflow-cu128-py312", "part-common-cu130-py312", "part-torch-cu130-py312", "part-common-cu132-py312", "part-torch-cu132-py312", "part-common-cpu-py312", "part-torch-cpu-py312", "part-tensorflow-cpu-py312", "part-common-cu128-py314", "part-torch-cu128-py314", "part-common-cu130-py314", "part-torch-cu130-py314", "part-common-cu132-py314", "part-torch-cu132-py314", "part-common-cu128-py311", "part-torch-cu128-py311", "part-tensorflow-cu128-py311", "part-common-cu130-py311", "part-torch-cu130-py311", "part-common-cu132-py311", "part-torch-cu132-py311", "part-common-cpu-py311", "part-tensorflow-cpu-py311", "part-common-cu128-py313", "part-torch-cu128-py313", "part-tensorflow-cu128-py313", "part-common-cu130-py313", "part-torch-cu130-py313", "part-common-cu132-py313", "part-torch-cu132-py313", "part-common-cpu-py313", "part-torch-cpu-py313", "part-tensorflow-cpu-py313",
+    "part-cuda-cu128", "part-cuda-cu130", "part-cuda-cu132", "part-cuda-cu121", "part-common-cu121-py38", "part-torch-cu121-py38", "part-common-cpu38-py38", "part-grpc-cpu38-py38", "part-tensorflow-cc-cpu38", "part-tensorflow-cpu38-py38", "part-common-cu128-py310", "part-torch-cu128-py310", "part-grpc-cu128-py310", "part-tensorflow-cc-cu128", "part-tensorflow-cu128-py310", "part-tritonclient-cu128-py310", "part-common-cu130-py310", "part-torch-cu130-py310", "part-grpc-cu130-py310", "part-tritonclient-cu130-py310", "part-common-cu132-py310", "part-grpc-cu132-py310", "part-tritonclient-cu132-py310", "part-common-cpu-py310", "part-torch-cpu-py310", "part-grpc-cpu-py310", "part-tensorflow-cc-cpu", "part-tensorflow-cpu-py310", "part-tritonclient-cpu-py310", "part-common-cu128-py312", "part-torch-cu128-py312", "part-grpc-cu128-py312", "part-tensorflow-cu128-py312", "part-tritonclient-cu128-py312", "part-common-cu130-py312", "part-torch-cu130-py312", "part-grpc-cu130-py312", "part-tritonclient-cu130-py312", "part-common-cu132-py312", "part-torch-cu132-py312", "part-grpc-cu132-py312", "part-tritonclient-cu132-py312", "part-common-cpu-py312", "part-torch-cpu-py312", "part-grpc-cpu-py312", "part-tensorflow-cpu-py312", "part-tritonclient-cpu-py312", "part-common-cu128-py314", "part-torch-cu128-py314", "part-grpc-cu128-py314", "part-tritonclient-cu128-py314", "part-common-cu130-py314", "part-torch-cu130-py314", "part-grpc-cu130-py314", "part-tritonclient-cu130-py314", "part-common-cu132-py314", "part-torch-cu132-py314", "part-grpc-cu132-py314", "part-tritonclient-cu132-py314", "part-common-cpu-py314", "part-grpc-cpu-py314", "part-tritonclient-cpu-py314", "part-common-cu128-py311", "part-torch-cu128-py311", "part-grpc-cu128-py311", "part-tensorflow-cu128-py311", "part-tritonclient-cu128-py311", "part-common-cu130-py311", "part-torch-cu130-py311", "part-grpc-cu130-py311", "part-tritonclient-cu130-py311", "part-common-cu132-py311", "part-torch-cu132-py311", "part-grpc-cu132-py311", "part-tritonclient-cu132-py311", "part-common-cpu-py311", "part-grpc-cpu-py311", "part-tensorflow-cpu-py311", "part-tritonclient-cpu-py311", "part-common-cu128-py313", "part-torch-cu128-py313", "part-grpc-cu128-py313", "part-tensorflow-cu128-py313", "part-tritonclient-cu128-py313", "part-common-cu130-py313", "part-torch-cu130-py313", "part-grpc-cu130-py313", "part-tritonclient-cu130-py313", "part-common-cu132-py313", "part-torch-cu132-py313", "part-grpc-cu132-py313", "part-tritonclient-cu132-py313", "part-common-cpu-py313", "part-torch-cpu-py313", "part-grpc-cpu-py313", "part-tensorflow-cpu-py313", "part-tritonclient-cpu-py313",
   ]
 }

@@ -342,8 +342,9 @@ def make(folder: Path, services: Services) -> Mini:
     matrix["parts"] = [part for part in matrix["parts"] if part["name"] in chosen]
     release = matrix["stacks"]["cpu"]["releases"]["tensorflow"]
     package = matrix["stacks"]["cpu"]["packages"]["tensorflow"]
-    own = {"releases": {"tensorflow": release}, "packages": {"tensorflow": package}}
-    matrix["stacks"] = {"cpu": matrix["stacks"]["cpu"] | own}
+    matrix.pop("addons")
+    alone: dict[str, Any] = {"releases": {"tensorflow": release}, "packages": {"tensorflow": package}}
+    matrix["stacks"] = {"cpu": matrix["stacks"]["cpu"] | alone}
     matrix["releases"] = {"tensorflow": {release: matrix["releases"]["tensorflow"][release]}}
     parts = {name: size for name, size in matrix["disk"]["parts"]["cpu"].items() if name in chosen}
     matrix["disk"] |= {"parts": {"cpu": parts}, "budgets": {}}

@@ -6,10 +6,12 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
+from rosml import MATRIX
 from rosml.base.errors import RosmlError
 from rosml.containerize.app_base import AddOns, Base
 from rosml.images.builds.base_images import native_architecture
 from rosml.images.image_set import labels
+from rosml.images.image_set.load import load
 from rosml.images.image_set.model import PARTS
 from rosml.images.join.joiner import Joiner
 from rosml.images.join.layers import Source
@@ -95,11 +97,10 @@ def _parts(transfer: Transfer, base: Base, wanted: Iterable[str], locked: Mappin
     found: dict[str, str] = {}
     for name in wanted:
         main = _main(transfer, base, name)
-        stack, addon = main.labels.get(_STACK, ""), main.labels.get(f"{labels.PREFIX}part", "")
-        told = main.labels.get(labels.ADDONS, "")
+        stack, told = main.labels.get(_STACK, ""), main.labels.get(labels.ADDONS, "")
         try:
-            kinds = labels.combinations(told)[addon]
-        except (ValueError, KeyError):
+            [kinds] = labels.combinations(told).values()
+        except ValueError:
             text = f"{main.name} is no add-on: its label {labels.ADDONS} does not name it"
             raise RosmlError(text, "name an add-on, such as onnx", exit_code=2) from None
         for kind in kinds:
@@ -118,9 +119,12 @@ def _repository(base: Base) -> str:
 
 
 def _main(transfer: Transfer, base: Base, name: str) -> Source:
-    """The part that has an add-on's name."""
+    """The main part of an add-on: the last of its own parts, or one of its name if rosml does not have it."""
     stack, python = base.labels.get(_STACK, ""), f"py{base.labels[_PYTHON].replace('.', '')}"
-    called = f"{name}-{stack}" if stack and not name.endswith(f"-{stack}") else name
+    known = {addon: facts.parts[-1] for addon, facts in load(MATRIX).matrix.addons.items()}
+    addon = next((addon for addon in known if name == addon or name.startswith(f"{addon}-")), name)
+    called = f"{known.get(addon, addon)}{name.removeprefix(addon)}"
+    called = f"{called}-{stack}" if stack and not name.endswith(f"-{stack}") else called
     tags = [f"{_repository(base)}:{tag}" for tag in (f"{called}-{python}", called)]
     for tag in tags:
         where = references.parse(tag)

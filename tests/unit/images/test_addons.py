@@ -109,7 +109,6 @@ def test_it_is_explained(image_set: ImageSet) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "says"),
     [
-        ("parts: [extra]", "parts: [torch]", "addons.extra.parts: none of its parts is called extra"),
         ("parts: [extra]", "parts: [extra, torsh]", "no part named 'torsh'; did you mean 'torch'?"),
         ("beside: [torch]", "beside: [torsh]", "no framework named 'torsh'; did you mean 'torch'?"),
         ("distributions: [alpha]", "distributions: [alfa]", "no distribution named 'alfa'; did you mean 'alpha'?"),

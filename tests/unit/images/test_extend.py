@@ -140,8 +140,8 @@ def test_an_addon(project: Path, real: ImageSet) -> None:
     matrix = project / "matrix.yaml"
     text = matrix.read_text()
     text = text.replace(
-        "releases: {torch: 2.10.0, tensorflow: 2.20.0}",
-        "releases: {torch: 2.10.0, tensorflow: 2.20.0, einops: 0.8.1}",
+        "releases: {torch: 2.10.0, tensorflow: 2.20.0",
+        "releases: {einops: 0.8.1, torch: 2.10.0, tensorflow: 2.20.0",
         1,
     )
     text = text.replace(
@@ -162,7 +162,7 @@ def test_an_addon(project: Path, real: ImageSet) -> None:
     jazzy = new["jazzy-core-einops-cu128"]
     assert jazzy.parts == ("cuda-cu128", "common-cu128-py312", "torch-cu128-py312", "einops-cu128-py312")
     assert (jazzy.tags, jazzy.groups, jazzy.addons, jazzy.combination) == ((), ("einops",), ("einops",), "einops")
-    assert jazzy.tests[-6:] == ("torch", "einops", "cuda-build", "torch-build", "ros2-workspace", "pip")
+    assert jazzy.tests[-3:] == ("torch", "einops", "pip"), "what PyTorch has to compile was tested without it"
     assert jazzy.versions["einops"] == "0.8.1"
     argv = [sys.executable, "scripts/generate_bake.py"]
     subprocess.run(argv, cwd=project, check=True)
@@ -179,7 +179,8 @@ def test_an_addon(project: Path, real: ImageSet) -> None:
     matrix.write_text(text.replace("einops: {parts: [einops]}", f"einops: {tagged}"))
     made = load.load(matrix, project)
     base, core = made.image("jazzy-base-einops-cu128"), made.image("jazzy-core-einops-cu128")
-    assert base.tags == ("ros-einops:jazzy-base-cu128", "ros-einops:jazzy-base-cu128-torch2.10.0-einops0.8.1")
+    tags = ("jazzy-base-cu128", "jazzy-base-cu128-torch2.10.0-einops0.8.1", "jazzy", "latest")
+    assert base.tags == tuple(f"ros-einops:{tag}" for tag in tags)
     assert base.carriers == (core.target,) and not core.tags and "all" in base.groups
     assert "jazzy-core-torch-einops-cu128" in made.by_target and "jazzy-base-torch-einops-cu128" not in made.by_target
-    assert sum(len(image.tags) for image in made.images) == sum(len(image.tags) for image in real.images) + 2
+    assert sum(len(image.tags) for image in made.images) == sum(len(image.tags) for image in real.images) + 4

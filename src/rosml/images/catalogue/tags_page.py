@@ -84,7 +84,7 @@ def _distributions(image_set: ImageSet) -> Iterator[str]:
         notes = [*(["experimental"] if distribution.experimental else []), *([f"{only} only"] if only else [])]
         note = f" ({', '.join(notes)})" if notes else ""
         facts = [f"`{name}`{note}", str(distribution.ros), f"{distribution.os}, {python}", components, eol]
-        number = sum(image.distribution == name for image in image_set.images)
+        number = sum(image.distribution == name and bool(image.tags) for image in image_set.images)
         yield f"| {' | '.join([*facts, str(number)])} |"
 
 

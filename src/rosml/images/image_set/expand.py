@@ -212,13 +212,16 @@ def _tests(matrix: Matrix, name: str, component: str, kind: _Kind) -> _Tests:
     carriers = tuple(kind.target(name, lowest, framework) for framework in frameworks)
     if runtime:  # other tests need a compiler
         return _Tests(tuple(own), (), (), carriers)
-    carried = [f"{entry.name}-build" for entry in entries if entry.compiled]
+    # What an add-on does not bring was tested without it.
+    mine = matrix.addons[kind.addon].parts if kind.addon else tuple(entry.name for entry in entries)
+    carried = [f"{entry.name}-build" for entry in entries if entry.compiled and entry.name in mine]
     if distribution.wheels:
         return _Tests(tuple(own), (), (*carried, "pip"), carriers)
     chain = [f"{ros}-{link}" for link in _chain(matrix, distribution, component)]
     of_ros = [*chain, f"{ros}-components"]
     below = of_ros if kind.stack else of_ros[:-2]
-    return _Tests((*own, *of_ros[len(below) :]), tuple(below), (*carried, f"{ros}-workspace", "pip"), carriers)
+    workspace = [] if kind.addon else [f"{ros}-workspace"]
+    return _Tests((*own, *of_ros[len(below) :]), tuple(below), (*carried, *workspace, "pip"), carriers)
 
 
 def _chain(matrix: Matrix, distribution: Distribution, component: str) -> tuple[str, ...]:

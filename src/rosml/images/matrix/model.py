@@ -572,7 +572,7 @@ class Matrix(Facts):
         """Parts, and all that they need."""
         found, todo = set[str](), [*parts]
         while todo:
-            if (name := todo.pop()) not in found:
+            if (name := todo.pop()) not in found and name in self.part:
                 found.add(name)
                 todo += self.part[name].needs
         return found

@@ -181,11 +181,6 @@ def _addons(matrix: Matrix) -> Iterator[Finding]:
         path: KeyPath = ("addons", name)
         yield from _each((*path, "parts"), "part", addon.parts, matrix.part)
         yield from _each((*path, "beside"), "framework", addon.beside, matrix.frameworks)
-        if name not in addon.parts:
-            yield (
-                (*path, "parts"),
-                f"none of its parts is called {name}; the first place where a join looks for it has that name",
-            )
         for number, part in enumerate(addon.parts):
             if owners.setdefault(part, name) != name:
                 yield (*path, "parts", number), f"{part} is a part of add-on {owners[part]}; remove it here, or there"
@@ -440,9 +435,14 @@ def _disk(matrix: Matrix) -> Iterator[Finding]:
     for name in matrix.disk.parts:
         if name not in matrix.stacks:
             yield ("disk", "parts", name), unknown("stack", name, matrix.stacks)
-    used = {part for framework in matrix.frameworks.values() for part in framework.parts}
-    used |= matrix.needed(part for addon in matrix.addons.values() for part in addon.parts if part in matrix.part)
+    together = [
+        *(facts.parts for facts in matrix.frameworks.values()),
+        *(facts.parts for facts in matrix.addons.values()),
+    ]
     for name, stack in matrix.stacks.items():
+        known = [[matrix.part[part] for part in parts if part in matrix.part] for parts in together]
+        there = [parts for parts in known if all(part.release in (None, *stack.releases) for part in parts)]
+        used = matrix.needed(part.name for parts in there for part in parts)
         needed = [part.name for part in matrix.parts if part.name in used and _has(stack, part)]
         yield from _forecasts(("disk", "parts", name), "part", matrix.disk.parts.get(name, ()), matrix.part, needed)
     carrying = [*(name for name, facts in matrix.frameworks.items() if facts.parts), *matrix.addons]
