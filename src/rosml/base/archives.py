@@ -1,17 +1,29 @@
-"""Tar archives and gzip files from outside."""
+"""Tar archives, and files of gzip and zstd, from outside."""
 
 from __future__ import annotations
 
 import re
+import sys
 import tarfile
 import zlib
+from collections.abc import Iterable, Iterator
 from typing import Any, Self
+
+if sys.version_info >= (3, 14):
+    from compression import zstd as zstd
+else:
+    from backports import zstd as zstd
 
 HEADER_BYTES = 1 << 20
 """The largest header before an entry, in bytes: a long name or an extended header. tarfile reads it whole."""
 
 MEMBERS = 100
 """The most members that a gzip file may have. Most have one."""
+
+PIECE = 1 << 20
+"""The most bytes that are unpacked at a time."""
+
+_FED = 16 << 10
 
 _HEADERS = (
     tarfile.GNUTYPE_LONGNAME,
@@ -44,6 +56,46 @@ def gunzipped(data: bytes, limit: int) -> bytes:
         if not data:
             return bytes(content)
     raise ValueError("it is damaged, or too large")
+
+
+def unpacked(blocks: Iterable[bytes]) -> Iterator[bytes]:
+    """The content of a file of gzip or zstd, or of one that is not compressed, in pieces of at most PIECE. The caller limits their sum.
+
+    Args:
+        blocks: the file, in pieces.
+
+    Raises:
+        ValueError: it is damaged.
+    """
+    # What follows a member is copied at its end, so pieces are small: a file may have many members.
+    source = (block[at : at + _FED] for block in blocks for at in range(0, len(block), _FED))
+    block = b""
+    while len(block) < 4 and (more := next(source, b"")):
+        block += more
+    if block.startswith((b"\x1f\x8b", zstd_magic := b"\x28\xb5\x2f\xfd")):
+        yield from _unpacked(block, source, block.startswith(zstd_magic))
+        return
+    yield block
+    yield from source
+
+
+def _unpacked(block: bytes, source: Iterator[bytes], is_zstd: bool) -> Iterator[bytes]:
+    """The content of all members of a file of gzip, or of all frames of one of zstd."""
+    try:
+        while block:
+            state: Any = zstd.ZstdDecompressor() if is_zstd else zlib.decompressobj(wbits=31)
+            while not state.eof:
+                yield state.decompress(block, PIECE)
+                block = b"" if is_zstd else state.unconsumed_tail
+                if not state.eof and (state.needs_input if is_zstd else not block):
+                    block = next(source, b"")
+                    if not block:
+                        raise ValueError("it ends too early")
+            block = state.unused_data or next(source, b"")
+            while not is_zstd and block and not (block := block.lstrip(b"\0")):  # gzip lets zeros follow
+                block = next(source, b"")
+    except (zlib.error, zstd.ZstdError) as error:
+        raise ValueError(str(error)) from None
 
 
 class Entry(tarfile.TarInfo):

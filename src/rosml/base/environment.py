@@ -9,7 +9,10 @@ from pathlib import Path
 RUN = ("click", "yaml")
 """The modules of the packages that pyproject.toml requires. We check all at once, as some are imported late in the work."""
 
-IMAGES = ("httpx", "packageurl", "pydantic", "rich")
+ZSTD = "compression.zstd" if sys.version_info >= (3, 14) else "backports.zstd"
+"""Python has it itself since 3.14."""
+
+IMAGES = (ZSTD, "httpx", "packageurl", "pydantic", "rich")
 """The modules that all commands need, except `rosml run` and `rosml attach`."""
 
 
@@ -21,7 +24,14 @@ def program() -> str:
     return f"python -m {called.parent.name}" if called.name == "__main__.py" else called.name
 
 
-LACKING = tuple(name for name in (*RUN, *IMAGES) if importlib.util.find_spec(name) is None)
+def _lacks(module: str) -> bool:
+    try:
+        return importlib.util.find_spec(module) is None
+    except ModuleNotFoundError:  # its package
+        return True
+
+
+LACKING = tuple(name for name in (*RUN, *IMAGES) if _lacks(name))
 """The missing modules. Outside of a checkout, `rosml run` and `rosml attach` do without some of them."""
 
 if LACKING and (Path(sys.argv[0]).name != "rosml" or {*LACKING} & {*RUN}):

@@ -314,7 +314,7 @@ def test_images_are_run_without_what_publishing_needs(wheel: Path, tmp_path: Pat
     for other in ("list", "containerize"):
         done = call(other)
         assert done.returncode == 2 and done.stderr.startswith(
-            f"error: no command {other} here: not installed: httpx, packageurl, pydantic, rich\n"
+            f"error: no command {other} here: not installed: {', '.join(environment.IMAGES)}\n"
         )
         assert "pipx install --force ." in done.stderr and "uv tool install" in done.stderr
 

@@ -17,9 +17,9 @@ from conftest import SMALL, changed, smaller
 from conftest import parse as image_set_of
 from memory_registry import DAY, PREFIX, MemoryRegistry
 from registry_stand_in import StandIn, standing_in
-from stubs import executable
 from test_upstream import FACTS, RELEASE, Mirror, mirror  # noqa: F401
 
+from rosml.base.archives import zstd
 from rosml.base.errors import RosmlError
 from rosml.images.builds import apt_sources, base_images, package_state, sync
 from rosml.images.builds.apt_sources import Source
@@ -309,24 +309,15 @@ def test_a_layer_without_sources_is_read_to_its_end(services: Services, hub: Sta
 
 @pytest.mark.parametrize("kind", ["oci.image.layer.v1.tar", "docker.image.rootfs.diff.tar"])
 @pytest.mark.parametrize("packing", ["", "gzip", "zstd"])
-def test_kinds_of_layers(
-    services: Services, hub: StandIn, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kind: str, packing: str
-) -> None:
-    """What unpacks zstd is a program; here, one that unpacks gzip."""
-    (tmp_path / "bin").mkdir()
-    executable(tmp_path / "bin" / "zstd", "exec gzip --decompress --stdout")
-    monkeypatch.setenv("PATH", f"{tmp_path / 'bin'}:{os.environ['PATH']}")
+def test_kinds_of_layers(services: Services, hub: StandIn, kind: str, packing: str) -> None:
     layer = packed((LIST, MAIN), ("usr/x", os.urandom(1 << 20)))
+    plain = gzip.decompress(layer)
+    halves = plain[:3000], plain[3000:]  # in two members, as some programs write them
+    kinds: dict[str, Callable[[bytes], bytes]] = {"": bytes, "gzip": gzip.compress, "zstd": zstd.compress}
+    content = b"".join(kinds[packing](half) for half in halves)
     joint = "+" if kind.startswith("oci") else "."
     media_type = f"application/vnd.{kind}{joint}{packing}".rstrip("+.")
-    assert read(services, hub, layer if packing else gzip.decompress(layer), media_type=media_type) == ONE
-
-
-def test_without_the_program_for_zstd(services: Services, hub: StandIn, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("PATH", "/nowhere")
-    with pytest.raises(RosmlError, match="there is no program zstd") as caught:
-        read(services, hub, b"", media_type="application/vnd.oci.image.layer.v1.tar+zstd")
-    assert caught.value.remedy == "install zstd"
+    assert read(services, hub, content, media_type=media_type) == ONE
 
 
 BELOW = packed(
@@ -382,8 +373,8 @@ REST = tar("usr/", ("usr/x", "x" * 4096), (LIST, MAIN))
         (damaged(tar("usr/", "usr/a", "usr/b")), TAR, "cannot be read"),
         (REST[:3000], TAR, "unexpected end of data"),
         (REST[:700], TAR, "cannot be read: truncated header"),
-        (b"no gzip", GZIP, "[Nn]ot a gzipped file"),
-        (packed("usr/", ("usr/x", os.urandom(4096)))[:2000], GZIP, "Compressed file ended before"),
+        (b"no gzip", GZIP, "truncated header"),
+        (packed("usr/", ("usr/x", os.urandom(4096)))[:2000], GZIP, "it ends too early"),
         (tar((LIST, b"#" * (apt_sources.SOURCE_BYTES + 1))), TAR, "sources.list has 1048577 bytes"),
         (link(), TAR, "sources.list is no file"),
         (REST, "application/vnd.oci.image.layer.v1.tar+gzip+encrypted", "is no known type of layer"),

@@ -7,19 +7,14 @@ content of a digest never changes.
 
 from __future__ import annotations
 
-import contextlib
-import gzip
 import io
 import json
 import re
-import subprocess
 import tarfile
-import tempfile
-import zlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, Any, cast
+from typing import Any
 
 from rosml.base import archives, files, untrusted
 from rosml.base.errors import RosmlError
@@ -240,7 +235,7 @@ def read_layer(registry: Registry, place: references.Reference, layer: Descripto
             for _ in blocks if whole else ():  # at the end, the digest is checked
                 pass
             return found
-        except (tarfile.TarError, zlib.error, EOFError, OSError, OverflowError, ValueError) as error:
+        except (tarfile.TarError, EOFError, OSError, OverflowError, ValueError) as error:
             raise RosmlError(
                 f"{place}: the layer {layer.digest} cannot be read: {error}",
                 "push the base image again, or name another",
@@ -294,50 +289,21 @@ class _Blocks(io.RawIOBase):
     """A file-like object over pieces of bytes."""
 
     def __init__(self, blocks: Iterator[bytes]) -> None:
-        self._blocks, self._rest = blocks, b""
+        self._blocks, self._rest = blocks, memoryview(b"")
 
     def readable(self) -> bool:
         return True
 
     def readinto(self, buffer: Any) -> int:
         while not self._rest and (block := next(self._blocks, None)) is not None:
-            self._rest = block
+            self._rest = memoryview(block)
         found, self._rest = self._rest[: len(buffer)], self._rest[len(buffer) :]
         buffer[: len(found)] = found
         return len(found)
 
 
-@contextlib.contextmanager
-def _unpacked(blocks: Iterator[bytes], media_type: str) -> Iterator[IO[bytes]]:
+def _unpacked(blocks: Iterator[bytes], media_type: str) -> io.BufferedReader:
     """The unpacked tar of a layer, as a file-like object."""
-    packed = io.BufferedReader(_Blocks(blocks))
-    if media_type.endswith("gzip"):
-        with gzip.GzipFile(fileobj=packed) as stream:
-            yield cast(IO[bytes], stream)
-    elif media_type.endswith("zstd"):
-        with _zstd(blocks) as unpacked:
-            yield unpacked
-    elif media_type.endswith("tar"):
-        yield packed
-    else:
+    if not media_type.endswith(("gzip", "zstd", "tar")):
         raise ValueError(f"{media_type} is no known type of layer")
-
-
-@contextlib.contextmanager
-def _zstd(blocks: Iterator[bytes]) -> Iterator[IO[bytes]]:
-    """Unpacks zstd with the program of that name, since Python 3.11 cannot. The program reads a file, so that no thread
-    has to feed it."""
-    with tempfile.TemporaryFile() as file:
-        for block in blocks:
-            file.write(block)
-        file.seek(0)
-        command = ["zstd", "--decompress", "--stdout", "--quiet"]
-        try:
-            process = subprocess.Popen(command, stdin=file, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-        except OSError:
-            raise RosmlError(
-                "a layer of the base image is compressed with zstd, and there is no program zstd", "install zstd"
-            ) from None
-        with process:
-            assert process.stdout
-            yield process.stdout
+    return io.BufferedReader(_Blocks(archives.unpacked(blocks)))
