@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import contextlib
 import gzip
 import io
 import os
 import subprocess
 import sys
 import tarfile
+from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
+from random import Random
 
 import pytest
 
@@ -19,17 +23,18 @@ from rosml.registry.client import Registry
 from tests.e2e import engine
 
 REPOSITORY = "rosml-test/delivery"
-IMAGES = {"base": "ab", "night": "ac", "app": "abx", "moved": "acx"}
+IMAGES = {"base": "ab", "night": "ac", "app": "abx", "moved": "acx", "monday": "amx", "tuesday": "anx"}
 GZIP = "application/vnd.oci.image.layer.v1.tar+gzip"
 
 
 def layer(name: str) -> bytes:
-    """A layer with one file."""
+    """A layer with one file. Those of `m` and `n` are nearly the same."""
+    data = Random(0).randbytes(400_000) + name.encode() if name in "mn" else name.encode() * 100_000
     out = io.BytesIO()
     with tarfile.open(fileobj=out, mode="w") as found:
-        entry = tarfile.TarInfo(name)
-        entry.size = 100_000
-        found.addfile(entry, io.BytesIO(name.encode() * entry.size))
+        entry = tarfile.TarInfo("file" if name in "mn" else name)
+        entry.size = len(data)
+        found.addfile(entry, io.BytesIO(data))
     return out.getvalue()
 
 
@@ -49,40 +54,78 @@ def push(services: Services) -> None:
             registry.put_manifest(REPOSITORY, tag, {**content, "layers": layers})
 
 
+@contextlib.contextmanager
+def robot(services: Services, folder: Path) -> Iterator[Robot]:
+    """A robot with the real Docker, and images in the local registry."""
+    push(services)
+    with engine.running() as docker:
+        found = Robot(docker, f"{services.registry}/{REPOSITORY}", folder)
+        try:
+            yield found
+        finally:
+            docker.docker("rmi", *(found.name(tag) for tag in IMAGES))
+
+
+@dataclass
+class Robot:
+    """A robot. `place` is the repository of the images."""
+
+    docker: engine.Engine
+    place: str
+    folder: Path
+
+    def name(self, tag: str) -> str:
+        """The complete reference of an image."""
+        return f"{self.place}:{tag}"
+
+    def rosml(self, *words: str) -> subprocess.CompletedProcess[str]:
+        """Calls rosml for this robot's Docker."""
+        environment = {**os.environ, "ROSML_ENGINE": "docker"}
+        if self.docker.host:
+            environment["DOCKER_HOST"] = self.docker.host
+        argv = [sys.executable, "-m", "rosml", *words]
+        return subprocess.run(argv, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
+
+    def saved(self, tag: str, *have: str) -> str:
+        """A file for the robot."""
+        given = [word for other in have for word in ("--have", self.name(other))]
+        file = str(self.folder / tag)
+        done = self.rosml("save", self.name(tag), *given, "--platform", "linux/amd64", "-o", file)
+        assert done.returncode == 0, done.stderr
+        return file
+
+    def require(self, tag: str) -> None:
+        """Checks that Docker has the layers of an image."""
+        told = self.docker.docker("image", "inspect", "--format", "{{.RootFS.Layers}}", self.name(tag))
+        assert told.out.split() == f"[{' '.join(oci.digest_of(layer(name)) for name in IMAGES[tag])}]".split()
+
+
+@pytest.mark.skipif(bool(engine.missing()), reason=engine.missing())
+def test_a_layer_arrives_as_what_differs(services: Services, tmp_path: Path) -> None:
+    with robot(services, tmp_path) as found:
+        assert found.docker.docker("load", "--input", found.saved("monday")).code == 0
+        file = found.saved("tuesday", "monday")
+        assert os.path.getsize(file) < 20_000
+        done = found.rosml("load", file)
+        assert done.returncode == 0, done.stderr
+        assert "differences of 1 layer" in done.stdout
+        found.require("tuesday")
+
+
 @pytest.mark.skipif(bool(engine.missing()), reason=engine.missing())
 def test_an_app_on_tonights_base_arrives_without_what_is_there(services: Services, tmp_path: Path) -> None:
-    push(services)
-    place = f"{services.registry}/{REPOSITORY}"
-    with engine.running() as docker:
-        environment = {**os.environ, "ROSML_ENGINE": "docker"}
-        if docker.host:
-            environment["DOCKER_HOST"] = docker.host
-
-        def rosml(*words: str) -> subprocess.CompletedProcess[str]:
-            argv = [sys.executable, "-m", "rosml", *words]
-            return subprocess.run(argv, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
-
-        def saved(tag: str, *have: str) -> str:
-            given = [word for other in have for word in ("--have", f"{place}:{other}")]
-            file = str(tmp_path / tag)
-            done = rosml("save", f"{place}:{tag}", *given, "--platform", "linux/amd64", "-o", file)
-            assert done.returncode == 0, done.stderr
-            return file
-
-        try:
-            assert docker.docker("load", "--input", saved("app")).code == 0  # a whole archive needs no rosml
-            done = rosml("load", saved("night", "app"))
-            assert done.returncode == 0, done.stderr
-            assert "docker save" not in done.stderr  # Docker finds the lowest layer by itself
-            docker.docker("rmi", f"{place}:night")
-            done = rosml("load", saved("moved", "app"))
-            assert done.returncode == 0, done.stderr
-            assert "1 layer from docker save" in done.stderr  # the app's own, which stood on other layers
-            told = docker.docker("image", "inspect", "--format", "{{.RootFS.Layers}}", f"{place}:moved")
-            assert told.out.split() == f"[{' '.join(oci.digest_of(layer(name)) for name in 'acx')}]".split()
-            docker.docker("rmi", f"{place}:app", f"{place}:moved")
-            done = rosml("load", str(tmp_path / "moved"))
-            assert done.returncode == 2
-            assert f"needs 2 layers of {place}:app@sha256:" in done.stderr
-        finally:
-            docker.docker("rmi", *(f"{place}:{tag}" for tag in IMAGES))
+    with robot(services, tmp_path) as found:
+        docker = found.docker
+        assert docker.docker("load", "--input", found.saved("app")).code == 0  # a whole archive needs no rosml
+        done = found.rosml("load", found.saved("night", "app"))
+        assert done.returncode == 0, done.stderr
+        assert "docker save" not in done.stderr  # Docker finds the lowest layer by itself
+        docker.docker("rmi", found.name("night"))
+        done = found.rosml("load", found.saved("moved", "app"))
+        assert done.returncode == 0, done.stderr
+        assert "1 layer from docker save" in done.stderr  # the app's own, which stood on other layers
+        found.require("moved")
+        docker.docker("rmi", found.name("app"), found.name("moved"))
+        done = found.rosml("load", str(tmp_path / "moved"))
+        assert done.returncode == 2
+        assert f"needs 2 layers of {found.name('app')}@sha256:" in done.stderr

@@ -24,7 +24,7 @@ from stubs import script_of_a_build
 
 sys.path.insert(0, str(ROOT / "components/containerize"))  # where its scripts find each other
 
-from rosml.base import untrusted
+from rosml.base import archives, untrusted
 from rosml.containerize import (
     app_inputs,
     ci_job,
@@ -40,7 +40,7 @@ from rosml.containerize import (
     workspace,
 )
 from rosml.containerize.conditions import holds
-from rosml.containerize.delivery import archive
+from rosml.containerize.delivery import archive, patch
 from rosml.containerize.delivery import load as load_archive
 from rosml.containerize.init import packages
 from rosml.containerize.rebase import fleet, trial
@@ -422,6 +422,38 @@ def image_of(document: bytes, folder: Path) -> object:
     return load_archive.read(archive.Archive(io.BytesIO(document), "a")).missing
 
 
+OLD_LAYER = gzip.decompress(tar_of(("a", b"one" * 2000), ("b", bytes(9000))))
+NEW_LAYER = gzip.decompress(tar_of(("a", b"one" * 1999 + b"two"), ("c", bytes(9000)), ("d", b"three")))
+PATCH_PLAN, *FRAMES = patch.make(io.BytesIO(OLD_LAYER), io.BytesIO(NEW_LAYER))
+
+
+PATCH = b"".join((PATCH_PLAN, *FRAMES))
+
+
+def patches_of(made: bytes) -> bytes:
+    """What an archive says about a patch."""
+    entry = {"mediaType": patch.MEDIA_TYPE, "digest": oci.digest_of(made), "size": len(made), "image": "a"}
+    old = {"digest": oci.digest_of(OLD_LAYER), "diff_id": oci.digest_of(OLD_LAYER), "size": len(OLD_LAYER)}
+    return json.dumps({oci.digest_of(NEW_LAYER): {**entry, "old": old}}).encode()
+
+
+def with_patch(made: bytes, document: bytes = b"") -> object:
+    """The image of an archive with a patch. `document` is what it says about that."""
+    document = document or patches_of(made)
+    digest = oci.digest_of(NEW_LAYER)
+    config = oci.encoded({"os": "linux", "architecture": "amd64", "rootfs": {"type": "layers", "diff_ids": [digest]}})
+    layers = [oci.descriptor("application/vnd.oci.image.layer.v1.tar", NEW_LAYER)]
+    manifest = oci.encoded({"schemaVersion": 2, "config": oci.descriptor(oci.CONFIG, config), "layers": layers})
+    noted = {archive.LEFT_OUT: json.dumps({"a": [digest]}), archive.PATCHES: document.decode(errors="replace")}
+    content = {"schemaVersion": 2, "manifests": [oci.descriptor(oci.IMAGE, manifest)], "annotations": noted}
+    blobs = [(archive.path(oci.digest_of(data)), data) for data in (manifest, config, made)]
+    told = tar_of((archive.LAYOUT, b"{}"), (archive.INDEX, oci.encoded(content)), *blobs)
+    image = load_archive.read(archive.Archive(io.BytesIO(gzip.decompress(told)), "a"))
+    old = tar_of((archive.LAYOUT, b"{}"), (archive.INDEX, b"{}"), (archive.path(oci.digest_of(OLD_LAYER)), OLD_LAYER))
+    there = load_archive.InArchive(archive.Archive(io.BytesIO(gzip.decompress(old)), "b"))
+    return load_archive.complete(image, load_archive.choose(image, [there]), io.BytesIO())
+
+
 def unpacked(document: bytes, folder: Path) -> object:
     """rosdep's lists of a registry."""
     rosdep_index.unpack(document, folder, "the lists")
@@ -715,6 +747,15 @@ PARSERS: dict[str, Parser] = {
         "tar", [tar_of(("rosdep/base.yaml", KEYS), ("index-v4.yaml", INDEX))], unpacked
     ),
     "archive of an image": Parser("tar", [archived()], image_of),
+    "patch of a layer": Parser("text", [PATCH], lambda document, folder: with_patch(document)),
+    "plan of a patch": Parser(
+        "json",
+        [archives.zstd.decompress(PATCH_PLAN)],
+        lambda document, folder: with_patch(b"".join((archives.zstd.compress(document), *FRAMES))),
+    ),
+    "patches in an archive": Parser(
+        "json", [patches_of(PATCH)], lambda document, folder: with_patch(PATCH, document or b"x")
+    ),
     "index in an archive": Parser(
         "json",
         [archive.index(SAVED_MANIFEST, "registry.test/b:1", {"a": [oci.digest_of(b"")]})],

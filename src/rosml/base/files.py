@@ -8,7 +8,7 @@ import os
 import stat
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import BinaryIO
+from typing import IO, BinaryIO
 
 from rosml.base.errors import RosmlError
 
@@ -91,6 +91,14 @@ def whole(file: Path) -> Iterator[BinaryIO]:
     except BaseException:  # also Ctrl-C: leave nothing behind
         Path(name).unlink(missing_ok=True)
         raise
+
+
+def temporary() -> IO[bytes]:
+    """A large file without a name: it goes away when it is closed, or when its process ends. It lies in the folder that TMPDIR names, or else
+    in /var/tmp: /tmp may be in memory."""
+    import tempfile  # only needed here
+
+    return tempfile.TemporaryFile(dir=None if "TMPDIR" in os.environ or not os.path.isdir("/var/tmp") else "/var/tmp")
 
 
 @contextlib.contextmanager

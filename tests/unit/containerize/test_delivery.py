@@ -13,17 +13,24 @@ import tarfile
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from random import Random
 from typing import Any
 
 import pytest
 from conftest import ROOT
 from registry_stand_in import DROP, StandIn, standing_in
 
+from rosml.base import archives
+from rosml.base.archives import zstd
 from rosml.cli import command, main
-from rosml.containerize.delivery import archive
+from rosml.containerize.delivery import archive, delta
 from rosml.images.builds.base_images import native_architecture
-from rosml.registry import failures, oci
+from rosml.images.join.layers import Source
+from rosml.registry import documents, failures, oci
 from rosml.registry.client import Registry
+
+Files = dict[str, bytes]
+"""The files of an archive by their names."""
 
 LAYER = "application/vnd.oci.image.layer.v1.tar+gzip"
 
@@ -38,9 +45,31 @@ def layer(name: str) -> bytes:
     return out.getvalue()
 
 
-PLAIN = {name: layer(name) for name in "abcxy"}
-PACKED = {name: gzip.compress(data, mtime=0) for name, data in PLAIN.items()}
+def nightly(changed: bytes, size: int = 400_000) -> bytes:
+    """A larger layer, of which one file changes."""
+    out = io.BytesIO()
+    with tarfile.open(fileobj=out, mode="w") as found:
+        for name, data in {"usr/lib/x": Random(size).randbytes(size), "usr/y": changed}.items():
+            entry = tarfile.TarInfo(name)
+            entry.size = len(data)
+            found.addfile(entry, io.BytesIO(data))
+    return out.getvalue()
+
+
+PLAIN = {name: layer(name) for name in "abcxy"} | {
+    "p": nightly(b"one" * 100),
+    "q": nightly(b"two" * 900),
+    "r": nightly(b"three", 399_999),
+    "n": Random(0).randbytes(300_000),
+}
+PACKED = {name: gzip.compress(data, mtime=0) for name, data in PLAIN.items()} | {"p": zstd.compress(PLAIN["p"])}
 IMAGES = {"base": "ab", "night": "ac", "app": "abx", "moved": "acx", "more": "abxy", "low": "ax", "twice": "axa"}
+IMAGES |= {"monday": "abpx", "tuesday": "acqx", "other": "acrx", "odd": "abnx", "early": "p", "late": "q", "both": "pq"}
+
+
+def media_type(name: str) -> str:
+    """Of a layer."""
+    return LAYER if PACKED[name].startswith(b"\x1f\x8b") else LAYER.replace("gzip", "zstd")
 
 
 def config(tag: str, architecture: str) -> bytes:
@@ -65,7 +94,7 @@ class Shop:
             for architecture in (self.here, "riscv64"):
                 told = config(tag, architecture)
                 registry.put_blob("t", told)
-                layers = [oci.descriptor(LAYER, PACKED[name]) for name in names]
+                layers = [oci.descriptor(media_type(name), PACKED[name]) for name in names]
                 content = {"schemaVersion": 2, "mediaType": oci.IMAGE, "config": oci.descriptor(oci.CONFIG, told)}
                 data = json.dumps({**content, "layers": layers}, indent=3).encode()
                 registry.put_manifest("t", "", data, oci.IMAGE)
@@ -221,7 +250,8 @@ def require_whole(file: Path, tag: str, held: str = "") -> None:
             continue
         data = blobs[found["digest"]]
         assert found["size"] == len(data)
-        assert (data if found["mediaType"].endswith("tar") else gzip.decompress(data)) == PLAIN[name]
+        assert b"".join(archives.unpacked([data])) == PLAIN[name]
+        assert found["mediaType"].endswith("tar") == (data == PLAIN[name])
 
 
 # ---- Saving ----------------------------------------------------------------------------------------------------------
@@ -411,10 +441,181 @@ def test_the_robot_of_another_kind_is_warned(shop: Shop, capsys: pytest.CaptureF
     assert "the image is for linux/riscv64" in capsys.readouterr().err
 
 
-# ---- A stranger's archive --------------------------------------------------------------------------------------------
+# ---- Differences -----------------------------------------------------------------------------------------------------
 
-Files = dict[str, bytes]
-"""The files of an archive by their names."""
+
+@pytest.mark.parametrize("kind", ["old", "docker", "containerd", "podman"])
+def test_a_layer_that_replaces_one_arrives_as_what_differs(
+    shop: Shop, kind: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = shop.save("tuesday", "monday")
+    assert re.search(r"\ndifferences of 1 layer: [0-9.]+ k?B instead of 400\.[0-9] kB\n", capsys.readouterr().out)
+    assert file.stat().st_size < 20_000
+    assert shop.save("tuesday", "monday", file="again").read_bytes() == file.read_bytes()
+    shop.engine(kind, "monday")
+    assert shop.call("load", file) == 0
+    require_whole(shop.loaded, "tuesday", held="a" if kind in ("old", "docker") else "")
+    (told,) = text_in(shop.loaded, archive.DOCKER)
+    assert told["Config"] == archive.path(oci.digest_of(config("tuesday", shop.here)))
+    assert names_in(shop.loaded)[-1] == archive.DOCKER
+    assert "differences of 1 layer, " in capsys.readouterr().out
+
+
+def test_an_image_that_shares_no_layer_gives_the_older_one(shop: Shop) -> None:
+    file = shop.save("late", "early")
+    shop.engine("containerd", "base", "early")
+    assert shop.call("load", file) == 0
+    require_whole(shop.loaded, "late")
+
+
+def test_an_older_layer_that_is_not_what_the_file_says_makes_nothing(
+    shop: Shop, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file, early = shop.save("late", "early"), shop.save("early", file="early")
+    noted = text_in(file, archive.INDEX)["annotations"][archive.PATCHES]
+    wrong = noted.replace(oci.digest_of(PLAIN["p"]), oci.digest_of(PLAIN["a"]))
+    words = "--from", early, "--into", shop.folder / "whole.tar"
+    assert shop.call("load", changed(file, {archive.PATCHES: wrong}), *words) == 1
+    assert f"unpacked, it is not {oci.digest_of(PLAIN['a'])}" in capsys.readouterr().err
+    assert not (shop.folder / "whole.tar").exists()
+
+
+def test_somebody_who_has_the_layer_itself_gives_it(shop: Shop) -> None:
+    """So the image keeps its digest."""
+    file = shop.save("tuesday", "monday")
+    words = "--from", shop.name("tuesday"), "--into", shop.folder / "whole.tar"
+    assert shop.call("load", file, *words) == 0
+    require_whole(shop.folder / "whole.tar", "tuesday")
+    (entry,) = text_in(shop.folder / "whole.tar", archive.INDEX)["manifests"]
+    assert text_in(file, archive.INDEX)["manifests"] == [entry]
+
+
+def test_an_older_layer_that_stays_is_sent_as_well(shop: Shop) -> None:
+    """rosml saves no such file, but it is sound."""
+    made, file = shop.save("tuesday", "monday", file="made"), shop.save("both", "monday")
+    noted = text_in(made, archive.INDEX)["annotations"][archive.PATCHES]
+    (told,) = json.loads(noted).values()
+    digests = [oci.digest_of(PACKED[name]) for name in "pq"]
+    more = {archive.path(told["digest"]): blobs_in(made)[told["digest"]], archive.path(digests[1]): b""}
+    changed(file, {archive.PATCHES: noted, archive.LEFT_OUT: json.dumps({"a": digests})}, more)
+    shop.engine("containerd", "monday")
+    assert shop.call("load", file) == 0
+    require_whole(shop.loaded, "both")
+
+
+def test_an_older_layer_that_is_missing_is_named(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
+    file = shop.save("tuesday", "monday")
+    shop.engine("containerd", "moved")
+    assert shop.call("load", file) == 2
+    said = capsys.readouterr().err
+    assert re.search(rf"needs 1 layer of {shop.name('monday')}@sha256:[0-9a-f]+, which this machine lacks", said)
+    assert not shop.loaded.exists()
+
+
+def changed(file: Path, annotations: dict[str, str], more: Files = {}) -> Path:  # noqa: B006
+    """An archive with other annotations and files. One that is empty goes."""
+    files: Files = {}
+    with tarfile.open(file) as found:
+        for entry in found:
+            stream = found.extractfile(entry)
+            assert stream
+            files[entry.name] = stream.read()
+    content = json.loads(files[archive.INDEX])
+    noted = {key: value for key, value in {**content["annotations"], **annotations}.items() if value}
+    files[archive.INDEX] = json.dumps(content | {"annotations": noted}).encode()
+    file.write_bytes(packed({name: data for name, data in {**files, **more}.items() if data}))
+    return file
+
+
+def test_an_older_rosml_says_that_it_is_too_old(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
+    """It knows no annotation about patches."""
+    file = changed(shop.save("tuesday", "monday"), {archive.PATCHES: ""})
+    shop.engine("containerd", "monday", "night")
+    assert shop.call("load", file) == 2
+    needed = rf"needs 1 layer of {shop.name('tuesday')}@sha256:[0-9a-f]+ or a newer rosml, which this machine lacks"
+    assert re.search(needed, capsys.readouterr().err)
+
+
+def test_differences_of_a_later_kind_are_refused(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
+    file = shop.save("tuesday", "monday")
+    noted = text_in(file, archive.INDEX)["annotations"][archive.PATCHES].replace(".v1+", ".v2+").replace('"old"', '"x"')
+    shop.engine("containerd", "monday")
+    assert shop.call("load", changed(file, {archive.PATCHES: noted})) == 2
+    said = capsys.readouterr().err
+    assert "differences that this rosml does not know: application/vnd.rosml.layer-patch.v2+zstd" in said
+    assert "update rosml" in said
+
+
+def test_a_layer_that_differs_in_all_is_sent_whole(shop: Shop) -> None:
+    file = shop.save("other", "monday")
+    assert PACKED["r"] in blobs_in(file).values()
+    assert archive.PATCHES not in text_in(file, archive.INDEX)["annotations"]
+    assert shop.server.count(f"GET .*{oci.digest_of(PACKED['r'])}") == 1
+
+
+def test_a_layer_that_replaces_no_tar_file_is_sent_whole(shop: Shop) -> None:
+    assert PACKED["q"] in blobs_in(shop.save("tuesday", "odd")).values()
+
+
+def test_a_damaged_older_layer_leaves_no_file(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
+    digest = oci.digest_of(PACKED["p"])
+    shop.server.blobs["t", digest] = PACKED["p"][:-1] + b"!"
+    assert shop.call("save", shop.name("tuesday"), "--have", shop.name("monday"), "-o", shop.folder / "out") == 1
+    assert digest in capsys.readouterr().err
+    assert [path.name for path in shop.folder.iterdir()] == ["bin"]
+
+
+@pytest.mark.parametrize("what", ["patch", "older layer"])
+def test_damage_loads_nothing(shop: Shop, what: str, capsys: pytest.CaptureFixture[str]) -> None:
+    file = shop.save("tuesday", "monday")
+    shop.engine("podman", "monday")
+    if what == "patch":
+        (told,) = json.loads(text_in(file, archive.INDEX)["annotations"][archive.PATCHES]).values()
+        made = blobs_in(file)[told["digest"]]
+        file.write_bytes(file.read_bytes().replace(made, made[:-1] + bytes([made[-1] ^ 1])))
+    else:
+        (saved,) = (shop.folder / "saves").iterdir()
+        saved.write_bytes(saved.read_bytes().replace(b"one" * 100, b"One" * 100))
+    assert shop.call("load", file) == 1
+    assert re.search("is damaged|another digest", capsys.readouterr().err)
+    assert archive.DOCKER.encode() not in (shop.loaded.read_bytes() if shop.loaded.exists() else b"")
+
+
+def test_a_delta_says_where_differences_may_help(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
+    assert shop.call("delta", shop.name("monday"), shop.name("tuesday"), "--platform", "linux/riscv64") == 0
+    assert "; of 1 layer, 400." in capsys.readouterr().out
+
+
+def image(steps: str, *layers: str) -> Source:
+    """An image, whose layers the steps made. Of steps and layers, letters are names; `.` is a step without a layer."""
+    entries = [{"digest": oci.digest_of(name.encode()), "mediaType": LAYER, "size": 1 << 20} for name in layers]
+    content = {"schemaVersion": 2, "config": None, "layers": entries}
+    history = [{"created_by": f"RUN {name}"} if name != "." else {"empty_layer": True} for name in steps]
+    diff_ids = [oci.digest_of(name.encode()) for name in layers]
+    facts: dict[str, Any] = {"history": history, "rootfs": {"diff_ids": diff_ids}}
+    known = oci.Config(facts, documents.Config.model_validate(facts))
+    return Source(steps, "h", "r", oci.digest_of(steps.encode()), oci.Manifest(content, "", oci.IMAGE, 1), known)
+
+
+@pytest.mark.parametrize(
+    ("new", "old", "pairs"),
+    [
+        (image("abc", "A2", "B", "C2"), image("abc", "A1", "B", "C1"), "A2-A1 C2-C1"),  # the same steps
+        (image("a.zb", "A2", "Z", "B2"), image("ab.", "A1", "B1"), "A2-A1 B2-B1"),  # one more
+        (image("xy", "A2", "B2"), image("ab", "A1", "B1"), "A2-A1 B2-B1"),  # the same place
+        (image("xyz", "A2", "B2", "C2"), image("ab", "A1", "B1"), ""),
+        (image("a", "A2", "B2"), image("ab", "A1", "B1"), "A2-A1 B2-B1"),  # one whose steps do not fit
+        (image("aa", "A3", "A4"), image("aa", "A1", "A2"), "A3-A1 A4-A2"),  # a step twice
+        (image("ab", "A", "B"), image("ba", "B", "A"), ""),
+    ],
+)
+def test_what_a_layer_replaces(new: Source, old: Source, pairs: str) -> None:
+    found = {(digest, item.digest) for digest, item in delta.replaced(new, [old]).items()}
+    wanted = [pair.split("-") for pair in pairs.split()]
+    assert found == {(oci.digest_of(one.encode()), oci.digest_of(other.encode())) for one, other in wanted}
+
+
+# ---- A stranger's archive --------------------------------------------------------------------------------------------
 
 CONFIG = config("app", "amd64")
 

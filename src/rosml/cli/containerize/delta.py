@@ -49,5 +49,9 @@ def main(one: str, other: str, platforms: tuple[str, ...], as_json: bool) -> Non
     for item in found:
         pulled = f"{counted(item.pulled, 'layer')}, {size(item.pulled_bytes)}"
         kept = f"keeps {counted(item.kept, 'layer')}, {size(item.kept_bytes)}"
+        if item.replaced:
+            kept += (
+                f"; of {counted(item.replaced, 'layer')}, {size(item.replaced_bytes)}, rosml save looks for differences"
+            )
         lacking = "" if item.before else f" ({one} is not for this platform)"
         terminal.echo(f"{item.platform}: pulls {pulled}; {kept}{lacking}")

@@ -51,6 +51,8 @@ def main(file: str, origins: tuple[str, ...], into: str, as_json: bool) -> None:
         return
     terminal.echo(f"{found.image}@{found.digest}" if found.image else found.id)
     terminal.echo(f"{counted(found.layers, 'layer')} of the file, {size(found.bytes)}")
+    if found.patches:
+        terminal.echo(f"differences of {counted(found.patches, 'layer')}, {size(found.patch_bytes)}")
     if found.taken or origins:
         terminal.echo(f"{counted(found.taken, 'layer')} of {', '.join(origins) or 'images here'}")
     if found.held:

@@ -32,7 +32,7 @@ def main(image: str, have: tuple[str, ...], output: str, platform: str, as_json:
     """Saves IMAGE of a registry in a file, for a machine without network or with a slow one.
 
     Layers that an image of --have has stay out: they are not even pulled. 'rosml load' on the other machine takes them from what it
-    has. The file is an OCI archive; without --have, 'docker load' and 'podman load' take it as well.
+    has. Of a layer that replaces one of theirs, the file gets what differs, if that is much smaller. It is an OCI archive; without --have, 'docker load' and 'podman load' take it as well.
 
     \b
     Examples:
@@ -64,12 +64,15 @@ def main(image: str, have: tuple[str, ...], output: str, platform: str, as_json:
             contextlib.nullcontext(sys.stdout.buffer) if pipe else files.whole(Path(output)) as out,
             progress_bar.of_bytes("layers", plan.bytes) as advance,
         ):
-            found = save.write(plan, registries(wanted.host), out, advance)
+            found = save.write(plan, registries, out, advance)
     if as_json:
         terminal.echo(json.dumps(found.to_json(), indent=2))
         return
     terminal.echo(f"{found.image.partition('@')[0]}@{found.digest}", err=pipe)
     terminal.echo(f"{found.platform}: {counted(found.layers, 'layer')}, {size(found.bytes)}", err=pipe)
+    if found.patches:
+        instead = f"{size(found.patch_bytes)} instead of {size(found.patched_bytes)}"
+        terminal.echo(f"differences of {counted(found.patches, 'layer')}: {instead}", err=pipe)
     if have:
         terminal.echo(f"left out: {counted(found.left_out, 'layer')}, {size(found.left_out_bytes)}", err=pipe)
     terminal.echo(f"written in {duration(found.seconds)}", err=pipe)

@@ -9,7 +9,8 @@ import hashlib
 import json
 import tarfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import Any, BinaryIO, NoReturn
+from functools import partial
+from typing import IO, Any, BinaryIO, NoReturn
 
 from rosml.base import archives
 from rosml.base.errors import RosmlError
@@ -22,6 +23,10 @@ DOCKER = "manifest.json"
 
 LEFT_OUT = "io.rosml.left-out"
 """The annotation of an index that names layers which are not in the archive: for each image that has some, their digests."""
+
+PATCHES = "io.rosml.patches"
+"""The annotation of an index that names what makes layers of older ones: for each such layer, a descriptor of its patch with the older layer,
+`old`, and an image that has that, `image`."""
 
 NAME, TAG = "io.containerd.image.name", "org.opencontainers.image.ref.name"
 """Annotations of an image in an archive: its whole name, by which engines call it; and its tag alone."""
@@ -42,7 +47,7 @@ def path(digest: str) -> str:
 class Sink:
     """A blob that arrives, perhaps in several attempts from its beginning on."""
 
-    def __init__(self, out: BinaryIO, digest: str, size: int, advance: Callable[[int], object]) -> None:
+    def __init__(self, out: IO[bytes], digest: str, size: int, advance: Callable[[int], object]) -> None:
         self._out, self._digest, self._size, self._advance = out, digest, size, advance
         self._state, self._written = hashlib.new(digest.partition(":")[0]), 0
 
@@ -69,7 +74,33 @@ class Sink:
             raise RosmlError(f"{self._digest} has {self._written} bytes instead of {self._size}", _AGAIN)
         if self._state.hexdigest() != self._digest.partition(":")[2]:
             raise RosmlError(f"{self._digest} has another digest: it is damaged", _AGAIN)
-        self._out.write(bytes(-self._size % tarfile.BLOCKSIZE))
+
+
+def verified(
+    digest: str,
+    size: int,
+    send: Callable[[Callable[[Iterable[bytes]], None]], object],
+    out: IO[bytes],
+    advance: Callable[[int], object] = lambda _: None,
+) -> None:
+    """Writes a blob into a file of its own.
+
+    Args:
+        send: as in `Writer.blob`.
+        advance: is called with numbers of bytes that were written.
+
+    Raises:
+        RosmlError: it has another size or digest.
+    """
+    sink = Sink(out, digest, size, advance)
+    send(sink.write)
+    sink.end()
+
+
+def again(file: IO[bytes], write: Callable[[Iterable[bytes]], None]) -> None:
+    """Sends a blob of such a file, as `Writer.blob` asks for it."""
+    file.seek(0)
+    write(iter(partial(file.read, BLOCK), b""))
 
 
 class Writer:
@@ -101,6 +132,7 @@ class Writer:
         sink = Sink(self._out, digest, size, self.advance)
         send(sink.write)
         sink.end()
+        self._out.write(bytes(-size % tarfile.BLOCKSIZE))
 
     def end(self) -> None:
         """Writes the end of the archive."""
@@ -113,16 +145,23 @@ class Writer:
         self._out.write(entry.tobuf(tarfile.GNU_FORMAT))
 
 
-def index(manifest: Mapping[str, Any], name: str, left_out: Mapping[str, Sequence[str]]) -> bytes:
+def index(
+    manifest: Mapping[str, Any],
+    name: str,
+    left_out: Mapping[str, Sequence[str]],
+    patches: Mapping[str, Mapping[str, Any]] | None = None,
+) -> bytes:
     """The index of an archive with one image.
 
     Args:
         manifest: its descriptor.
         name: its complete reference with a tag; empty if it has none.
         left_out: the layers that are not in the archive, by the image that has them.
+        patches: what makes layers of older ones, as PATCHES has it.
     """
     named = {NAME: name, TAG: name.rpartition(":")[2]} if name else {}
-    noted = {LEFT_OUT: oci.encoded(left_out).decode()} if left_out else {}
+    told = {LEFT_OUT: left_out, PATCHES: patches or {}}
+    noted = {key: oci.encoded(value).decode() for key, value in told.items() if value}
     entry = {**manifest, **({"annotations": named} if named else {})}
     content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": [entry]}
     return oci.encoded({**content, **({"annotations": noted} if noted else {})})
@@ -147,7 +186,7 @@ class Archive:
         name: of the file, for messages.
     """
 
-    def __init__(self, file: BinaryIO, name: str) -> None:
+    def __init__(self, file: IO[bytes], name: str) -> None:
         """
         Raises:
             RosmlError: it is no tar file, is damaged, or has an entry that no OCI archive has.

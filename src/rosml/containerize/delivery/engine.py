@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
-import os
 import re
 import subprocess
 import tarfile
@@ -14,6 +13,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import IO, BinaryIO, cast
 
+from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.containerize.delivery import archive
 from rosml.containerize.delivery.load import Found, Image, Layer, complete
@@ -24,11 +24,6 @@ _NAMED = re.compile(r"(?:\./)?(?:blobs/sha256/)?([0-9a-f]{64})(?:\.tar)?")
 
 _OLD = re.compile(r"[0-9a-f]{64}/layer\.tar")
 """A layer of `docker save` before Docker 25. Its name does not say its digest."""
-
-
-def roomy() -> str | None:
-    """The folder for large files that go away: the one that TMPDIR names, or else not /tmp, which may be in memory."""
-    return None if "TMPDIR" in os.environ or not os.path.isdir("/var/tmp") else "/var/tmp"
 
 
 @dataclass(frozen=True)
@@ -70,7 +65,7 @@ class InEngine:
                 elif _OLD.fullmatch(entry.name):
                     with _kept(content()) as (digest, kept):
                         if layer := left.get(digest):
-                            yield Found(layer, digest, entry.size, partial(_sent, partial(_again, kept)))
+                            yield Found(layer, digest, entry.size, partial(archive.again, kept))
                             _done(left, layer)
                 if not left:
                     return
@@ -96,21 +91,15 @@ def _blocks(entry: tarfile.TarInfo) -> Iterator[bytes]:
 def _kept(blocks: Iterable[bytes]) -> Iterator[tuple[str, IO[bytes]]]:
     """The digest of a content, and a file of it for as long as this lasts."""
     state = hashlib.sha256()
-    with tempfile.TemporaryFile(dir=roomy()) as file:
+    with files.temporary() as file:
         for block in blocks:
             state.update(block)
             file.write(block)
         yield f"sha256:{state.hexdigest()}", file
 
 
-def _again(file: IO[bytes]) -> Iterator[bytes]:
-    file.seek(0)
-    while block := file.read(archive.BLOCK):
-        yield block
-
-
 def sources(command: str, image: Image, only: str = "") -> list[InEngine]:
-    """The images of an engine that have layers that are missing in an archive.
+    """The images of an engine that have layers that are missing in an archive, or layers that these replace.
 
     Args:
         only: the id of the image that may be asked; all may if empty.
@@ -118,7 +107,7 @@ def sources(command: str, image: Image, only: str = "") -> list[InEngine]:
     Raises:
         RosmlError: the engine does not answer.
     """
-    missing = {layer.diff_id for layer in image.missing}
+    missing = {layer.diff_id for layer in (*image.missing, *image.replaced)}
     known = {name: diff_ids for name, diff_ids in engine.layers(command).items() if only in ("", name)}
     near = sorted(known.items(), key=lambda pair: len(pair[1]))  # `docker save` reads all layers of an image
     return [InEngine(command, name, frozenset(diff_ids)) for name, diff_ids in near if missing & {*diff_ids}]

@@ -5,17 +5,18 @@ The archive is a stranger's word. An engine gets the list of what is in the imag
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+import contextlib
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import Any, BinaryIO, Protocol
+from typing import IO, Annotated, Any, BinaryIO, Protocol
 
-from pydantic import ValidationError
+from pydantic import BaseModel, ConfigDict, Field, RootModel, ValidationError
 
-from rosml.base import untrusted
+from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, first_of, some
-from rosml.containerize.delivery import archive
+from rosml.containerize.delivery import archive, patch
 from rosml.containerize.delivery.archive import Archive, Writer
 from rosml.images.join import layers as joining
 from rosml.registry import documents, oci, references
@@ -84,6 +85,22 @@ class Source(Protocol):
         """Gives layers that it has. Each must be sent before the next is asked for."""
 
 
+@dataclass(frozen=True)
+class Patch:
+    """What makes a layer of an older one.
+
+    Attributes:
+        digest: of the patch. size: in bytes.
+        old: the older layer.
+        image: the name of an image that has it.
+    """
+
+    digest: str
+    size: int
+    old: Layer
+    image: str
+
+
 @dataclass
 class Image:
     """An image in an archive, with layers or without.
@@ -100,6 +117,7 @@ class Image:
         layers: by digest, lowest first.
         order: the digests of all layers, lowest first; one may be there twice.
         left_out: who has the layers that are not in the archive.
+        patches: what makes some of these of older layers, by the digest of the new layer.
     """
 
     file: Archive
@@ -113,6 +131,7 @@ class Image:
     layers: dict[str, Layer]
     order: list[str]
     left_out: dict[str, list[str]] = field(default_factory=dict)
+    patches: dict[str, Patch] = field(default_factory=dict)
 
     @property
     def identity(self) -> str:
@@ -128,6 +147,11 @@ class Image:
     def missing(self) -> list[Layer]:
         """The layers that are not in the archive."""
         return [layer for layer in self.layers.values() if self.file.size(layer.digest) is None]
+
+    @property
+    def replaced(self) -> list[Layer]:
+        """The older layers that patches need."""
+        return list({made.old.digest: made.old for made in self.patches.values()}.values())
 
 
 # ---- Reading ---------------------------------------------------------------------------------------------------------
@@ -167,7 +191,9 @@ def read(file: Archive) -> Image:
     order = [found.digest for found in known.layers]
     name = _name(entry.annotations.get(archive.NAME, ""))
     left_out = _left_out(file, index.annotations.get(archive.LEFT_OUT, ""))
-    image = Image(file, name, entry.digest, manifest, content, entry.mediaType, config, facts, layers, order, left_out)
+    patches = _patches(file, index.annotations.get(archive.PATCHES, ""))
+    head = file, name, entry.digest, manifest, content, entry.mediaType, config
+    image = Image(*head, facts, layers, order, left_out, patches)
     told = {digest for digests in left_out.values() for digest in digests}
     if lost := [layer.digest for layer in image.missing if layer.digest not in told]:
         raise file.damaged(f"it lacks {lost[0]}, which it does not name as left out")
@@ -217,11 +243,51 @@ def _left_out(file: Archive, text: str) -> dict[str, list[str]]:
     return found
 
 
+class _Shape(BaseModel):
+    model_config = ConfigDict(strict=True, frozen=True)
+
+
+class _Old(_Shape):
+    digest: documents.Digest
+    diff_id: documents.Digest
+    size: documents.Size
+
+
+class _Patch(_Shape):
+    mediaType: str
+    digest: documents.Digest
+    size: documents.Size
+    old: _Old
+    image: Annotated[str, Field(max_length=1000)]
+
+
+class _Patches(RootModel[dict[documents.Digest, _Patch]]):
+    pass
+
+
+def _patches(file: Archive, text: str) -> dict[str, Patch]:
+    found = _json(file, text.encode(), archive.PATCHES) if text else {}
+    for entry in found.values():
+        kind = entry.get("mediaType") if isinstance(entry, dict) else None
+        if isinstance(kind, str) and kind != patch.MEDIA_TYPE:
+            raise RosmlError(
+                f"{file.name} has differences that this rosml does not know: {kind[:100]}", "update rosml", 2
+            )
+    patches = {}
+    for digest, told in _model(file, _Patches, found).root.items():
+        if file.size(told.digest) != told.size:
+            raise file.damaged(f"it lacks {told.digest}, or has another size of it")
+        old = Layer(told.old.digest, told.old.diff_id, told.old.size)
+        patches[digest] = Patch(told.digest, told.size, old, told.image)
+    return patches
+
+
 # ---- Completing ------------------------------------------------------------------------------------------------------
 
 
 def choose(image: Image, sources: Iterable[Source], held: Container[str] = ()) -> list[tuple[Source, list[Layer]]]:
-    """Which source gives which of the missing layers: as few sources as possible.
+    """Which source gives which of the missing layers: as few sources as possible. If none gives a layer that has a patch, one gives the older
+    layer.
 
     Args:
         held: digests of layers that nobody has to give.
@@ -229,8 +295,14 @@ def choose(image: Image, sources: Iterable[Source], held: Container[str] = ()) -
     Raises:
         RosmlError: nobody has one of them (exit code 2).
     """
-    missing = [layer for layer in image.missing if layer.digest not in held]
     there, chosen = list(sources), list[tuple[Source, list[Layer]]]()
+    wanted = dict[str, Layer]()
+    for layer in image.missing:
+        if layer.digest not in held:
+            made = image.patches.get(layer.digest)
+            needed = made.old if made and not any(source.has(layer) for source in there) else layer
+            wanted.setdefault(needed.digest, needed)
+    missing = list(wanted.values())
     while missing and there:
         having = [(source, [layer for layer in missing if source.has(layer)]) for source in there]
         source, given = max(having, key=lambda pair: len(pair[1]))
@@ -247,7 +319,8 @@ def choose(image: Image, sources: Iterable[Source], held: Container[str] = ()) -
 def _lacking(image: Image, missing: Sequence[Layer]) -> RosmlError:
     """The one sentence about what does not fit."""
     digests = {layer.digest for layer in missing}
-    names = [name for name, those in image.left_out.items() if digests & {*those}]
+    named = [name for name, those in image.left_out.items() if digests & {*those}]
+    names = list(dict.fromkeys([*named, *(made.image for made in image.patches.values() if made.old in missing)]))
     what = f"{counted(len(missing), 'layer')} of {some(names)}"
     remedy = f"pull {'it' if len(names) == 1 else 'them'} here, say with --from who has them, or save the image again without"
     remedy += " that --have" if len(names) == 1 else " those --have"
@@ -285,14 +358,11 @@ def complete(
         if digest in sent and digest not in held:
             writer.blob(digest, layer.size, sent[digest].send)
     written = {*sent}
-    for source, wanted in chosen:
-        for found in source.take(wanted):
-            if found.digest not in written:
-                writer.blob(found.digest, found.size, found.send)
-                written.add(found.digest)
-            sent[found.layer.digest] = found
-        if lost := [layer for layer in wanted if layer.digest not in sent]:
-            raise RosmlError(f"{source.name} does not give {lost[0].diff_id}, which it has", "run it again")
+    for found in _given(image, chosen, [layer for layer in image.missing if layer.digest not in held]):
+        if found.digest not in written:
+            writer.blob(found.digest, found.size, found.send)
+            written.add(found.digest)
+        sent[found.layer.digest] = found
     manifest = _manifest(image, sent)
     writer.text(archive.path(image.identity), image.config)
     writer.text(archive.path(oci.digest_of(manifest)), manifest)
@@ -302,6 +372,60 @@ def complete(
     writer.text(archive.DOCKER, archive.for_docker(image.identity, layers, image.name))
     writer.end()
     return oci.digest_of(manifest)
+
+
+def _given(image: Image, chosen: Sequence[tuple[Source, Sequence[Layer]]], missing: Sequence[Layer]) -> Iterator[Found]:
+    """Missing layers, as sources give them, or made of older ones. Each must be sent before the next is asked for."""
+    direct = {layer.digest for _, layers in chosen for layer in layers}.intersection(layer.digest for layer in missing)
+    for source, wanted in chosen:
+        lacking = {layer.digest: layer for layer in wanted}
+        for found in source.take(wanted):
+            lacking.pop(found.layer.digest, None)
+            needing = [
+                layer
+                for layer in missing
+                if layer.digest not in direct and image.patches[layer.digest].old.digest == found.layer.digest
+            ]
+            if not needing:
+                yield found
+                continue
+            with _unpacked(image.file, found) as (again, old):
+                for layer in needing:
+                    yield _made(image, layer, old)
+                if found.layer.digest in direct:
+                    yield again
+        if lacking:
+            lost = next(iter(lacking.values()))
+            raise RosmlError(f"{source.name} does not give {lost.diff_id}, which it has", "run it again")
+
+
+@contextlib.contextmanager
+def _unpacked(file: Archive, found: Found) -> Iterator[tuple[Found, IO[bytes]]]:
+    """A layer to send again, and a file of it without its compression."""
+    with files.temporary() as packed, files.temporary() as plain:
+        archive.verified(found.digest, found.size, found.send, packed)
+        try:
+            patch.unpack(packed, found.layer.diff_id, plain)
+        except ValueError as error:
+            raise file.damaged(f"{found.layer.digest}, which it replaces: {error}") from None
+        yield replace(found, send=partial(archive.again, packed)), plain
+
+
+def _made(image: Image, layer: Layer, old: IO[bytes]) -> Found:
+    """A layer, made of an older one."""
+    made = image.patches[layer.digest]
+    try:
+        reader = patch.Reader(image.file.blocks(made.digest), old.seek(0, 2))
+    except ValueError as error:
+        raise image.file.damaged(f"{made.digest}: {error}") from None
+
+    def send(write: Callable[[Iterable[bytes]], None]) -> None:
+        try:
+            write(reader.apply(old))
+        except ValueError as error:
+            raise image.file.damaged(f"{made.digest}: {error}") from None
+
+    return Found(layer, layer.diff_id, reader.plan.size, send)
 
 
 def _from_file(file: Archive, digest: str, write: Callable[[Iterable[bytes]], None]) -> None:

@@ -7,18 +7,17 @@ import os
 import shutil
 import stat
 import sys
-import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import IO, Any, BinaryIO
 
 from rosml.base import files, progress_bar
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted
 from rosml.containerize.delivery import delta, engine
 from rosml.containerize.delivery.archive import BLOCK, Archive
-from rosml.containerize.delivery.load import Image, InArchive, InRegistry, Source, choose, complete, read
+from rosml.containerize.delivery.load import Image, InArchive, InRegistry, Layer, Source, choose, complete, read
 from rosml.images.builds.base_images import native_architecture
 from rosml.machine.services import Services
 from rosml.registry import references
@@ -40,6 +39,7 @@ class Loaded:
         into: the file that was written; empty if an engine loaded it.
         written: the digest of the image in that file.
         layers: how many layers the archive had. bytes: their size.
+        patches: how many layers were made of older ones. patch_bytes: the size of what differs.
         taken: how many layers came from elsewhere. held: how many the engine found by itself.
     """
 
@@ -50,6 +50,8 @@ class Loaded:
     written: str
     layers: int
     bytes: int
+    patches: int
+    patch_bytes: int
     taken: int
     held: int
 
@@ -94,8 +96,14 @@ class Loader:
                 self._require_platform(image)
                 store = engines.store(command)
                 held = engine.held(command, image, store)
-                if store.podman and image.missing and not origins and engine.takes_as_it_is(command, image):
-                    return _loaded(image, held=len(image.missing))
+                if (
+                    store.podman
+                    and image.missing
+                    and not image.patches
+                    and not origins
+                    and engine.takes_as_it_is(command, image)
+                ):
+                    return _loaded(image, [], held=len(image.missing))
             sources: list[Source] = []
             if origins:
                 sources = [found for name in origins for found in self._origin(name, image, command, stack)]
@@ -109,7 +117,8 @@ class Loader:
             out = stack.enter_context(files.whole(Path(into)) if into else engine.loading(command))
             with progress_bar.of_bytes("layers", total) as advance:
                 digest = complete(image, chosen, out, advance, held)
-        return _loaded(image, into, digest if into else "", sum(len(layers) for _, layers in chosen), len(held))
+        taken = [layer for _, layers in chosen for layer in layers]
+        return _loaded(image, taken, into, digest if into else "", len(held))
 
     def _engine(self, into: str) -> str:
         """The engine's command; empty if there is none and a file is written."""
@@ -137,9 +146,10 @@ class Loader:
         return [InRegistry(self.registries(where.host), where.repository)]
 
 
-def _loaded(image: Image, into: str = "", written: str = "", taken: int = 0, held: int = 0) -> Loaded:
+def _loaded(image: Image, taken: Sequence[Layer], into: str = "", written: str = "", held: int = 0) -> Loaded:
     there = [layer.size for layer in image.layers.values() if layer not in image.missing]
-    counts = len(there), sum(there), taken, held
+    applied = [made.size for made in image.patches.values() if made.old in taken]
+    counts = len(there), sum(there), len(applied), sum(applied), len(taken), held
     return Loaded(image.name, image.digest, image.identity, into, written, *counts)
 
 
@@ -163,8 +173,8 @@ def _archive(file: str, stack: contextlib.ExitStack) -> Archive:
 
 
 @contextlib.contextmanager
-def _kept(stream: BinaryIO) -> Iterator[BinaryIO]:
+def _kept(stream: BinaryIO) -> Iterator[IO[bytes]]:
     """All of a pipe, in a file that goes away with it."""
-    with tempfile.TemporaryFile(dir=engine.roomy()) as file:
+    with files.temporary() as file:
         shutil.copyfileobj(stream, file, BLOCK)
         yield file

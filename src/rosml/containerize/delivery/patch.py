@@ -1,0 +1,434 @@
+"""Differences between layers: what makes a new layer of an old one, for a machine that has the old one.
+
+A patch is a plan, and then the bytes that the old layer lacks. Both layers count without their compression, as tar files. The plan is JSON in
+a frame of zstd:
+
+    {"size": 123, "steps": [{"near": [[OFFSET, LENGTH], …], "parts": [[LENGTH], [OFFSET, LENGTH], …]}, …]}
+
+The parts of all steps, one after another, are the new layer, which has `size` bytes. A part [OFFSET, LENGTH] is a range of the old layer. A
+part [LENGTH] is the next bytes of the step's frame. These frames follow the plan's, one for each step with such a part. Each is compressed
+with the ranges `near` of the old layer before it, one after another, as a prefix (ZSTD_CCtx_refPrefix). So a changed file costs little more
+than what changed in it. The memory for that depends on FRESH and NEAR, and not on the size of a layer.
+
+Nothing else of a patch counts: no name, and no file but the old layer. Who applies one checks the new layer's digest.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import tarfile
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from typing import IO, Annotated, Any
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from rosml.base import archives, untrusted
+from rosml.base.archives import zstd
+from rosml.base.problems import first_of
+from rosml.registry import oci
+
+MEDIA_TYPE = "application/vnd.rosml.layer-patch.v1+zstd"
+"""Another format gets another number."""
+
+LARGEST = 1 << 35
+"""The largest layer, in bytes without compression."""
+
+FRESH = 32 << 20
+"""The most bytes of a step's frame, unpacked."""
+
+NEAR = 64 << 20
+"""The most bytes of the old layer that a step has as its prefix."""
+
+PLAN_BYTES = 8 << 20
+"""The largest plan, unpacked."""
+
+_WINDOW = 27  # bits: FRESH and NEAR fit into it
+_LEVEL = 9
+_MARGIN = 64 << 10
+"""How much more of the old file than twice the new one's size is the prefix."""
+
+_BLOCK = 1 << 20
+
+Range = tuple[int, int]
+"""An offset and a length, in bytes."""
+
+
+@dataclass(frozen=True)
+class Step:
+    """A step of a plan.
+
+    Attributes:
+        near: the ranges of the old layer that are the frame's prefix.
+        parts: what comes next in the new layer: the offset in the old layer, or None for bytes of the frame; and a length.
+    """
+
+    near: list[Range]
+    parts: list[tuple[int | None, int]]
+
+    @property
+    def fresh(self) -> int:
+        """The size of the frame, unpacked."""
+        return sum(length for offset, length in self.parts if offset is None)
+
+
+def unpack(packed: IO[bytes], diff_id: str, out: IO[bytes]) -> None:
+    """Writes a layer without its compression.
+
+    Args:
+        packed: the layer, compressed or not.
+        diff_id: the digest of the layer without compression.
+
+    Raises:
+        ValueError: it is damaged, too large, or has another digest.
+    """
+    state, size = hashlib.new(diff_id.partition(":")[0]), 0
+    for block in archives.unpacked(_range(packed, 0, packed.seek(0, 2))):
+        size += len(block)
+        if size > LARGEST:
+            raise ValueError(f"it has more than {LARGEST:,} bytes")
+        state.update(block)
+        out.write(block)
+    if state.hexdigest() != diff_id.partition(":")[2]:
+        raise ValueError(f"unpacked, it is not {diff_id}")
+    out.flush()
+
+
+# ---- Making ----------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Entry:
+    """An entry of a tar file. `start` is where its header begins, `content` where its content does, `end` where the next entry is. `head` and
+    `digest` are hashes of header and content."""
+
+    name: str
+    start: int
+    content: int
+    end: int
+    head: bytes
+    digest: bytes
+
+
+@dataclass
+class _Piece:
+    """Bytes of the new layer: equal to those of the old one at `old`; or changed, with ranges that they may be like."""
+
+    length: int
+    old: int | None = None
+    near: list[Range] = field(default_factory=list)
+
+
+def make(old: IO[bytes], new: IO[bytes]) -> Iterator[bytes]:
+    """The patch that makes a new layer of an old one, in pieces. The same layers give the same bytes.
+
+    Args:
+        old, new: files of the layers, without compression.
+
+    Raises:
+        ValueError: one of them is empty, damaged or too large, or the plan would be.
+    """
+    steps = _steps(_joined(_pieces(_entries(old), _entries(new))))
+    told = [
+        {"near": step.near, "parts": [part if part[0] is not None else part[1:] for part in step.parts]}
+        for step in steps
+    ]
+    plan = oci.encoded({"size": new.seek(0, 2), "steps": told})
+    if len(plan) > PLAN_BYTES or sum(length for step in steps for _, length in step.near) > LARGEST:
+        raise ValueError("the layers differ in too many places")
+    yield zstd.compress(plan, _LEVEL)
+    offset = 0
+    for step in steps:
+        fresh = bytearray()
+        for source, length in step.parts:
+            if source is None:
+                fresh += _bytes(new, [(offset, length)])
+            offset += length
+        if fresh:
+            yield _frame(fresh, _bytes(old, step.near))
+
+
+def _frame(fresh: bytearray, near: bytearray) -> bytes:
+    names = zstd.CompressionParameter
+    options: dict[int, int] = {names.compression_level: _LEVEL, names.content_size_flag: 1}
+    if not near:
+        return zstd.compress(fresh, options=options)
+    window = min(_WINDOW, max(17, (len(fresh) + len(near)).bit_length()))
+    options |= {names.window_log: window, names.enable_long_distance_matching: 1}
+    return zstd.compress(fresh, options=options, zstd_dict=zstd.ZstdDict(near, is_raw=True).as_prefix)
+
+
+def _entries(file: IO[bytes]) -> list[_Entry]:
+    """The entries of a tar file. Between them, they have all its bytes."""
+    if not 0 < (size := file.seek(0, 2)) <= LARGEST:
+        raise ValueError(f"a layer has {size:,} bytes")
+    file.seek(0)
+    places: list[tuple[str, int, int]] = []
+    try:
+        with tarfile.open(fileobj=file, mode="r:", tarinfo=archives.Entry) as archive:
+            for entry in archive:
+                places.append((entry.name, entry.offset, entry.offset_data))
+                archive.members = []  # type: ignore[attr-defined] # tarfile would keep them all
+    except (tarfile.TarError, EOFError, OverflowError) as error:
+        raise ValueError(f"a layer is no tar file, or is damaged: {error}") from None
+    ends = [*(start for _, start, _ in places[1:]), size]
+    if not places or places[0][1]:
+        raise ValueError("a layer has no entries")
+    found = []
+    for (name, start, content), end in zip(places, ends, strict=True):
+        if not start < content <= end <= size:
+            raise ValueError(f"a layer is damaged at {name[:100]!r}")
+        hashes = _hash(file, start, content - start), _hash(file, content, end - content)
+        found.append(_Entry(name, start, content, end, *hashes))
+    return found
+
+
+def _hash(file: IO[bytes], offset: int, length: int) -> bytes:
+    state = hashlib.sha256()
+    for block in _range(file, offset, length):
+        state.update(block)
+    return state.digest()
+
+
+_NUMBERS = re.compile(r"[0-9]+(?:\.[0-9]+)*")
+
+
+def _kind(name: str) -> str:
+    """What the names of a file in two versions have in common."""
+    return _NUMBERS.sub("0", name)
+
+
+def _pieces(old: list[_Entry], new: list[_Entry]) -> Iterator[_Piece]:
+    """The new layer, each entry with what it is like in the old one."""
+    by_name = {entry.name: entry for entry in old}
+    by_content = {entry.digest: entry for entry in old}
+    by_kind = {_kind(entry.name): entry for entry in old}
+    for entry in new:
+        like = by_name.get(entry.name) or by_kind.get(_kind(entry.name))
+        if like and like.head == entry.head:
+            yield _Piece(entry.content - entry.start, like.start)
+        else:
+            yield _Piece(entry.content - entry.start, near=[(like.start, like.content - like.start)] if like else [])
+        size = entry.end - entry.content
+        if not size:
+            continue
+        same = like if like and like.digest == entry.digest else by_content.get(entry.digest)
+        if same:
+            yield _Piece(size, same.content)
+        else:
+            yield from _changed(size, like)
+
+
+def _changed(size: int, like: _Entry | None) -> Iterator[_Piece]:
+    """The content of a file that changed. Of a large one, each piece has the range of the old file that is at the same place."""
+    there = like.end - like.content if like else 0
+    at = 0
+    while at < size:
+        length = min(FRESH, size - at)
+        if not like or not there:
+            yield _Piece(length)
+        else:
+            most = min(NEAR, there, 2 * length + _MARGIN)
+            middle = (at + length // 2) * there // size
+            start = max(0, min(middle - most // 2, there - most))
+            yield _Piece(length, near=[(like.content + start, most)])
+        at += length
+
+
+def _joined(pieces: Iterable[_Piece]) -> Iterator[_Piece]:
+    """The same with equal pieces in one, if they follow each other in both layers."""
+    last: _Piece | None = None
+    for piece in pieces:
+        if last and last.old is not None and last.old + last.length == piece.old:
+            last.length += piece.length
+            continue
+        if last:
+            yield last
+        last = piece
+    if last:
+        yield last
+
+
+def _steps(pieces: Iterable[_Piece]) -> list[Step]:
+    """The plan: as many pieces in a step as fit into it."""
+    steps: list[Step] = []
+    near: list[Range] = []
+    parts: list[tuple[int | None, int]] = []
+    fresh = prefix = 0
+    for piece in pieces:
+        added = sum(length for _, length in piece.near)
+        if piece.old is None and (fresh + piece.length > FRESH or prefix + added > NEAR):
+            steps.append(Step(_merged(near), parts))
+            near, parts, fresh, prefix = [], [], 0, 0
+        if piece.old is None:
+            near += piece.near
+            fresh, prefix = fresh + piece.length, prefix + added
+        if piece.old is None and parts and parts[-1][0] is None:
+            parts[-1] = (None, parts[-1][1] + piece.length)
+        else:
+            parts.append((piece.old, piece.length))
+    steps.append(Step(_merged(near), parts))
+    return steps
+
+
+def _merged(ranges: Iterable[Range]) -> list[Range]:
+    """The same bytes, each once."""
+    found: list[Range] = []
+    for offset, length in sorted(ranges):
+        if found and offset <= sum(found[-1]):
+            start = found[-1][0]
+            found[-1] = (start, max(sum(found[-1]), offset + length) - start)
+        elif length:
+            found.append((offset, length))
+    return found
+
+
+# ---- Applying --------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What a patch does. `size` is that of the new layer, in bytes without compression."""
+
+    size: int
+    steps: list[Step]
+
+
+class Reader:
+    """A patch that somebody gave us.
+
+    Attributes:
+        plan: what it does.
+    """
+
+    def __init__(self, blocks: Iterable[bytes], old: int) -> None:
+        """
+        Args:
+            blocks: the patch, in pieces.
+            old: the size of the old layer.
+
+        Raises:
+            ValueError: the patch is damaged, or reads what the old layer does not have.
+        """
+        self._blocks, self._rest = iter(blocks), b""
+        self.plan = _plan(untrusted.json_value(self._unpacked(PLAN_BYTES, None), PLAN_BYTES), old)
+
+    def apply(self, old: IO[bytes]) -> Iterator[bytes]:
+        """The new layer, in pieces. It can be asked for once.
+
+        Args:
+            old: the old layer, without compression.
+
+        Raises:
+            ValueError: the patch is damaged.
+        """
+        for step in self.plan.steps:
+            fresh, at = b"", 0
+            if step.fresh:
+                prefix = _bytes(old, step.near)
+                known = zstd.ZstdDict(prefix, is_raw=True) if prefix else None
+                del prefix  # there is a copy
+                fresh = self._unpacked(step.fresh, known, exact=True)
+                del known
+            for offset, length in step.parts:
+                if offset is None:
+                    yield fresh[at : at + length]
+                    at += length
+                else:
+                    yield from _range(old, offset, length)
+        if self._rest or next(self._blocks, b""):
+            raise ValueError("it has more than its plan says")
+
+    def _unpacked(self, most: int, known: zstd.ZstdDict | None, exact: bool = False) -> bytes:
+        """The content of the next frame.
+
+        Args:
+            most: its largest size. exact: it has this size.
+            known: its prefix.
+        """
+        try:
+            while len(self._rest) < _HEADER and (block := next(self._blocks, b"")):
+                self._rest += block
+            size = zstd.get_frame_info(self._rest).decompressed_size
+            if size is None or size > most or (exact and size != most):
+                raise ValueError(f"a frame has {size} bytes, and not {most:,}")
+            frame = zstd.ZstdDecompressor(
+                known.as_prefix if known else None, {zstd.DecompressionParameter.window_log_max: _WINDOW}
+            )
+            found, block = [], self._rest
+            while not frame.eof:
+                found.append(frame.decompress(block))
+                block = b""
+                if not frame.eof and frame.needs_input and not (block := next(self._blocks, b"")):
+                    raise ValueError("it ends too early")
+            self._rest = frame.unused_data
+        except zstd.ZstdError as error:
+            raise ValueError(str(error)) from None
+        return b"".join(found)
+
+
+_HEADER = 18
+"""The most bytes of the header of a frame."""
+
+
+def _bytes(file: IO[bytes], ranges: Iterable[Range]) -> bytearray:
+    found = bytearray()
+    for offset, length in ranges:
+        for block in _range(file, offset, length):
+            found += block
+    return found
+
+
+def _range(file: IO[bytes], offset: int, length: int) -> Iterator[bytes]:
+    file.seek(offset)
+    while length:
+        block = file.read(min(_BLOCK, length))
+        if not block:
+            raise ValueError("the old layer is too short")
+        length -= len(block)
+        yield block
+
+
+def _plan(found: Any, old: int) -> Plan:
+    """The plan of a patch.
+
+    Raises:
+        ValueError: it is none, or not for an old layer of that size.
+    """
+    try:
+        plan = _Plan.model_validate(found)
+    except ValidationError as error:
+        raise ValueError(first_of(error)) from None
+    steps = []
+    for told in plan.steps:
+        step = Step(told.near, [part if len(part) == 2 else (None, *part) for part in told.parts])
+        ranges = [*step.near, *((offset, length) for offset, length in step.parts if offset is not None)]
+        if any(offset + length > old for offset, length in ranges):
+            raise ValueError("it reads more than the old layer has")
+        if step.fresh > FRESH or (not 8 <= sum(length for _, length in step.near) <= NEAR and step.near):
+            raise ValueError("a step is too large")
+        steps.append(step)
+    if sum(length for step in steps for _, length in step.parts) != plan.size:
+        raise ValueError("its parts have another size than it says")
+    if sum(length for step in steps for _, length in step.near) > LARGEST:
+        raise ValueError("it reads too much of the old layer")
+    return Plan(plan.size, steps)
+
+
+class _Shape(BaseModel):
+    model_config = ConfigDict(extra="forbid")
+
+
+_Offset = Annotated[int, Field(ge=0, lt=LARGEST, strict=True)]
+_Length = Annotated[int, Field(gt=0, le=LARGEST, strict=True)]
+
+
+class _Step(_Shape):
+    near: list[tuple[_Offset, _Length]]
+    parts: list[tuple[_Length] | tuple[_Offset, _Length]]
+
+
+class _Plan(_Shape):
+    size: _Length
+    steps: list[_Step]
