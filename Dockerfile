@@ -38,7 +38,9 @@ RUN --mount=type=tmpfs,target=/run \
     --mount=type=bind,source=components/build,target=/run/components/build \
     --mount=type=bind,source=components/base,target=/run/components/base \
     /run/components/base/contract.sh
+# The last folder on PATH is there with a CUDA toolkit, whether a part or apt brings it.
 ENV LANG=C.UTF-8 \
+    PATH=${PATH}:/usr/local/cuda/bin \
     PYTHONIOENCODING=utf-8 \
     WORKSPACE=/docker-ros/ws \
     DOCKER_USER=dockeruser \
