@@ -468,6 +468,20 @@ def test_reasons(small: ImageSet, name: str) -> None:
     assert explained(small, name).text == REASONS[name]
 
 
+def test_a_part_for_one_generation_of_cuda() -> None:
+    """Stacks of another one have no images with it, and need no forecast of its size."""
+    text = changed(
+        "  - {name: common,",
+        '  - {name: nvcc, accelerator: cuda, any_python: true, takes: [nvcc], adds: {"13": [nvcc]}, tested: false}\n  - {name: common,',
+        changed("parts: [cuda], acc", "parts: [cuda, nvcc], acc"),
+    )
+    found = parse(text)
+    assert explained(found, "alpha-base-cuda-cu1").text.endswith(
+        ": part nvcc is for CUDA 13, and stack cu1 has CUDA 12.8.90."
+    )
+    assert found.image("alpha-base-torch-cu1").parts == ("cuda-cu1", "common-cu1-py312", "torch-cu1-py312")
+
+
 @pytest.mark.parametrize(
     ("name", "says"),
     [

@@ -160,6 +160,17 @@ def test_nvidia_is_cuda_whoever_asks() -> None:
     assert parts(pins)["cuda"] == ["nvidia-nccl-cu12"]
 
 
+def test_a_name_goes_before_a_pattern_and_any_package_may_be_repeated() -> None:
+    facts = {"name": "devel", "takes": ("nvidia-nvcc",), "repeats": ("nvidia-runtime",)}
+    pins = [pin("torch"), pin("nvidia-runtime", "torch"), pin("nvidia-nvcc")]
+    dealt = resolve.split(pins, {"torch": "torch==2"}, (*PARTS, PARTS[0].model_copy(update=facts)))
+    assert {part: [item.name for item in content] for part, content in dealt.items()} == {
+        "cuda": ["nvidia-runtime"],
+        "devel": ["nvidia-nvcc", "nvidia-runtime"],
+        "torch": ["torch"],
+    }
+
+
 def test_render() -> None:
     assert resolve.render(request(), "torch", []).startswith("# Part 'torch' of stack cu1, Python 3.12, amd64.\n")
     assert resolve.render(request(), "cuda", [pin("nvidia-x", "torch")]) == (

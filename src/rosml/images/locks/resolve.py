@@ -4,9 +4,9 @@ A stack is resolved as a whole, so that its releases, CUDA and numpy agree, and 
 packages of a part follow from the dependency graph and its entry in matrix.yaml:
 
 * a part with the name of a release has the packages that only this release needs
-* a part that `takes` packages has these, whatever needs them: NVIDIA's libraries
+* a part that `takes` packages has these, whatever needs them: NVIDIA's libraries. An exact name goes before a pattern
 * a part that `adds` packages has them although no release asks for them: C++ headers of CUDA
-* a part that `repeats` packages of its release has them once more
+* a part that `repeats` packages has them once more: those of its release, or, without a release, any
 * the `shared` part has numpy and the packages that several releases need
 
 A distribution whose ROS comes from wheels is resolved like a stack. Its only part, ``ros``, has everything that the operating
@@ -428,10 +428,11 @@ def split(
     found: dict[str, list[Pin]] = {part.name: [] for part in parts}
     for pin in pins:
         owners = [framework for framework, names in needs.items() if pin.name in names]
-        takers = [part.name for part in parts if _among(pin, part.takes)]
+        takers = [part.name for part in parts if pin.name in part.takes]
+        takers = takers or [part.name for part in parts if _among(pin, part.takes)]
         if not takers:
             takers = [common] if pin.name in shared or len(owners) != 1 else owners
-            takers += [part.name for part in parts if part.release in takers and _among(pin, part.repeats)]
+        takers += [part.name for part in parts if part.release in (None, *takers) and _among(pin, part.repeats)]
         for name in takers:
             found[name].append(pin)
     return {part: sorted(content, key=lambda pin: pin.name) for part, content in found.items() if content}

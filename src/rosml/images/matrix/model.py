@@ -238,13 +238,17 @@ class PartEntry(Facts):
         description="number of the constraints in which pip and uv find what it holds; one that no other part has",
     )
     shared: bool = Field(default=False, description="it holds numpy and what several releases need; one part does")
-    takes: tuple[Pattern, ...] = Field(default=(), description="packages that it holds, whatever needs them")
+    takes: tuple[Pattern, ...] = Field(
+        default=(),
+        description="packages that it holds, whatever needs them; a part that names one goes before parts with a pattern",
+    )
     adds: dict[CudaMajor, tuple[Requirement, ...]] = Field(
         default={},
-        description="by generation of CUDA: packages that no release asks for; without a version, of the stack's CUDA (12.8)",
+        description="by generation of CUDA: packages that no release asks for; without a version, of the stack's CUDA (12.8). Stacks of other generations do not have the part",
     )
     repeats: tuple[Pattern, ...] = Field(
-        default=(), description="packages of its release that it holds beside the part of the release's own name"
+        default=(),
+        description="packages that it holds beside the part that has them; with 'release', those of its release",
     )
     tested: bool = Field(default=True, description="whether tests/structure has tests of its own for it")
     compiled: bool = Field(
@@ -267,6 +271,10 @@ class PartEntry(Facts):
     def brings(self) -> tuple[str, ...]:
         """Names of the versions in labels and environment of its images."""
         return (self.release,) if self.release else self.versions
+
+    def of_generation(self, cuda: str | None) -> bool:
+        """Whether it is for the generation of a version of CUDA: one that it adds packages for, or any if it adds none."""
+        return not cuda or not self.adds or cuda.partition(".")[0] in self.adds
 
     def added(self, cuda: str | None) -> tuple[str, ...]:
         """Requirements of packages that no release asks for, e.g. `nvidia-cuda-cccl-cu12==12.8.*` for CUDA 12.8.90."""

@@ -223,7 +223,7 @@ def _parts(matrix: Matrix) -> Iterator[Finding]:
             for place, package in enumerate(packages):
                 if not any(fnmatchcase(re.split(r"[\[<=>!~]", package)[0], pattern) for pattern in part.takes):
                     yield (*path, "adds", generation, place), f"{package} is not what the part takes; add it to 'takes'"
-        if part.repeats and part.release in (None, part.name):
+        if part.repeats and part.release == part.name:
             yield (*path, "repeats"), "it belongs to a part beside the one of its release's name; remove it"
         if part.shared and part.name != shared[0]:
             yield (*path, "shared"), f"{shared[0]} holds what several releases need; remove it"
@@ -456,7 +456,8 @@ def _disk(matrix: Matrix) -> Iterator[Finding]:
 
 def _has(stack: Stack, part: PartEntry) -> bool:
     """Whether images of a stack have a part, if their framework takes it."""
-    return part.accelerator in (None, stack.accelerator) and part.release in (None, *stack.releases)
+    fits = part.accelerator in (None, stack.accelerator) and part.of_generation(stack.cuda)
+    return fits and part.release in (None, *stack.releases)
 
 
 def _forecasts(

@@ -64,6 +64,7 @@ def _content_reason(matrix: Matrix, framework: str, stack: str | None, addon: st
         _accelerator(framework, facts, stack, matrix.stacks[stack])
         or _parts(matrix, framework, facts, stack)
         or _addon_parts(matrix, addon, stack)
+        or _generation(matrix, facts, stack)
         or _releases(matrix, facts, stack)
         or _apart(matrix, framework, facts, stack)
     )
@@ -296,6 +297,14 @@ def _addon_parts(matrix: Matrix, addon: str, stack: str) -> str | None:
     own = matrix.addons[addon].parts if addon else ()
     lacking = [name for name in own if matrix.part[name].accelerator not in (None, matrix.stacks[stack].accelerator)]
     return f"stack {stack} has no {listed(lacking)}, which add-on {addon} takes" if lacking else None
+
+
+def _generation(matrix: Matrix, framework: Framework, stack: str) -> str | None:
+    cuda = matrix.stacks[stack].cuda
+    for part in parts(matrix, framework, matrix.stacks[stack]):
+        if not matrix.part[part].of_generation(cuda):
+            return f"part {part} is for CUDA {listed(list(matrix.part[part].adds))}, and stack {stack} has CUDA {cuda}"
+    return None
 
 
 def _releases(matrix: Matrix, framework: Framework, stack: str) -> str | None:
