@@ -10,9 +10,12 @@ from collections.abc import Iterable, Iterator
 from typing import Any, Self
 
 if sys.version_info >= (3, 14):
-    from compression import zstd as zstd
+    import compression.zstd as _zstd
 else:
-    from backports import zstd as zstd
+    import backports.zstd as _zstd
+
+zstd = _zstd
+"""The standard library's module of that name, or what stands for it before Python 3.14."""
 
 HEADER_BYTES = 1 << 20
 """The largest header before an entry, in bytes: a long name or an extended header. tarfile reads it whole."""
