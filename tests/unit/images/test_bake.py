@@ -360,7 +360,7 @@ def test_frameworks_that_do_not_go_together_are_not_named(real: ImageSet) -> Non
     found = targets.of(real)
     assert "ml=" in str(found["part-common-cpu-py311"].labels["io.rosml.frameworks"])
     apart = found["part-common-cpu38-py38"].labels["io.rosml.frameworks"]
-    assert apart == "torch=common,torch tensorflow=common,tensorflow-cc*,tensorflow"
+    assert apart == "torch=common,torch tensorflow=common,grpc,tensorflow-cc*,tensorflow"
 
 
 def test_default_group(small_bake: Path) -> None:

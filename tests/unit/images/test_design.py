@@ -119,7 +119,6 @@ def test_every_release_with_cuda_says_what_it_was_built_for(real: ImageSet, fami
 def test_every_lock_is_there_but_those_that_pytorchs_own_index_knows(real: ImageSet) -> None:
     assert {lock for lock in real.locks if not (ROOT / lock).is_file()} == {
         "locks/cpu/amd64/3.11/torch.txt",
-        "locks/cpu/amd64/3.14/common.txt",
         "locks/cpu/amd64/3.14/torch.txt",
         "locks/cpu38/amd64/3.8/torch.txt",
     }
