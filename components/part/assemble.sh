@@ -6,6 +6,7 @@
 #   TARGETARCH amd64 | arm64 (set by BuildKit)
 #   LOCK       the requirements file with hashes
 #   SHOWS      a part for any Python whose packages this one shows to its Python: their lock is /shown/<name>.txt
+#   INDEX      an index of Python packages that is asked first; none for the usual one
 #   SLOT       of the constraints that pip and uv keep to (01 to 16); none for a part that no Python knows of
 # What a part leaves out is in components/<part>/prune.txt, or, where it takes little of its wheels, what it keeps is in
 # keep.txt. Its own steps are in files.sh; they get OUT (/out), SITE
@@ -31,6 +32,8 @@ export OUT=/out SITE TRIPLET PYTHON PART
 
 # PyTorch's wheels for the CPU of amd64 are on its own index alone; uv knows where that is.
 if grep -q '^[^ ]*==[^ ]*+cpu' "${LOCK:?}"; then export UV_TORCH_BACKEND=cpu; fi
+
+if [[ -n ${INDEX:-} ]]; then export UV_INDEX=$INDEX; fi
 
 # uv unpacks while it downloads and checks every hash. Its cache is on the same file system, so files are linked,
 # not copied: one copy on disk instead of two.

@@ -17,7 +17,7 @@ RECORDED = {
     "cudnn": r"nvidia-cudnn-cu\d+",
     "nccl": r"nvidia-nccl-cu\d+",
 }
-"""By what names a part records a version of the stack. A release has its own name, or that of its wheel for the CPU."""
+"""By what names a part records a version of the stack. A release has its own name, or that of its wheel for the CPU or for a CUDA."""
 
 TITLES = {"cuda": "CUDA", "cudnn": "cuDNN", "torch": "PyTorch", "tensorflow": "TensorFlow"}
 """What the banner calls them. NCCL is not in it."""
@@ -50,7 +50,7 @@ def wrong(
         if not well:
             found.append(f"{what}: {is_}, expected {wanted}")
 
-    released = {name: f"{name}(-cpu)?" for name in promised.get("releases", "").split(",") if name}
+    released = {name: rf"{name}(-cpu|-cu\d+-bindings)?" for name in promised.get("releases", "").split(",") if name}
     for name, pattern in {**RECORDED, **released}.items():
         versions = {package: version for package, version in recorded.items() if re.fullmatch(pattern, package)}
         wanted = promised.get(name.replace("-", "_"))

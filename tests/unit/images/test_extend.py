@@ -14,7 +14,7 @@ from projects import copy_for_generator
 from rosml.base.errors import RosmlError
 from rosml.images.bake import targets
 from rosml.images.bake.inputs import Inputs
-from rosml.images.image_set import load
+from rosml.images.image_set import load, restricted
 from rosml.images.image_set.model import ImageSet
 from tests import walk
 from tests.walk import follow, insert, section
@@ -184,3 +184,26 @@ def test_an_addon(project: Path, real: ImageSet) -> None:
     assert base.carriers == (core.target,) and not core.tags and "all" in base.groups
     assert "jazzy-core-torch-einops-cu128" in made.by_target and "jazzy-base-torch-einops-cu128" not in made.by_target
     assert sum(len(image.tags) for image in made.images) == sum(len(image.tags) for image in real.images) + 4
+
+
+def test_tensorrt_from_an_index_of_ones_own(tmp_path: Path) -> None:
+    """A set whose parts are restricted: their packages are asked of that index, and no public registry gets them."""
+    [text] = [block.text for block in section("TensorRT from your own index") if block.title == "set.yaml"]
+    (tmp_path / "set.yaml").write_text(text)
+    made = load.without_locks(tmp_path / "set.yaml", ROOT)
+    image = made.image(made.matrix.default.targets[0])
+    assert image.parts == tuple(
+        f"{name}-cu130{'' if name in ('cuda', 'tensorrt-cc') else '-py312'}"
+        for name in ("cuda", "common", "torch", "tensorrt-cc", "tensorrt")
+    )
+    assert image.architectures == ("amd64",) and image.versions["tensorrt"] == "10.16.1.11"
+    known = targets.of(made)
+    assert known[image.target].labels["io.rosml.restricted"] == "tensorrt-cc tensorrt"
+    asking = {part.kind for part in made.parts if known[part.target].arguments.get("INDEX")}
+    assert asking == {"tensorrt-cc", "tensorrt"}
+    assert known["part-tensorrt-cu130-py312"].arguments["SHOWS"] == "tensorrt-cc"
+    declared = restricted.Declared.of(made.matrix, {})
+    host, _, path = made.matrix.registry.partition("/")
+    assert restricted.require(["tensorrt"], image.target, host, path, declared) == ""
+    with pytest.raises(RosmlError, match="is a public registry"):
+        restricted.require(["tensorrt"], image.target, "ghcr.io", path, declared)

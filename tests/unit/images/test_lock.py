@@ -22,10 +22,12 @@ from uv_stand_in import FILTER, RESOLVED, RESOLVES, UV, fake_uv
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.cli.images import locks as script
+from rosml.images.bake import targets
 from rosml.images.image_set import lock_file
 from rosml.images.image_set.model import ImageSet
 from rosml.images.locks import base_digests, resolve
 from rosml.images.locks.resolve import Elsewhere, Pin, Request
+from rosml.images.matrix import names
 
 PARTS = parse(SMALL).matrix.parts
 ROOTS = {"torch": "torch==2.10.0", "tensorflow": "tensorflow[and-cuda]==2.20.0"}
@@ -243,6 +245,49 @@ def test_what_goes_with_a_release_is_resolved_and_dealt_out_with_it(tmp_path: Pa
     }
     assert resolve.render(found, "torch", pins).splitlines()[2] == "# adapted: torch setuptools>=66"
     assert "# adapted" not in resolve.render(found, "tensorflow", pins)
+
+
+TAKEN = changed(
+    "  - {name: tensorflow, title",
+    '  - {name: vision, any_python: true, takes: ["torchv*"], tested: false}\n  - {name: tensorflow, title',
+    changed(
+        "beside: {torchvision: 0.25.0}",
+        "index: https://pypi.example.com/simple, beside: {torchvision: 0.25.0}",
+        WITH_COMPANY.replace("[cuda, common, torch]", "[cuda, common, torch, vision]").replace(
+            "      torch: {", "      vision: {unpacked: 1, compressed: 1}\n      torch: {"
+        ),
+    ),
+)
+"""What goes with torch is in a part of its own, and all of it comes from another index."""
+
+
+def test_what_goes_with_a_release_may_be_in_another_part() -> None:
+    image_set = parse(TAKEN)
+
+    def fits(name: str, *pins: str) -> bool:
+        found = image_set.part_by_name[name]
+        head = names.lock_head(found.stack, "amd64", found.python, found.kind)
+        adapted = "# adapted: torch setuptools>=66\n" if found.kind == "torch" else ""
+        lines = "".join(f"{item} \\\n    --hash=sha256:{'0' * 64}\n" for item in pins)
+        return lock_file.current(f"{head}\n{adapted}{lines}", found, image_set.matrix, "amd64")
+
+    assert fits("torch-cu1-py312", "torch==2.10.0")
+    assert fits("vision-cu1", "torchvision==0.25.0")
+    assert not fits("vision-cu1", "torchvision==0.24.0")
+    assert not fits("vision-cu1", "numpy==1.26.4")
+
+
+def test_a_release_of_another_index(tmp_path: Path) -> None:
+    """Locks ask it, and so do the builds of those parts whose packages it has."""
+    image_set = parse(TAKEN)
+    found = {item.indexes for item in resolve.requests(image_set) if "torch" in item.roots}
+    assert found == {("https://pypi.example.com/simple",)}
+    wanted = next(item for item in resolve.requests(image_set) if item.indexes)
+    resolve.resolve(wanted, resolve.Uv(fake_uv(tmp_path)))
+    assert " --index https://pypi.example.com/simple" in calls(tmp_path)[0]
+    known = targets.of(image_set)
+    asking = {part.kind for part in image_set.parts if known[part.target].arguments.get("INDEX")}
+    assert asking == {"torch", "vision"}
 
 
 def test_nothing_goes_with_wheels_that_only_pytorchs_own_index_has() -> None:

@@ -315,6 +315,8 @@ def _part(matrix: Matrix, part: Part) -> Iterator[tuple[str, Target]]:
     }
     if slot := matrix.part[part.kind].slot:
         arguments["SLOT"] = f"{slot:02}"
+    if index := rules.index(matrix, part.stack, part.kind):
+        arguments["INDEX"] = index
     shown = rules.shown(matrix, part.kind)
     if shown and matrix.part[shown].accelerator in (None, matrix.stacks[part.stack].accelerator):
         arguments["SHOWS"] = shown

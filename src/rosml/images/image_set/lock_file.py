@@ -8,7 +8,7 @@ from fnmatch import fnmatchcase
 
 from rosml.images.image_set.model import Part, Wheels
 from rosml.images.matrix import names
-from rosml.images.matrix.model import Matrix, Release
+from rosml.images.matrix.model import Matrix, PartEntry, Release
 
 _PIN = re.compile(r"^([A-Za-z0-9._-]+)==([^\s;\\]+)", re.MULTILINE)
 _WHOLE = re.compile(
@@ -46,14 +46,14 @@ def current(text: str, part: Part, matrix: Matrix, architecture: str) -> bool:
     if not text.startswith(f"{head}\n") or not _WHOLE.fullmatch(text):
         return False
     pinned, stack, entry = versions(text), matrix.stacks[part.stack], matrix.part[part.kind]
+    if any(pinned.get(name) != version for name, version in _beside(matrix, part.stack, entry).items()):
+        return False
     if entry.release:
         requirement = stack.requirement(entry.release, architecture) or ""
         version = stack.releases[entry.release]
         if pinned.get(package_name(requirement), "").partition("+")[0] != version:
             return False
-        return entry.name != entry.release or _whole(
-            text, matrix.releases[entry.release][version], entry.name, part.stack
-        )
+        return entry.name != entry.release or _adapted(text, matrix.releases[entry.release][version], entry.name)
     for requirement in entry.added(stack.cuda):
         added = pinned.get(package_name(requirement))
         if added is None or not fnmatchcase(added, requirement.partition("==")[2] or "*"):
@@ -64,13 +64,21 @@ def current(text: str, part: Part, matrix: Matrix, architecture: str) -> bool:
     return True
 
 
-def _whole(text: str, release: Release, package: str, stack: str) -> bool:
-    """Whether the lock of a release's own part pins the packages that go with it, and has the adapted requirements."""
-    pinned = versions(text)
+def _beside(matrix: Matrix, stack: str, entry: PartEntry) -> dict[str, str]:
+    """The packages that go with releases of a stack and are in a part: in the one that takes them, or else in the release's own."""
+    found: dict[str, str] = {}
+    for family, version in matrix.stacks[stack].releases.items():
+        for name, wanted in matrix.releases[family][version].company(stack).items():
+            takers = [part.name for part in matrix.parts if any(fnmatchcase(name, pattern) for pattern in part.takes)]
+            if entry.name in (takers or [family]):
+                found[name] = wanted
+    return found
+
+
+def _adapted(text: str, release: Release, package: str) -> bool:
+    """Whether the lock of a release's own part has the adapted requirements."""
     adapted = [line for line in text.splitlines() if line.startswith(names.adapted_line(package, ""))]
-    return adapted == adapted_lines(release, package) and all(
-        pinned.get(name) == version for name, version in release.company(stack).items()
-    )
+    return adapted == adapted_lines(release, package)
 
 
 def adapted_lines(release: Release, package: str) -> list[str]:

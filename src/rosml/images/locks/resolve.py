@@ -77,6 +77,7 @@ class Request:
         beside: requirements of the packages that go with each framework.
         adapted: requirements of each framework that replace its wheel's, as lines of locks.
         overrides: the same as requirements.
+        indexes: further indexes of Python packages, which are asked first.
     """
 
     stack: str
@@ -95,6 +96,7 @@ class Request:
     beside: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     adapted: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     overrides: tuple[str, ...] = ()
+    indexes: tuple[str, ...] = ()
 
     @property
     def asks_pytorch(self) -> bool:
@@ -177,6 +179,7 @@ def requests(image_set: ImageSet) -> Iterator[Request]:
                             }
                         )
                     ),
+                    indexes=tuple(dict.fromkeys(release.index for release in releases.values() if release.index)),
                 )
     yield from _ros_requests(image_set)
 
@@ -295,6 +298,8 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
             "split",
         ]
         command += ["--no-emit-index-url", "--constraint", "constraints.txt", "in.txt", "--output-file", "out.txt"]
+        for index in request.indexes:
+            command += ["--index", index]
         if request.asks_pytorch:
             command += ["--torch-backend", "cpu"]
         if overrides:

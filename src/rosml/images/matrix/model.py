@@ -334,6 +334,10 @@ class Release(Facts):
         description="package -> the requirement in the part's metadata, instead of the wheel's: for a release that asks for"
         " more than it was found to need, if no part may carry it",
     )
+    index: Annotated[str, Field(pattern=URL, max_length=200)] | None = Field(
+        default=None,
+        description="another index of Python packages, without a password, that is asked first for all that the release needs",
+    )
     gpus: dict[Name, Annotated[tuple[Word, ...], Field(min_length=1)]] = Field(
         default={},
         description="architecture -> GPU architectures that its wheels with CUDA were built for, as they say it: sm_80",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from fnmatch import fnmatchcase
 
 from rosml.base.problems import listed
 from rosml.images.matrix.model import Framework, Matrix, PartEntry, RosArchive, Size, Stack
@@ -196,6 +197,17 @@ def company(matrix: Matrix, stack: str | None, families: Iterable[str]) -> dict[
     chosen = matrix.stacks[stack].releases if stack else {}
     releases = [matrix.releases[family][chosen[family]] for family in families if family in chosen]
     return {name: version for release in releases for name, version in release.company(stack or "").items()}
+
+
+def index(matrix: Matrix, stack: str, part: str) -> str:
+    """The index of Python packages that is asked first for those of a part; empty if that is the usual one."""
+    entry = matrix.part[part]
+    for family, version in matrix.stacks[stack].releases.items():
+        release = matrix.releases[family][version]
+        taken = any(fnmatchcase(name, pattern) for name in release.company(stack) for pattern in entry.takes)
+        if release.index and (taken or entry.release == family):
+            return release.index
+    return ""
 
 
 def gpu(matrix: Matrix, stack: str | None, parts: Iterable[str]) -> dict[str, str]:
