@@ -975,6 +975,75 @@ target "part-tritonclient-cu130-py310" {
   ]
 }
 
+target "_files-tensorrt-rtx-cc-cu130" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "tensorrt-rtx-cc"
+    STACK        = "cu130"
+    PYTHON       = "any"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
+  }
+}
+
+target "part-tensorrt-rtx-cc-cu130" {
+  inherits = ["_files-tensorrt-rtx-cc-cu130"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tensorrt-rtx-cc-cu130"
+    "org.opencontainers.image.description" = "part tensorrt-rtx-cc of stack cu130, for any Python"
+    "io.rosml.part"                        = "tensorrt-rtx-cc"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "any"
+    "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.restricted"                  = "tensorrt-rtx-cc"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
+  }
+  tags = [
+    "${REGISTRY}/part:tensorrt-rtx-cc-cu130"
+  ]
+}
+
+target "_files-tensorrt-rtx-cu130-py310" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_22_04 }
+  args = {
+    PART         = "tensorrt-rtx"
+    STACK        = "cu130"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cuda"
+    SLOT         = "10"
+    SHOWS        = "tensorrt-rtx-cc"
+  }
+}
+
+target "part-tensorrt-rtx-cu130-py310" {
+  inherits = ["_files-tensorrt-rtx-cu130-py310"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tensorrt-rtx-cu130-py310"
+    "org.opencontainers.image.description" = "part tensorrt-rtx of stack cu130, for Python 3.10"
+    "io.rosml.part"                        = "tensorrt-rtx"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.10"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.brings"                      = "tensorrt-rtx:tensorrt-rtx:TensorRT-RTX"
+    "io.rosml.release"                     = "tensorrt-rtx"
+    "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.restricted"                  = "tensorrt-rtx"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
+  }
+  tags = [
+    "${REGISTRY}/part:tensorrt-rtx-cu130-py310"
+  ]
+}
+
 target "_files-common-cu132-py310" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -1070,6 +1139,75 @@ target "part-tritonclient-cu132-py310" {
   }
   tags = [
     "${REGISTRY}/part:tritonclient-cu132-py310"
+  ]
+}
+
+target "_files-tensorrt-rtx-cc-cu132" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "tensorrt-rtx-cc"
+    STACK        = "cu132"
+    PYTHON       = "any"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
+  }
+}
+
+target "part-tensorrt-rtx-cc-cu132" {
+  inherits = ["_files-tensorrt-rtx-cc-cu132"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tensorrt-rtx-cc-cu132"
+    "org.opencontainers.image.description" = "part tensorrt-rtx-cc of stack cu132, for any Python"
+    "io.rosml.part"                        = "tensorrt-rtx-cc"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "any"
+    "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.restricted"                  = "tensorrt-rtx-cc"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
+  }
+  tags = [
+    "${REGISTRY}/part:tensorrt-rtx-cc-cu132"
+  ]
+}
+
+target "_files-tensorrt-rtx-cu132-py310" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_22_04 }
+  args = {
+    PART         = "tensorrt-rtx"
+    STACK        = "cu132"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cuda"
+    SLOT         = "10"
+    SHOWS        = "tensorrt-rtx-cc"
+  }
+}
+
+target "part-tensorrt-rtx-cu132-py310" {
+  inherits = ["_files-tensorrt-rtx-cu132-py310"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tensorrt-rtx-cu132-py310"
+    "org.opencontainers.image.description" = "part tensorrt-rtx of stack cu132, for Python 3.10"
+    "io.rosml.part"                        = "tensorrt-rtx"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.10"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.brings"                      = "tensorrt-rtx:tensorrt-rtx:TensorRT-RTX"
+    "io.rosml.release"                     = "tensorrt-rtx"
+    "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.restricted"                  = "tensorrt-rtx"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
+  }
+  tags = [
+    "${REGISTRY}/part:tensorrt-rtx-cu132-py310"
   ]
 }
 
@@ -1573,6 +1711,43 @@ target "part-tritonclient-cu130-py312" {
   ]
 }
 
+target "_files-tensorrt-rtx-cu130-py312" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_24_04 }
+  args = {
+    PART         = "tensorrt-rtx"
+    STACK        = "cu130"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cuda"
+    SLOT         = "10"
+    SHOWS        = "tensorrt-rtx-cc"
+  }
+}
+
+target "part-tensorrt-rtx-cu130-py312" {
+  inherits = ["_files-tensorrt-rtx-cu130-py312"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tensorrt-rtx-cu130-py312"
+    "org.opencontainers.image.description" = "part tensorrt-rtx of stack cu130, for Python 3.12"
+    "io.rosml.part"                        = "tensorrt-rtx"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.12"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.brings"                      = "tensorrt-rtx:tensorrt-rtx:TensorRT-RTX"
+    "io.rosml.release"                     = "tensorrt-rtx"
+    "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.restricted"                  = "tensorrt-rtx"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
+  }
+  tags = [
+    "${REGISTRY}/part:tensorrt-rtx-cu130-py312"
+  ]
+}
+
 target "_files-common-cu132-py312" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -1704,6 +1879,43 @@ target "part-tritonclient-cu132-py312" {
   }
   tags = [
     "${REGISTRY}/part:tritonclient-cu132-py312"
+  ]
+}
+
+target "_files-tensorrt-rtx-cu132-py312" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_24_04 }
+  args = {
+    PART         = "tensorrt-rtx"
+    STACK        = "cu132"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cuda"
+    SLOT         = "10"
+    SHOWS        = "tensorrt-rtx-cc"
+  }
+}
+
+target "part-tensorrt-rtx-cu132-py312" {
+  inherits = ["_files-tensorrt-rtx-cu132-py312"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tensorrt-rtx-cu132-py312"
+    "org.opencontainers.image.description" = "part tensorrt-rtx of stack cu132, for Python 3.12"
+    "io.rosml.part"                        = "tensorrt-rtx"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.12"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.brings"                      = "tensorrt-rtx:tensorrt-rtx:TensorRT-RTX"
+    "io.rosml.release"                     = "tensorrt-rtx"
+    "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.restricted"                  = "tensorrt-rtx"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
+  }
+  tags = [
+    "${REGISTRY}/part:tensorrt-rtx-cu132-py312"
   ]
 }
 
@@ -2139,6 +2351,43 @@ target "part-tritonclient-cu130-py314" {
   ]
 }
 
+target "_files-tensorrt-rtx-cu130-py314" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_26_04 }
+  args = {
+    PART         = "tensorrt-rtx"
+    STACK        = "cu130"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cuda"
+    SLOT         = "10"
+    SHOWS        = "tensorrt-rtx-cc"
+  }
+}
+
+target "part-tensorrt-rtx-cu130-py314" {
+  inherits = ["_files-tensorrt-rtx-cu130-py314"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tensorrt-rtx-cu130-py314"
+    "org.opencontainers.image.description" = "part tensorrt-rtx of stack cu130, for Python 3.14"
+    "io.rosml.part"                        = "tensorrt-rtx"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.14"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.brings"                      = "tensorrt-rtx:tensorrt-rtx:TensorRT-RTX"
+    "io.rosml.release"                     = "tensorrt-rtx"
+    "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.restricted"                  = "tensorrt-rtx"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
+  }
+  tags = [
+    "${REGISTRY}/part:tensorrt-rtx-cu130-py314"
+  ]
+}
+
 target "_files-common-cu132-py314" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -2270,6 +2519,43 @@ target "part-tritonclient-cu132-py314" {
   }
   tags = [
     "${REGISTRY}/part:tritonclient-cu132-py314"
+  ]
+}
+
+target "_files-tensorrt-rtx-cu132-py314" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_26_04 }
+  args = {
+    PART         = "tensorrt-rtx"
+    STACK        = "cu132"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cuda"
+    SLOT         = "10"
+    SHOWS        = "tensorrt-rtx-cc"
+  }
+}
+
+target "part-tensorrt-rtx-cu132-py314" {
+  inherits = ["_files-tensorrt-rtx-cu132-py314"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tensorrt-rtx-cu132-py314"
+    "org.opencontainers.image.description" = "part tensorrt-rtx of stack cu132, for Python 3.14"
+    "io.rosml.part"                        = "tensorrt-rtx"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.14"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.brings"                      = "tensorrt-rtx:tensorrt-rtx:TensorRT-RTX"
+    "io.rosml.release"                     = "tensorrt-rtx"
+    "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.restricted"                  = "tensorrt-rtx"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
+  }
+  tags = [
+    "${REGISTRY}/part:tensorrt-rtx-cu132-py314"
   ]
 }
 
@@ -2706,6 +2992,43 @@ target "part-tritonclient-cu130-py311" {
   ]
 }
 
+target "_files-tensorrt-rtx-cu130-py311" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "tensorrt-rtx"
+    STACK        = "cu130"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
+    SLOT         = "10"
+    SHOWS        = "tensorrt-rtx-cc"
+  }
+}
+
+target "part-tensorrt-rtx-cu130-py311" {
+  inherits = ["_files-tensorrt-rtx-cu130-py311"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tensorrt-rtx-cu130-py311"
+    "org.opencontainers.image.description" = "part tensorrt-rtx of stack cu130, for Python 3.11"
+    "io.rosml.part"                        = "tensorrt-rtx"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.brings"                      = "tensorrt-rtx:tensorrt-rtx:TensorRT-RTX"
+    "io.rosml.release"                     = "tensorrt-rtx"
+    "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.restricted"                  = "tensorrt-rtx"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
+  }
+  tags = [
+    "${REGISTRY}/part:tensorrt-rtx-cu130-py311"
+  ]
+}
+
 target "_files-common-cu132-py311" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -2837,6 +3160,43 @@ target "part-tritonclient-cu132-py311" {
   }
   tags = [
     "${REGISTRY}/part:tritonclient-cu132-py311"
+  ]
+}
+
+target "_files-tensorrt-rtx-cu132-py311" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "tensorrt-rtx"
+    STACK        = "cu132"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
+    SLOT         = "10"
+    SHOWS        = "tensorrt-rtx-cc"
+  }
+}
+
+target "part-tensorrt-rtx-cu132-py311" {
+  inherits = ["_files-tensorrt-rtx-cu132-py311"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tensorrt-rtx-cu132-py311"
+    "org.opencontainers.image.description" = "part tensorrt-rtx of stack cu132, for Python 3.11"
+    "io.rosml.part"                        = "tensorrt-rtx"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.brings"                      = "tensorrt-rtx:tensorrt-rtx:TensorRT-RTX"
+    "io.rosml.release"                     = "tensorrt-rtx"
+    "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.restricted"                  = "tensorrt-rtx"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
+  }
+  tags = [
+    "${REGISTRY}/part:tensorrt-rtx-cu132-py311"
   ]
 }
 
@@ -3307,6 +3667,43 @@ target "part-tritonclient-cu130-py313" {
   ]
 }
 
+target "_files-tensorrt-rtx-cu130-py313" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_TRIXIE }
+  args = {
+    PART         = "tensorrt-rtx"
+    STACK        = "cu130"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cuda"
+    SLOT         = "10"
+    SHOWS        = "tensorrt-rtx-cc"
+  }
+}
+
+target "part-tensorrt-rtx-cu130-py313" {
+  inherits = ["_files-tensorrt-rtx-cu130-py313"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tensorrt-rtx-cu130-py313"
+    "org.opencontainers.image.description" = "part tensorrt-rtx of stack cu130, for Python 3.13"
+    "io.rosml.part"                        = "tensorrt-rtx"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.13"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.brings"                      = "tensorrt-rtx:tensorrt-rtx:TensorRT-RTX"
+    "io.rosml.release"                     = "tensorrt-rtx"
+    "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.restricted"                  = "tensorrt-rtx"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
+  }
+  tags = [
+    "${REGISTRY}/part:tensorrt-rtx-cu130-py313"
+  ]
+}
+
 target "_files-common-cu132-py313" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -3438,6 +3835,43 @@ target "part-tritonclient-cu132-py313" {
   }
   tags = [
     "${REGISTRY}/part:tritonclient-cu132-py313"
+  ]
+}
+
+target "_files-tensorrt-rtx-cu132-py313" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_TRIXIE }
+  args = {
+    PART         = "tensorrt-rtx"
+    STACK        = "cu132"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cuda"
+    SLOT         = "10"
+    SHOWS        = "tensorrt-rtx-cc"
+  }
+}
+
+target "part-tensorrt-rtx-cu132-py313" {
+  inherits = ["_files-tensorrt-rtx-cu132-py313"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "tensorrt-rtx-cu132-py313"
+    "org.opencontainers.image.description" = "part tensorrt-rtx of stack cu132, for Python 3.13"
+    "io.rosml.part"                        = "tensorrt-rtx"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.13"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.brings"                      = "tensorrt-rtx:tensorrt-rtx:TensorRT-RTX"
+    "io.rosml.release"                     = "tensorrt-rtx"
+    "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
+    "io.rosml.restricted"                  = "tensorrt-rtx"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
+  }
+  tags = [
+    "${REGISTRY}/part:tensorrt-rtx-cu132-py313"
   ]
 }
 
@@ -6540,6 +6974,496 @@ target "_none-triton-cpu-py313" {
     ARG TRITONCLIENT_ROOT
     COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
     ENV TRITONCLIENT_VERSION=2.73.0
+  EOT
+}
+
+target "_none-tensorrt-rtx-cu130-py310" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                  = dependency("humble-core", "ros", "humble-core")
+    part-cuda            = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common          = dependency("common-cu130-py310", "part", "_files-common-cu130-py310")
+    part-tensorrt-rtx-cc = dependency("tensorrt-rtx-cc-cu130", "part", "_files-tensorrt-rtx-cc-cu130")
+    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu130-py310", "part", "_files-tensorrt-rtx-cu130-py310")
+  }
+  args = {
+    CUDA_ROOT            = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT          = can(digests["common-cu130-py310"]) ? "/" : "/out/"
+    TENSORRT_RTX_CC_ROOT = can(digests["tensorrt-rtx-cc-cu130"]) ? "/" : "/out/"
+    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu130-py310"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.restricted"                  = "tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "humble-core-tensorrt-rtx-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), TensorRT-RTX 1.7.1.116, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "humble-core-cu130-tensorrt-rtx1.7.1.116"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.addons"                      = "tensorrt-rtx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TENSORRT_RTX_CC_ROOT
+    COPY --link --from=part-tensorrt-rtx-cc $TENSORRT_RTX_CC_ROOT /
+    ARG TENSORRT_RTX_ROOT
+    COPY --link --from=part-tensorrt-rtx $TENSORRT_RTX_ROOT /
+    ENV TENSORRT_RTX_VERSION=1.7.1.116
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-tensorrt-rtx-cu130-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                  = dependency("jazzy-core", "ros", "jazzy-core")
+    part-cuda            = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common          = dependency("common-cu130-py312", "part", "_files-common-cu130-py312")
+    part-tensorrt-rtx-cc = dependency("tensorrt-rtx-cc-cu130", "part", "_files-tensorrt-rtx-cc-cu130")
+    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu130-py312", "part", "_files-tensorrt-rtx-cu130-py312")
+  }
+  args = {
+    CUDA_ROOT            = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT          = can(digests["common-cu130-py312"]) ? "/" : "/out/"
+    TENSORRT_RTX_CC_ROOT = can(digests["tensorrt-rtx-cc-cu130"]) ? "/" : "/out/"
+    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu130-py312"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.restricted"                  = "tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "jazzy-core-tensorrt-rtx-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), TensorRT-RTX 1.7.1.116, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "jazzy-core-cu130-tensorrt-rtx1.7.1.116"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.addons"                      = "tensorrt-rtx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TENSORRT_RTX_CC_ROOT
+    COPY --link --from=part-tensorrt-rtx-cc $TENSORRT_RTX_CC_ROOT /
+    ARG TENSORRT_RTX_ROOT
+    COPY --link --from=part-tensorrt-rtx $TENSORRT_RTX_ROOT /
+    ENV TENSORRT_RTX_VERSION=1.7.1.116
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-tensorrt-rtx-cu130-py314" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                  = dependency("lyrical-core", "ros", "lyrical-core")
+    part-cuda            = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common          = dependency("common-cu130-py314", "part", "_files-common-cu130-py314")
+    part-tensorrt-rtx-cc = dependency("tensorrt-rtx-cc-cu130", "part", "_files-tensorrt-rtx-cc-cu130")
+    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu130-py314", "part", "_files-tensorrt-rtx-cu130-py314")
+  }
+  args = {
+    CUDA_ROOT            = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT          = can(digests["common-cu130-py314"]) ? "/" : "/out/"
+    TENSORRT_RTX_CC_ROOT = can(digests["tensorrt-rtx-cc-cu130"]) ? "/" : "/out/"
+    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu130-py314"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.restricted"                  = "tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "lyrical-core-tensorrt-rtx-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), TensorRT-RTX 1.7.1.116, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "lyrical-core-cu130-tensorrt-rtx1.7.1.116"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.addons"                      = "tensorrt-rtx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TENSORRT_RTX_CC_ROOT
+    COPY --link --from=part-tensorrt-rtx-cc $TENSORRT_RTX_CC_ROOT /
+    ARG TENSORRT_RTX_ROOT
+    COPY --link --from=part-tensorrt-rtx $TENSORRT_RTX_ROOT /
+    ENV TENSORRT_RTX_VERSION=1.7.1.116
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-tensorrt-rtx-cu130-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                  = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda            = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common          = dependency("common-cu130-py311", "part", "_files-common-cu130-py311")
+    part-tensorrt-rtx-cc = dependency("tensorrt-rtx-cc-cu130", "part", "_files-tensorrt-rtx-cc-cu130")
+    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu130-py311", "part", "_files-tensorrt-rtx-cu130-py311")
+  }
+  args = {
+    CUDA_ROOT            = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT          = can(digests["common-cu130-py311"]) ? "/" : "/out/"
+    TENSORRT_RTX_CC_ROOT = can(digests["tensorrt-rtx-cc-cu130"]) ? "/" : "/out/"
+    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu130-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.restricted"                  = "tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-tensorrt-rtx-cu130"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), TensorRT-RTX 1.7.1.116, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu130-tensorrt-rtx1.7.1.116"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.addons"                      = "tensorrt-rtx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TENSORRT_RTX_CC_ROOT
+    COPY --link --from=part-tensorrt-rtx-cc $TENSORRT_RTX_CC_ROOT /
+    ARG TENSORRT_RTX_ROOT
+    COPY --link --from=part-tensorrt-rtx $TENSORRT_RTX_ROOT /
+    ENV TENSORRT_RTX_VERSION=1.7.1.116
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-tensorrt-rtx-cu130-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                  = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-cuda            = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common          = dependency("common-cu130-py313", "part", "_files-common-cu130-py313")
+    part-tensorrt-rtx-cc = dependency("tensorrt-rtx-cc-cu130", "part", "_files-tensorrt-rtx-cc-cu130")
+    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu130-py313", "part", "_files-tensorrt-rtx-cu130-py313")
+  }
+  args = {
+    CUDA_ROOT            = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT          = can(digests["common-cu130-py313"]) ? "/" : "/out/"
+    TENSORRT_RTX_CC_ROOT = can(digests["tensorrt-rtx-cc-cu130"]) ? "/" : "/out/"
+    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu130-py313"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.restricted"                  = "tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-tensorrt-rtx-cu130"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), TensorRT-RTX 1.7.1.116, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu130-tensorrt-rtx1.7.1.116"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.addons"                      = "tensorrt-rtx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TENSORRT_RTX_CC_ROOT
+    COPY --link --from=part-tensorrt-rtx-cc $TENSORRT_RTX_CC_ROOT /
+    ARG TENSORRT_RTX_ROOT
+    COPY --link --from=part-tensorrt-rtx $TENSORRT_RTX_ROOT /
+    ENV TENSORRT_RTX_VERSION=1.7.1.116
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-tensorrt-rtx-cu132-py310" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                  = dependency("humble-core", "ros", "humble-core")
+    part-cuda            = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common          = dependency("common-cu132-py310", "part", "_files-common-cu132-py310")
+    part-tensorrt-rtx-cc = dependency("tensorrt-rtx-cc-cu132", "part", "_files-tensorrt-rtx-cc-cu132")
+    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu132-py310", "part", "_files-tensorrt-rtx-cu132-py310")
+  }
+  args = {
+    CUDA_ROOT            = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT          = can(digests["common-cu132-py310"]) ? "/" : "/out/"
+    TENSORRT_RTX_CC_ROOT = can(digests["tensorrt-rtx-cc-cu132"]) ? "/" : "/out/"
+    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu132-py310"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.restricted"                  = "tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "humble-core-tensorrt-rtx-cu132"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), TensorRT-RTX 1.7.1.116, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "humble-core-cu132-tensorrt-rtx1.7.1.116"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.addons"                      = "tensorrt-rtx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TENSORRT_RTX_CC_ROOT
+    COPY --link --from=part-tensorrt-rtx-cc $TENSORRT_RTX_CC_ROOT /
+    ARG TENSORRT_RTX_ROOT
+    COPY --link --from=part-tensorrt-rtx $TENSORRT_RTX_ROOT /
+    ENV TENSORRT_RTX_VERSION=1.7.1.116
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-tensorrt-rtx-cu132-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                  = dependency("jazzy-core", "ros", "jazzy-core")
+    part-cuda            = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common          = dependency("common-cu132-py312", "part", "_files-common-cu132-py312")
+    part-tensorrt-rtx-cc = dependency("tensorrt-rtx-cc-cu132", "part", "_files-tensorrt-rtx-cc-cu132")
+    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu132-py312", "part", "_files-tensorrt-rtx-cu132-py312")
+  }
+  args = {
+    CUDA_ROOT            = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT          = can(digests["common-cu132-py312"]) ? "/" : "/out/"
+    TENSORRT_RTX_CC_ROOT = can(digests["tensorrt-rtx-cc-cu132"]) ? "/" : "/out/"
+    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu132-py312"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.restricted"                  = "tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "jazzy-core-tensorrt-rtx-cu132"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), TensorRT-RTX 1.7.1.116, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "jazzy-core-cu132-tensorrt-rtx1.7.1.116"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.addons"                      = "tensorrt-rtx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TENSORRT_RTX_CC_ROOT
+    COPY --link --from=part-tensorrt-rtx-cc $TENSORRT_RTX_CC_ROOT /
+    ARG TENSORRT_RTX_ROOT
+    COPY --link --from=part-tensorrt-rtx $TENSORRT_RTX_ROOT /
+    ENV TENSORRT_RTX_VERSION=1.7.1.116
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-tensorrt-rtx-cu132-py314" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                  = dependency("lyrical-core", "ros", "lyrical-core")
+    part-cuda            = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common          = dependency("common-cu132-py314", "part", "_files-common-cu132-py314")
+    part-tensorrt-rtx-cc = dependency("tensorrt-rtx-cc-cu132", "part", "_files-tensorrt-rtx-cc-cu132")
+    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu132-py314", "part", "_files-tensorrt-rtx-cu132-py314")
+  }
+  args = {
+    CUDA_ROOT            = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT          = can(digests["common-cu132-py314"]) ? "/" : "/out/"
+    TENSORRT_RTX_CC_ROOT = can(digests["tensorrt-rtx-cc-cu132"]) ? "/" : "/out/"
+    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu132-py314"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.restricted"                  = "tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "lyrical-core-tensorrt-rtx-cu132"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), TensorRT-RTX 1.7.1.116, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "lyrical-core-cu132-tensorrt-rtx1.7.1.116"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.addons"                      = "tensorrt-rtx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TENSORRT_RTX_CC_ROOT
+    COPY --link --from=part-tensorrt-rtx-cc $TENSORRT_RTX_CC_ROOT /
+    ARG TENSORRT_RTX_ROOT
+    COPY --link --from=part-tensorrt-rtx $TENSORRT_RTX_ROOT /
+    ENV TENSORRT_RTX_VERSION=1.7.1.116
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-tensorrt-rtx-cu132-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                  = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda            = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common          = dependency("common-cu132-py311", "part", "_files-common-cu132-py311")
+    part-tensorrt-rtx-cc = dependency("tensorrt-rtx-cc-cu132", "part", "_files-tensorrt-rtx-cc-cu132")
+    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu132-py311", "part", "_files-tensorrt-rtx-cu132-py311")
+  }
+  args = {
+    CUDA_ROOT            = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT          = can(digests["common-cu132-py311"]) ? "/" : "/out/"
+    TENSORRT_RTX_CC_ROOT = can(digests["tensorrt-rtx-cc-cu132"]) ? "/" : "/out/"
+    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu132-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.restricted"                  = "tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-tensorrt-rtx-cu132"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), TensorRT-RTX 1.7.1.116, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu132-tensorrt-rtx1.7.1.116"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.addons"                      = "tensorrt-rtx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TENSORRT_RTX_CC_ROOT
+    COPY --link --from=part-tensorrt-rtx-cc $TENSORRT_RTX_CC_ROOT /
+    ARG TENSORRT_RTX_ROOT
+    COPY --link --from=part-tensorrt-rtx $TENSORRT_RTX_ROOT /
+    ENV TENSORRT_RTX_VERSION=1.7.1.116
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-tensorrt-rtx-cu132-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                  = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-cuda            = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common          = dependency("common-cu132-py313", "part", "_files-common-cu132-py313")
+    part-tensorrt-rtx-cc = dependency("tensorrt-rtx-cc-cu132", "part", "_files-tensorrt-rtx-cc-cu132")
+    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu132-py313", "part", "_files-tensorrt-rtx-cu132-py313")
+  }
+  args = {
+    CUDA_ROOT            = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT          = can(digests["common-cu132-py313"]) ? "/" : "/out/"
+    TENSORRT_RTX_CC_ROOT = can(digests["tensorrt-rtx-cc-cu132"]) ? "/" : "/out/"
+    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu132-py313"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.restricted"                  = "tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-tensorrt-rtx-cu132"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), TensorRT-RTX 1.7.1.116, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu132-tensorrt-rtx1.7.1.116"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.addons"                      = "tensorrt-rtx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TENSORRT_RTX_CC_ROOT
+    COPY --link --from=part-tensorrt-rtx-cc $TENSORRT_RTX_CC_ROOT /
+    ARG TENSORRT_RTX_ROOT
+    COPY --link --from=part-tensorrt-rtx $TENSORRT_RTX_ROOT /
+    ENV TENSORRT_RTX_VERSION=1.7.1.116
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
   EOT
 }
 
@@ -9658,6 +10582,14 @@ target "humble-core-triton-cpu" {
   inherits = ["_humble", "_none-triton-cpu-py310"]
 }
 
+target "humble-core-tensorrt-rtx-cu130" {
+  inherits = ["_humble", "_none-tensorrt-rtx-cu130-py310"]
+}
+
+target "humble-core-tensorrt-rtx-cu132" {
+  inherits = ["_humble", "_none-tensorrt-rtx-cu132-py310"]
+}
+
 # ---- iron -----------------------------------------------------------------------------------------------------------
 
 target "_iron" {
@@ -12531,6 +13463,14 @@ target "jazzy-core-triton-cpu" {
   inherits = ["_jazzy", "_none-triton-cpu-py312"]
 }
 
+target "jazzy-core-tensorrt-rtx-cu130" {
+  inherits = ["_jazzy", "_none-tensorrt-rtx-cu130-py312"]
+}
+
+target "jazzy-core-tensorrt-rtx-cu132" {
+  inherits = ["_jazzy", "_none-tensorrt-rtx-cu132-py312"]
+}
+
 # ---- kilted ---------------------------------------------------------------------------------------------------------
 
 target "_kilted" {
@@ -15065,6 +16005,14 @@ target "lyrical-core-triton-cu132" {
 
 target "lyrical-core-triton-cpu" {
   inherits = ["_lyrical", "_none-triton-cpu-py314"]
+}
+
+target "lyrical-core-tensorrt-rtx-cu130" {
+  inherits = ["_lyrical", "_none-tensorrt-rtx-cu130-py314"]
+}
+
+target "lyrical-core-tensorrt-rtx-cu132" {
+  inherits = ["_lyrical", "_none-tensorrt-rtx-cu132-py314"]
 }
 
 # ---- rolling --------------------------------------------------------------------------------------------------------
@@ -18063,6 +19011,14 @@ target "ros1-bookworm-core-triton-cpu" {
   inherits = ["_ros1-bookworm", "_none-triton-cpu-py311"]
 }
 
+target "ros1-bookworm-core-tensorrt-rtx-cu130" {
+  inherits = ["_ros1-bookworm", "_none-tensorrt-rtx-cu130-py311"]
+}
+
+target "ros1-bookworm-core-tensorrt-rtx-cu132" {
+  inherits = ["_ros1-bookworm", "_none-tensorrt-rtx-cu132-py311"]
+}
+
 # ---- ros1-trixie ----------------------------------------------------------------------------------------------------
 
 target "_ros1-trixie" {
@@ -19964,6 +20920,14 @@ target "ros1-trixie-core-triton-cpu" {
   inherits = ["_ros1-trixie", "_none-triton-cpu-py313"]
 }
 
+target "ros1-trixie-core-tensorrt-rtx-cu130" {
+  inherits = ["_ros1-trixie", "_none-tensorrt-rtx-cu130-py313"]
+}
+
+target "ros1-trixie-core-tensorrt-rtx-cu132" {
+  inherits = ["_ros1-trixie", "_none-tensorrt-rtx-cu132-py313"]
+}
+
 # ---- jazzy-wheels ---------------------------------------------------------------------------------------------------
 
 target "_jazzy-wheels" {
@@ -20464,6 +21428,21 @@ group "triton" {
   ]
 }
 
+group "tensorrt-rtx" {
+  targets = [
+    "humble-core-tensorrt-rtx-cu130",
+    "jazzy-core-tensorrt-rtx-cu130",
+    "lyrical-core-tensorrt-rtx-cu130",
+    "ros1-bookworm-core-tensorrt-rtx-cu130",
+    "ros1-trixie-core-tensorrt-rtx-cu130",
+    "humble-core-tensorrt-rtx-cu132",
+    "jazzy-core-tensorrt-rtx-cu132",
+    "lyrical-core-tensorrt-rtx-cu132",
+    "ros1-bookworm-core-tensorrt-rtx-cu132",
+    "ros1-trixie-core-tensorrt-rtx-cu132",
+  ]
+}
+
 group "cu128" {
   targets = [
     "noetic-core-cuda-cu128", "noetic-base-cuda-cu128", "noetic-robot-cuda-cu128", "noetic-perception-cuda-cu128", "noetic-desktop-cuda-cu128", "noetic-desktop-full-cuda-cu128", "noetic-core-run-cuda-cu128", "noetic-base-run-cuda-cu128",
@@ -20565,6 +21544,6 @@ group "all" {
 
 group "parts" {
   targets = [
-    "part-cuda-cu128", "part-cuda-cu130", "part-cuda-cu132", "part-cuda-cu121", "part-common-cu121-py38", "part-torch-cu121-py38", "part-common-cpu38-py38", "part-grpc-cpu38-py38", "part-tensorflow-cc-cpu38", "part-tensorflow-cpu38-py38", "part-common-cu128-py310", "part-torch-cu128-py310", "part-grpc-cu128-py310", "part-tensorflow-cc-cu128", "part-tensorflow-cu128-py310", "part-tritonclient-cu128-py310", "part-common-cu130-py310", "part-torch-cu130-py310", "part-grpc-cu130-py310", "part-tritonclient-cu130-py310", "part-common-cu132-py310", "part-grpc-cu132-py310", "part-tritonclient-cu132-py310", "part-common-cpu-py310", "part-torch-cpu-py310", "part-grpc-cpu-py310", "part-tensorflow-cc-cpu", "part-tensorflow-cpu-py310", "part-tritonclient-cpu-py310", "part-common-cu128-py312", "part-torch-cu128-py312", "part-grpc-cu128-py312", "part-tensorflow-cu128-py312", "part-tritonclient-cu128-py312", "part-common-cu130-py312", "part-torch-cu130-py312", "part-grpc-cu130-py312", "part-tritonclient-cu130-py312", "part-common-cu132-py312", "part-torch-cu132-py312", "part-grpc-cu132-py312", "part-tritonclient-cu132-py312", "part-common-cpu-py312", "part-torch-cpu-py312", "part-grpc-cpu-py312", "part-tensorflow-cpu-py312", "part-tritonclient-cpu-py312", "part-common-cu128-py314", "part-torch-cu128-py314", "part-grpc-cu128-py314", "part-tritonclient-cu128-py314", "part-common-cu130-py314", "part-torch-cu130-py314", "part-grpc-cu130-py314", "part-tritonclient-cu130-py314", "part-common-cu132-py314", "part-torch-cu132-py314", "part-grpc-cu132-py314", "part-tritonclient-cu132-py314", "part-common-cpu-py314", "part-grpc-cpu-py314", "part-tritonclient-cpu-py314", "part-common-cu128-py311", "part-torch-cu128-py311", "part-grpc-cu128-py311", "part-tensorflow-cu128-py311", "part-tritonclient-cu128-py311", "part-common-cu130-py311", "part-torch-cu130-py311", "part-grpc-cu130-py311", "part-tritonclient-cu130-py311", "part-common-cu132-py311", "part-torch-cu132-py311", "part-grpc-cu132-py311", "part-tritonclient-cu132-py311", "part-common-cpu-py311", "part-grpc-cpu-py311", "part-tensorflow-cpu-py311", "part-tritonclient-cpu-py311", "part-common-cu128-py313", "part-torch-cu128-py313", "part-grpc-cu128-py313", "part-tensorflow-cu128-py313", "part-tritonclient-cu128-py313", "part-common-cu130-py313", "part-torch-cu130-py313", "part-grpc-cu130-py313", "part-tritonclient-cu130-py313", "part-common-cu132-py313", "part-torch-cu132-py313", "part-grpc-cu132-py313", "part-tritonclient-cu132-py313", "part-common-cpu-py313", "part-torch-cpu-py313", "part-grpc-cpu-py313", "part-tensorflow-cpu-py313", "part-tritonclient-cpu-py313",
+    "part-cuda-cu128", "part-cuda-cu130", "part-cuda-cu132", "part-cuda-cu121", "part-common-cu121-py38", "part-torch-cu121-py38", "part-common-cpu38-py38", "part-grpc-cpu38-py38", "part-tensorflow-cc-cpu38", "part-tensorflow-cpu38-py38", "part-common-cu128-py310", "part-torch-cu128-py310", "part-grpc-cu128-py310", "part-tensorflow-cc-cu128", "part-tensorflow-cu128-py310", "part-tritonclient-cu128-py310", "part-common-cu130-py310", "part-torch-cu130-py310", "part-grpc-cu130-py310", "part-tritonclient-cu130-py310", "part-tensorrt-rtx-cc-cu130", "part-tensorrt-rtx-cu130-py310", "part-common-cu132-py310", "part-grpc-cu132-py310", "part-tritonclient-cu132-py310", "part-tensorrt-rtx-cc-cu132", "part-tensorrt-rtx-cu132-py310", "part-common-cpu-py310", "part-torch-cpu-py310", "part-grpc-cpu-py310", "part-tensorflow-cc-cpu", "part-tensorflow-cpu-py310", "part-tritonclient-cpu-py310", "part-common-cu128-py312", "part-torch-cu128-py312", "part-grpc-cu128-py312", "part-tensorflow-cu128-py312", "part-tritonclient-cu128-py312", "part-common-cu130-py312", "part-torch-cu130-py312", "part-grpc-cu130-py312", "part-tritonclient-cu130-py312", "part-tensorrt-rtx-cu130-py312", "part-common-cu132-py312", "part-torch-cu132-py312", "part-grpc-cu132-py312", "part-tritonclient-cu132-py312", "part-tensorrt-rtx-cu132-py312", "part-common-cpu-py312", "part-torch-cpu-py312", "part-grpc-cpu-py312", "part-tensorflow-cpu-py312", "part-tritonclient-cpu-py312", "part-common-cu128-py314", "part-torch-cu128-py314", "part-grpc-cu128-py314", "part-tritonclient-cu128-py314", "part-common-cu130-py314", "part-torch-cu130-py314", "part-grpc-cu130-py314", "part-tritonclient-cu130-py314", "part-tensorrt-rtx-cu130-py314", "part-common-cu132-py314", "part-torch-cu132-py314", "part-grpc-cu132-py314", "part-tritonclient-cu132-py314", "part-tensorrt-rtx-cu132-py314", "part-common-cpu-py314", "part-grpc-cpu-py314", "part-tritonclient-cpu-py314", "part-common-cu128-py311", "part-torch-cu128-py311", "part-grpc-cu128-py311", "part-tensorflow-cu128-py311", "part-tritonclient-cu128-py311", "part-common-cu130-py311", "part-torch-cu130-py311", "part-grpc-cu130-py311", "part-tritonclient-cu130-py311", "part-tensorrt-rtx-cu130-py311", "part-common-cu132-py311", "part-torch-cu132-py311", "part-grpc-cu132-py311", "part-tritonclient-cu132-py311", "part-tensorrt-rtx-cu132-py311", "part-common-cpu-py311", "part-grpc-cpu-py311", "part-tensorflow-cpu-py311", "part-tritonclient-cpu-py311", "part-common-cu128-py313", "part-torch-cu128-py313", "part-grpc-cu128-py313", "part-tensorflow-cu128-py313", "part-tritonclient-cu128-py313", "part-common-cu130-py313", "part-torch-cu130-py313", "part-grpc-cu130-py313", "part-tritonclient-cu130-py313", "part-tensorrt-rtx-cu130-py313", "part-common-cu132-py313", "part-torch-cu132-py313", "part-grpc-cu132-py313", "part-tritonclient-cu132-py313", "part-tensorrt-rtx-cu132-py313", "part-common-cpu-py313", "part-torch-cpu-py313", "part-grpc-cpu-py313", "part-tensorflow-cpu-py313", "part-tritonclient-cpu-py313",
   ]
 }
