@@ -137,7 +137,8 @@ def test_labels_of_a_join_are_those_of_a_build(real: ImageSet) -> None:
                     [one[labels.LICENSES] for one in below], [x for one in below for x in restricted.named(one)]
                 )
                 assert joined == said(image.target), image.target
-                assert (labels.RESTRICTED in joined) == (image_set is not real and "tensorflow" in image.versions)
+                kinds = [image_set.part_by_name[name].kind for name in image.parts]
+                assert (labels.RESTRICTED in joined) == bool(restricted.of(image_set.matrix, kinds))
 
 
 def test_a_choice_of_licences_stays_one() -> None:

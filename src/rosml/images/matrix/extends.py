@@ -210,12 +210,20 @@ def _forget(data: dict[str, Any], base: Mapping[str, Any], wanted: Mapping[str, 
         kept = (*_mapping(data["frameworks"]).values(), *_mapping(data["addons"]).values())
         used = {name for facts in kept for name in _names(facts)}
         data["parts"] = tuple(part for part in data["parts"] if part.get("name") not in lost - used)
+    gone = (
+        {part["name"] for part in base["parts"]} - {_name(part) for part in data["parts"]}
+        if isinstance(data["parts"], tuple)
+        else set()
+    )
     frameworks = set(base["frameworks"]) - set(_mapping(data["frameworks"]))
     if isinstance(disk := data["disk"], Mapping):
         budgets = _without(disk.get("budgets"), stacks)
         if isinstance(budgets, Mapping):
             budgets = {stack: _without(budget, frameworks) for stack, budget in budgets.items()}
-        data["disk"] = {**disk, "parts": _without(disk.get("parts"), stacks), "budgets": budgets}
+        parts = _without(disk.get("parts"), stacks)
+        if isinstance(parts, Mapping):
+            parts = {stack: _without(sizes, gone) for stack, sizes in parts.items()}
+        data["disk"] = {**disk, "parts": parts, "budgets": budgets}
     if isinstance(data["distributions"], Mapping):
         own = _mapping(wanted.get("distributions"))
         data["distributions"] = {
