@@ -20,6 +20,9 @@ GITLAB = ".gitlab-ci.yml"
 INSTALLED = "/docker-ros/ws/install"
 """The install space in images."""
 
+CATKIN = "devel devel_isolated install_isolated"
+"""Folders that catkin makes beside those that every build makes."""
+
 PAGE = "docs/containerize.md"
 """The page of the documentation about all of them."""
 
@@ -190,7 +193,7 @@ def _dockerignore(project: Project) -> Iterator[str]:
     yield "# What neither rosml containerize nor docker build gets."
     yield from (".git", "**/__pycache__", ".venv", ".vscode")
     tops = {folder.split("/")[0] for folder in project.packages}
-    yield from sorted({*left_out.MADE, "devel", "devel_isolated", "install_isolated"} - tops)
+    yield from sorted({*left_out.MADE, *CATKIN.split()} - tops)
     yield "# Files that change no image: without them here, each change would build everything again."
     yield from (app_inputs.FILE, defaults.PROJECT, DOCKERFILE, ".dockerignore", ".github", GITLAB)
 
