@@ -64,7 +64,8 @@ def main() -> None:
 
     with tempfile.TemporaryDirectory() as folder:
         said = found_toolkit(folder)
-        assert said == "None\n", said
+        toolkit = "/usr/local/cuda"  # of a part, perhaps
+        assert said.endswith(f"{toolkit}\n") if os.path.exists(f"{toolkit}/bin/nvcc") else said == "None\n", said
         compiler = Path(folder, "bin/nvcc")
         compiler.parent.mkdir()
         compiler.touch(mode=0o755)
