@@ -342,6 +342,39 @@ target "part-cuda-cu130" {
   ]
 }
 
+target "_files-devel-cu130" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "devel"
+    STACK        = "cu130"
+    PYTHON       = "any"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
+    SHOWS        = "cuda"
+  }
+}
+
+target "part-devel-cu130" {
+  inherits = ["_files-devel-cu130"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "devel-cu130"
+    "org.opencontainers.image.description" = "part devel of stack cu130, for any Python"
+    "io.rosml.part"                        = "devel"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "any"
+    "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "devel=cuda*,devel*"
+  }
+  tags = [
+    "${REGISTRY}/part:devel-cu130"
+  ]
+}
+
 target "_files-cuda-cu132" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -373,6 +406,39 @@ target "part-cuda-cu132" {
   }
   tags = [
     "${REGISTRY}/part:cuda-cu132"
+  ]
+}
+
+target "_files-devel-cu132" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "devel"
+    STACK        = "cu132"
+    PYTHON       = "any"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
+    SHOWS        = "cuda"
+  }
+}
+
+target "part-devel-cu132" {
+  inherits = ["_files-devel-cu132"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "devel-cu132"
+    "org.opencontainers.image.description" = "part devel of stack cu132, for any Python"
+    "io.rosml.part"                        = "devel"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "any"
+    "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "devel=cuda*,devel*"
+  }
+  tags = [
+    "${REGISTRY}/part:devel-cu132"
   ]
 }
 
@@ -6067,20 +6133,857 @@ target "_ml-cpu-py313" {
   EOT
 }
 
-target "_none-triton-cu128-py310" {
+target "_none-devel-cu130-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros        = dependency("jazzy-core", "ros", "jazzy-core")
+    part-cuda  = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-devel = dependency("devel-cu130", "part", "_files-devel-cu130")
+  }
+  args = {
+    CUDA_ROOT  = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    DEVEL_ROOT = can(digests["devel-cu130"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "jazzy-core-devel-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "jazzy-core-cu130-cuda13.0.96"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda devel"
+    "io.rosml.addons"                      = "devel"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG DEVEL_ROOT
+    COPY --link --from=part-devel $DEVEL_ROOT /
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_torch-devel-cu130-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros         = dependency("jazzy-core", "ros", "jazzy-core")
+    part-cuda   = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common = dependency("common-cu130-py312", "part", "_files-common-cu130-py312")
+    part-torch  = dependency("torch-cu130-py312", "part", "_files-torch-cu130-py312")
+    part-devel  = dependency("devel-cu130", "part", "_files-devel-cu130")
+  }
+  args = {
+    CUDA_ROOT   = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT = can(digests["common-cu130-py312"]) ? "/" : "/out/"
+    TORCH_ROOT  = can(digests["torch-cu130-py312"]) ? "/" : "/out/"
+    DEVEL_ROOT  = can(digests["devel-cu130"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0 AND LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.14.1"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "org.opencontainers.image.title"       = "jazzy-core-torch-devel-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), PyTorch 2.14.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "jazzy-core-cu130-torch2.14.1"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common torch devel"
+    "io.rosml.addons"                      = "devel"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG DEVEL_ROOT
+    COPY --link --from=part-devel $DEVEL_ROOT /
+    ENV TORCH_VERSION=2.14.1
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-devel-cu130-py310" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros        = dependency("humble-core", "ros", "humble-core")
+    part-cuda  = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-devel = dependency("devel-cu130", "part", "_files-devel-cu130")
+  }
+  args = {
+    CUDA_ROOT  = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    DEVEL_ROOT = can(digests["devel-cu130"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "humble-core-devel-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "humble-core-cu130-cuda13.0.96"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda devel"
+    "io.rosml.addons"                      = "devel"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG DEVEL_ROOT
+    COPY --link --from=part-devel $DEVEL_ROOT /
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_torch-devel-cu130-py310" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros         = dependency("humble-core", "ros", "humble-core")
+    part-cuda   = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common = dependency("common-cu130-py310", "part", "_files-common-cu130-py310")
+    part-torch  = dependency("torch-cu130-py310", "part", "_files-torch-cu130-py310")
+    part-devel  = dependency("devel-cu130", "part", "_files-devel-cu130")
+  }
+  args = {
+    CUDA_ROOT   = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT = can(digests["common-cu130-py310"]) ? "/" : "/out/"
+    TORCH_ROOT  = can(digests["torch-cu130-py310"]) ? "/" : "/out/"
+    DEVEL_ROOT  = can(digests["devel-cu130"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0 AND LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.14.1"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "org.opencontainers.image.title"       = "humble-core-torch-devel-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), PyTorch 2.14.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "humble-core-cu130-torch2.14.1"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common torch devel"
+    "io.rosml.addons"                      = "devel"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG DEVEL_ROOT
+    COPY --link --from=part-devel $DEVEL_ROOT /
+    ENV TORCH_VERSION=2.14.1
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-devel-cu130-py38" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros        = dependency("noetic-core", "ros", "noetic-core")
+    part-cuda  = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-devel = dependency("devel-cu130", "part", "_files-devel-cu130")
+  }
+  args = {
+    CUDA_ROOT  = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    DEVEL_ROOT = can(digests["devel-cu130"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "noetic-core-devel-cu130"
+    "org.opencontainers.image.description" = "ROS 1 core (noetic), CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "noetic-core-cu130-cuda13.0.96"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda devel"
+    "io.rosml.addons"                      = "devel"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG DEVEL_ROOT
+    COPY --link --from=part-devel $DEVEL_ROOT /
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-devel-cu130-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros        = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-cuda  = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-devel = dependency("devel-cu130", "part", "_files-devel-cu130")
+  }
+  args = {
+    CUDA_ROOT  = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    DEVEL_ROOT = can(digests["devel-cu130"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-devel-cu130"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu130-cuda13.0.96"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda devel"
+    "io.rosml.addons"                      = "devel"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG DEVEL_ROOT
+    COPY --link --from=part-devel $DEVEL_ROOT /
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_torch-devel-cu130-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros         = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-cuda   = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common = dependency("common-cu130-py313", "part", "_files-common-cu130-py313")
+    part-torch  = dependency("torch-cu130-py313", "part", "_files-torch-cu130-py313")
+    part-devel  = dependency("devel-cu130", "part", "_files-devel-cu130")
+  }
+  args = {
+    CUDA_ROOT   = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT = can(digests["common-cu130-py313"]) ? "/" : "/out/"
+    TORCH_ROOT  = can(digests["torch-cu130-py313"]) ? "/" : "/out/"
+    DEVEL_ROOT  = can(digests["devel-cu130"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0 AND LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.14.1"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-torch-devel-cu130"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), PyTorch 2.14.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu130-torch2.14.1"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common torch devel"
+    "io.rosml.addons"                      = "devel"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG DEVEL_ROOT
+    COPY --link --from=part-devel $DEVEL_ROOT /
+    ENV TORCH_VERSION=2.14.1
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-devel-cu130-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros        = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda  = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-devel = dependency("devel-cu130", "part", "_files-devel-cu130")
+  }
+  args = {
+    CUDA_ROOT  = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    DEVEL_ROOT = can(digests["devel-cu130"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-devel-cu130"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu130-cuda13.0.96"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda devel"
+    "io.rosml.addons"                      = "devel"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG DEVEL_ROOT
+    COPY --link --from=part-devel $DEVEL_ROOT /
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_torch-devel-cu130-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros         = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda   = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common = dependency("common-cu130-py311", "part", "_files-common-cu130-py311")
+    part-torch  = dependency("torch-cu130-py311", "part", "_files-torch-cu130-py311")
+    part-devel  = dependency("devel-cu130", "part", "_files-devel-cu130")
+  }
+  args = {
+    CUDA_ROOT   = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT = can(digests["common-cu130-py311"]) ? "/" : "/out/"
+    TORCH_ROOT  = can(digests["torch-cu130-py311"]) ? "/" : "/out/"
+    DEVEL_ROOT  = can(digests["devel-cu130"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0 AND LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.14.1"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-torch-devel-cu130"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), PyTorch 2.14.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu130-torch2.14.1"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common torch devel"
+    "io.rosml.addons"                      = "devel"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG DEVEL_ROOT
+    COPY --link --from=part-devel $DEVEL_ROOT /
+    ENV TORCH_VERSION=2.14.1
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-devel-cu132-py314" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros        = dependency("lyrical-core", "ros", "lyrical-core")
+    part-cuda  = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-devel = dependency("devel-cu132", "part", "_files-devel-cu132")
+  }
+  args = {
+    CUDA_ROOT  = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    DEVEL_ROOT = can(digests["devel-cu132"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "lyrical-core-devel-cu132"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "lyrical-core-cu132-cuda13.2.86"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda devel"
+    "io.rosml.addons"                      = "devel"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG DEVEL_ROOT
+    COPY --link --from=part-devel $DEVEL_ROOT /
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_torch-devel-cu132-py314" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros         = dependency("lyrical-core", "ros", "lyrical-core")
+    part-cuda   = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common = dependency("common-cu132-py314", "part", "_files-common-cu132-py314")
+    part-torch  = dependency("torch-cu132-py314", "part", "_files-torch-cu132-py314")
+    part-devel  = dependency("devel-cu132", "part", "_files-devel-cu132")
+  }
+  args = {
+    CUDA_ROOT   = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT = can(digests["common-cu132-py314"]) ? "/" : "/out/"
+    TORCH_ROOT  = can(digests["torch-cu132-py314"]) ? "/" : "/out/"
+    DEVEL_ROOT  = can(digests["devel-cu132"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0 AND LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.15.0"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "org.opencontainers.image.title"       = "lyrical-core-torch-devel-cu132"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), PyTorch 2.15.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "lyrical-core-cu132-torch2.15.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common torch devel"
+    "io.rosml.addons"                      = "devel"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG DEVEL_ROOT
+    COPY --link --from=part-devel $DEVEL_ROOT /
+    ENV TORCH_VERSION=2.15.0
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-devel-cu132-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros        = dependency("jazzy-core", "ros", "jazzy-core")
+    part-cuda  = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-devel = dependency("devel-cu132", "part", "_files-devel-cu132")
+  }
+  args = {
+    CUDA_ROOT  = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    DEVEL_ROOT = can(digests["devel-cu132"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "jazzy-core-devel-cu132"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "jazzy-core-cu132-cuda13.2.86"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda devel"
+    "io.rosml.addons"                      = "devel"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG DEVEL_ROOT
+    COPY --link --from=part-devel $DEVEL_ROOT /
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_torch-devel-cu132-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros         = dependency("jazzy-core", "ros", "jazzy-core")
+    part-cuda   = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common = dependency("common-cu132-py312", "part", "_files-common-cu132-py312")
+    part-torch  = dependency("torch-cu132-py312", "part", "_files-torch-cu132-py312")
+    part-devel  = dependency("devel-cu132", "part", "_files-devel-cu132")
+  }
+  args = {
+    CUDA_ROOT   = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT = can(digests["common-cu132-py312"]) ? "/" : "/out/"
+    TORCH_ROOT  = can(digests["torch-cu132-py312"]) ? "/" : "/out/"
+    DEVEL_ROOT  = can(digests["devel-cu132"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0 AND LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.15.0"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "org.opencontainers.image.title"       = "jazzy-core-torch-devel-cu132"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), PyTorch 2.15.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "jazzy-core-cu132-torch2.15.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common torch devel"
+    "io.rosml.addons"                      = "devel"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG DEVEL_ROOT
+    COPY --link --from=part-devel $DEVEL_ROOT /
+    ENV TORCH_VERSION=2.15.0
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-devel-cu132-py310" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros        = dependency("humble-core", "ros", "humble-core")
+    part-cuda  = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-devel = dependency("devel-cu132", "part", "_files-devel-cu132")
+  }
+  args = {
+    CUDA_ROOT  = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    DEVEL_ROOT = can(digests["devel-cu132"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "humble-core-devel-cu132"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "humble-core-cu132-cuda13.2.86"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda devel"
+    "io.rosml.addons"                      = "devel"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG DEVEL_ROOT
+    COPY --link --from=part-devel $DEVEL_ROOT /
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-devel-cu132-py38" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros        = dependency("noetic-core", "ros", "noetic-core")
+    part-cuda  = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-devel = dependency("devel-cu132", "part", "_files-devel-cu132")
+  }
+  args = {
+    CUDA_ROOT  = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    DEVEL_ROOT = can(digests["devel-cu132"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "noetic-core-devel-cu132"
+    "org.opencontainers.image.description" = "ROS 1 core (noetic), CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "noetic-core-cu132-cuda13.2.86"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda devel"
+    "io.rosml.addons"                      = "devel"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG DEVEL_ROOT
+    COPY --link --from=part-devel $DEVEL_ROOT /
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-devel-cu132-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros        = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-cuda  = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-devel = dependency("devel-cu132", "part", "_files-devel-cu132")
+  }
+  args = {
+    CUDA_ROOT  = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    DEVEL_ROOT = can(digests["devel-cu132"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-devel-cu132"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu132-cuda13.2.86"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda devel"
+    "io.rosml.addons"                      = "devel"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG DEVEL_ROOT
+    COPY --link --from=part-devel $DEVEL_ROOT /
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_torch-devel-cu132-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros         = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-cuda   = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common = dependency("common-cu132-py313", "part", "_files-common-cu132-py313")
+    part-torch  = dependency("torch-cu132-py313", "part", "_files-torch-cu132-py313")
+    part-devel  = dependency("devel-cu132", "part", "_files-devel-cu132")
+  }
+  args = {
+    CUDA_ROOT   = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT = can(digests["common-cu132-py313"]) ? "/" : "/out/"
+    TORCH_ROOT  = can(digests["torch-cu132-py313"]) ? "/" : "/out/"
+    DEVEL_ROOT  = can(digests["devel-cu132"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0 AND LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.15.0"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-torch-devel-cu132"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), PyTorch 2.15.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu132-torch2.15.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common torch devel"
+    "io.rosml.addons"                      = "devel"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG DEVEL_ROOT
+    COPY --link --from=part-devel $DEVEL_ROOT /
+    ENV TORCH_VERSION=2.15.0
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-devel-cu132-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros        = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda  = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-devel = dependency("devel-cu132", "part", "_files-devel-cu132")
+  }
+  args = {
+    CUDA_ROOT  = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    DEVEL_ROOT = can(digests["devel-cu132"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-devel-cu132"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu132-cuda13.2.86"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda devel"
+    "io.rosml.addons"                      = "devel"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG DEVEL_ROOT
+    COPY --link --from=part-devel $DEVEL_ROOT /
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_torch-devel-cu132-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros         = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda   = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common = dependency("common-cu132-py311", "part", "_files-common-cu132-py311")
+    part-torch  = dependency("torch-cu132-py311", "part", "_files-torch-cu132-py311")
+    part-devel  = dependency("devel-cu132", "part", "_files-devel-cu132")
+  }
+  args = {
+    CUDA_ROOT   = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT = can(digests["common-cu132-py311"]) ? "/" : "/out/"
+    TORCH_ROOT  = can(digests["torch-cu132-py311"]) ? "/" : "/out/"
+    DEVEL_ROOT  = can(digests["devel-cu132"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0 AND LicenseRef-NVIDIA-CUDA"
+    "io.rosml.restricted"                  = "devel"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.15.0"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-torch-devel-cu132"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), PyTorch 2.15.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu132-torch2.15.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common torch devel"
+    "io.rosml.addons"                      = "devel"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG DEVEL_ROOT
+    COPY --link --from=part-devel $DEVEL_ROOT /
+    ENV TORCH_VERSION=2.15.0
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-triton-cu128-py314" {
   platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
   contexts = {
-    ros               = dependency("humble-core", "ros", "humble-core")
+    ros               = dependency("lyrical-core", "ros", "lyrical-core")
     part-cuda         = dependency("cuda-cu128", "part", "_files-cuda-cu128")
-    part-common       = dependency("common-cu128-py310", "part", "_files-common-cu128-py310")
-    part-grpc         = dependency("grpc-cu128-py310", "part", "_files-grpc-cu128-py310")
-    part-tritonclient = dependency("tritonclient-cu128-py310", "part", "_files-tritonclient-cu128-py310")
+    part-common       = dependency("common-cu128-py314", "part", "_files-common-cu128-py314")
+    part-grpc         = dependency("grpc-cu128-py314", "part", "_files-grpc-cu128-py314")
+    part-tritonclient = dependency("tritonclient-cu128-py314", "part", "_files-tritonclient-cu128-py314")
   }
   args = {
     CUDA_ROOT         = can(digests["cuda-cu128"]) ? "/" : "/out/"
-    COMMON_ROOT       = can(digests["common-cu128-py310"]) ? "/" : "/out/"
-    GRPC_ROOT         = can(digests["grpc-cu128-py310"]) ? "/" : "/out/"
-    TRITONCLIENT_ROOT = can(digests["tritonclient-cu128-py310"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu128-py314"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu128-py314"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu128-py314"]) ? "/" : "/out/"
   }
   labels = {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
@@ -6089,9 +6992,9 @@ target "_none-triton-cu128-py310" {
     "io.rosml.cuda"                        = "12.8.90"
     "io.rosml.cudnn"                       = "9.10.2.21"
     "io.rosml.gpu.driver"                  = "525"
-    "org.opencontainers.image.title"       = "humble-core-triton-cu128"
-    "org.opencontainers.image.description" = "ROS 2 core (humble), tritonclient 2.73.0, CUDA 12.8.90"
-    "org.opencontainers.image.version"     = "humble-core-cu128-tritonclient2.73.0"
+    "org.opencontainers.image.title"       = "lyrical-core-triton-cu128"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), tritonclient 2.73.0, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "lyrical-core-cu128-tritonclient2.73.0"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu128"
@@ -6163,20 +7066,20 @@ target "_none-triton-cu128-py312" {
   EOT
 }
 
-target "_none-triton-cu128-py314" {
+target "_none-triton-cu128-py310" {
   platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
   contexts = {
-    ros               = dependency("lyrical-core", "ros", "lyrical-core")
+    ros               = dependency("humble-core", "ros", "humble-core")
     part-cuda         = dependency("cuda-cu128", "part", "_files-cuda-cu128")
-    part-common       = dependency("common-cu128-py314", "part", "_files-common-cu128-py314")
-    part-grpc         = dependency("grpc-cu128-py314", "part", "_files-grpc-cu128-py314")
-    part-tritonclient = dependency("tritonclient-cu128-py314", "part", "_files-tritonclient-cu128-py314")
+    part-common       = dependency("common-cu128-py310", "part", "_files-common-cu128-py310")
+    part-grpc         = dependency("grpc-cu128-py310", "part", "_files-grpc-cu128-py310")
+    part-tritonclient = dependency("tritonclient-cu128-py310", "part", "_files-tritonclient-cu128-py310")
   }
   args = {
     CUDA_ROOT         = can(digests["cuda-cu128"]) ? "/" : "/out/"
-    COMMON_ROOT       = can(digests["common-cu128-py314"]) ? "/" : "/out/"
-    GRPC_ROOT         = can(digests["grpc-cu128-py314"]) ? "/" : "/out/"
-    TRITONCLIENT_ROOT = can(digests["tritonclient-cu128-py314"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu128-py310"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu128-py310"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu128-py310"]) ? "/" : "/out/"
   }
   labels = {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
@@ -6185,57 +7088,9 @@ target "_none-triton-cu128-py314" {
     "io.rosml.cuda"                        = "12.8.90"
     "io.rosml.cudnn"                       = "9.10.2.21"
     "io.rosml.gpu.driver"                  = "525"
-    "org.opencontainers.image.title"       = "lyrical-core-triton-cu128"
-    "org.opencontainers.image.description" = "ROS 2 core (lyrical), tritonclient 2.73.0, CUDA 12.8.90"
-    "org.opencontainers.image.version"     = "lyrical-core-cu128-tritonclient2.73.0"
-    "io.rosml.component"                   = "core"
-    "io.rosml.runtime"                     = "core-run"
-    "io.rosml.stack"                       = "cu128"
-    "io.rosml.parts"                       = "cuda common grpc tritonclient"
-    "io.rosml.addons"                      = "triton"
-  }
-  dockerfile-inline = <<-EOT
-    FROM ros
-    ARG CUDA_ROOT
-    COPY --link --from=part-cuda $CUDA_ROOT /
-    ARG COMMON_ROOT
-    COPY --link --from=part-common $COMMON_ROOT /
-    ARG GRPC_ROOT
-    COPY --link --from=part-grpc $GRPC_ROOT /
-    ARG TRITONCLIENT_ROOT
-    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
-    ENV TRITONCLIENT_VERSION=2.73.0
-    ENV CUDA_VERSION=12.8.90
-    ENV CUDNN_VERSION=9.10.2.21
-    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
-  EOT
-}
-
-target "_none-triton-cu128-py311" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
-  contexts = {
-    ros               = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
-    part-cuda         = dependency("cuda-cu128", "part", "_files-cuda-cu128")
-    part-common       = dependency("common-cu128-py311", "part", "_files-common-cu128-py311")
-    part-grpc         = dependency("grpc-cu128-py311", "part", "_files-grpc-cu128-py311")
-    part-tritonclient = dependency("tritonclient-cu128-py311", "part", "_files-tritonclient-cu128-py311")
-  }
-  args = {
-    CUDA_ROOT         = can(digests["cuda-cu128"]) ? "/" : "/out/"
-    COMMON_ROOT       = can(digests["common-cu128-py311"]) ? "/" : "/out/"
-    GRPC_ROOT         = can(digests["grpc-cu128-py311"]) ? "/" : "/out/"
-    TRITONCLIENT_ROOT = can(digests["tritonclient-cu128-py311"]) ? "/" : "/out/"
-  }
-  labels = {
-    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.framework"                   = "none"
-    "io.rosml.tritonclient"                = "2.73.0"
-    "io.rosml.cuda"                        = "12.8.90"
-    "io.rosml.cudnn"                       = "9.10.2.21"
-    "io.rosml.gpu.driver"                  = "525"
-    "org.opencontainers.image.title"       = "ros1-bookworm-core-triton-cu128"
-    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), tritonclient 2.73.0, CUDA 12.8.90"
-    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu128-tritonclient2.73.0"
+    "org.opencontainers.image.title"       = "humble-core-triton-cu128"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), tritonclient 2.73.0, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "humble-core-cu128-tritonclient2.73.0"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu128"
@@ -6307,20 +7162,68 @@ target "_none-triton-cu128-py313" {
   EOT
 }
 
-target "_none-triton-cu130-py310" {
+target "_none-triton-cu128-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda         = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common       = dependency("common-cu128-py311", "part", "_files-common-cu128-py311")
+    part-grpc         = dependency("grpc-cu128-py311", "part", "_files-grpc-cu128-py311")
+    part-tritonclient = dependency("tritonclient-cu128-py311", "part", "_files-tritonclient-cu128-py311")
+  }
+  args = {
+    CUDA_ROOT         = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu128-py311"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu128-py311"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu128-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.cuda"                        = "12.8.90"
+    "io.rosml.cudnn"                       = "9.10.2.21"
+    "io.rosml.gpu.driver"                  = "525"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-triton-cu128"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), tritonclient 2.73.0, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu128-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.parts"                       = "cuda common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_none-triton-cu130-py314" {
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
-    ros               = dependency("humble-core", "ros", "humble-core")
+    ros               = dependency("lyrical-core", "ros", "lyrical-core")
     part-cuda         = dependency("cuda-cu130", "part", "_files-cuda-cu130")
-    part-common       = dependency("common-cu130-py310", "part", "_files-common-cu130-py310")
-    part-grpc         = dependency("grpc-cu130-py310", "part", "_files-grpc-cu130-py310")
-    part-tritonclient = dependency("tritonclient-cu130-py310", "part", "_files-tritonclient-cu130-py310")
+    part-common       = dependency("common-cu130-py314", "part", "_files-common-cu130-py314")
+    part-grpc         = dependency("grpc-cu130-py314", "part", "_files-grpc-cu130-py314")
+    part-tritonclient = dependency("tritonclient-cu130-py314", "part", "_files-tritonclient-cu130-py314")
   }
   args = {
     CUDA_ROOT         = can(digests["cuda-cu130"]) ? "/" : "/out/"
-    COMMON_ROOT       = can(digests["common-cu130-py310"]) ? "/" : "/out/"
-    GRPC_ROOT         = can(digests["grpc-cu130-py310"]) ? "/" : "/out/"
-    TRITONCLIENT_ROOT = can(digests["tritonclient-cu130-py310"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu130-py314"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu130-py314"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu130-py314"]) ? "/" : "/out/"
   }
   labels = {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
@@ -6329,9 +7232,9 @@ target "_none-triton-cu130-py310" {
     "io.rosml.cuda"                        = "13.0.96"
     "io.rosml.cudnn"                       = "9.24.0.43"
     "io.rosml.gpu.driver"                  = "580"
-    "org.opencontainers.image.title"       = "humble-core-triton-cu130"
-    "org.opencontainers.image.description" = "ROS 2 core (humble), tritonclient 2.73.0, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "humble-core-cu130-tritonclient2.73.0"
+    "org.opencontainers.image.title"       = "lyrical-core-triton-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), tritonclient 2.73.0, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "lyrical-core-cu130-tritonclient2.73.0"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu130"
@@ -6403,20 +7306,20 @@ target "_none-triton-cu130-py312" {
   EOT
 }
 
-target "_none-triton-cu130-py314" {
+target "_none-triton-cu130-py310" {
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
-    ros               = dependency("lyrical-core", "ros", "lyrical-core")
+    ros               = dependency("humble-core", "ros", "humble-core")
     part-cuda         = dependency("cuda-cu130", "part", "_files-cuda-cu130")
-    part-common       = dependency("common-cu130-py314", "part", "_files-common-cu130-py314")
-    part-grpc         = dependency("grpc-cu130-py314", "part", "_files-grpc-cu130-py314")
-    part-tritonclient = dependency("tritonclient-cu130-py314", "part", "_files-tritonclient-cu130-py314")
+    part-common       = dependency("common-cu130-py310", "part", "_files-common-cu130-py310")
+    part-grpc         = dependency("grpc-cu130-py310", "part", "_files-grpc-cu130-py310")
+    part-tritonclient = dependency("tritonclient-cu130-py310", "part", "_files-tritonclient-cu130-py310")
   }
   args = {
     CUDA_ROOT         = can(digests["cuda-cu130"]) ? "/" : "/out/"
-    COMMON_ROOT       = can(digests["common-cu130-py314"]) ? "/" : "/out/"
-    GRPC_ROOT         = can(digests["grpc-cu130-py314"]) ? "/" : "/out/"
-    TRITONCLIENT_ROOT = can(digests["tritonclient-cu130-py314"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu130-py310"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu130-py310"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu130-py310"]) ? "/" : "/out/"
   }
   labels = {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
@@ -6425,57 +7328,9 @@ target "_none-triton-cu130-py314" {
     "io.rosml.cuda"                        = "13.0.96"
     "io.rosml.cudnn"                       = "9.24.0.43"
     "io.rosml.gpu.driver"                  = "580"
-    "org.opencontainers.image.title"       = "lyrical-core-triton-cu130"
-    "org.opencontainers.image.description" = "ROS 2 core (lyrical), tritonclient 2.73.0, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "lyrical-core-cu130-tritonclient2.73.0"
-    "io.rosml.component"                   = "core"
-    "io.rosml.runtime"                     = "core-run"
-    "io.rosml.stack"                       = "cu130"
-    "io.rosml.parts"                       = "cuda common grpc tritonclient"
-    "io.rosml.addons"                      = "triton"
-  }
-  dockerfile-inline = <<-EOT
-    FROM ros
-    ARG CUDA_ROOT
-    COPY --link --from=part-cuda $CUDA_ROOT /
-    ARG COMMON_ROOT
-    COPY --link --from=part-common $COMMON_ROOT /
-    ARG GRPC_ROOT
-    COPY --link --from=part-grpc $GRPC_ROOT /
-    ARG TRITONCLIENT_ROOT
-    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
-    ENV TRITONCLIENT_VERSION=2.73.0
-    ENV CUDA_VERSION=13.0.96
-    ENV CUDNN_VERSION=9.24.0.43
-    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
-  EOT
-}
-
-target "_none-triton-cu130-py311" {
-  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
-  contexts = {
-    ros               = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
-    part-cuda         = dependency("cuda-cu130", "part", "_files-cuda-cu130")
-    part-common       = dependency("common-cu130-py311", "part", "_files-common-cu130-py311")
-    part-grpc         = dependency("grpc-cu130-py311", "part", "_files-grpc-cu130-py311")
-    part-tritonclient = dependency("tritonclient-cu130-py311", "part", "_files-tritonclient-cu130-py311")
-  }
-  args = {
-    CUDA_ROOT         = can(digests["cuda-cu130"]) ? "/" : "/out/"
-    COMMON_ROOT       = can(digests["common-cu130-py311"]) ? "/" : "/out/"
-    GRPC_ROOT         = can(digests["grpc-cu130-py311"]) ? "/" : "/out/"
-    TRITONCLIENT_ROOT = can(digests["tritonclient-cu130-py311"]) ? "/" : "/out/"
-  }
-  labels = {
-    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.framework"                   = "none"
-    "io.rosml.tritonclient"                = "2.73.0"
-    "io.rosml.cuda"                        = "13.0.96"
-    "io.rosml.cudnn"                       = "9.24.0.43"
-    "io.rosml.gpu.driver"                  = "580"
-    "org.opencontainers.image.title"       = "ros1-bookworm-core-triton-cu130"
-    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), tritonclient 2.73.0, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu130-tritonclient2.73.0"
+    "org.opencontainers.image.title"       = "humble-core-triton-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), tritonclient 2.73.0, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "humble-core-cu130-tritonclient2.73.0"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu130"
@@ -6547,20 +7402,68 @@ target "_none-triton-cu130-py313" {
   EOT
 }
 
-target "_none-triton-cu132-py310" {
+target "_none-triton-cu130-py311" {
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
-    ros               = dependency("humble-core", "ros", "humble-core")
+    ros               = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda         = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common       = dependency("common-cu130-py311", "part", "_files-common-cu130-py311")
+    part-grpc         = dependency("grpc-cu130-py311", "part", "_files-grpc-cu130-py311")
+    part-tritonclient = dependency("tritonclient-cu130-py311", "part", "_files-tritonclient-cu130-py311")
+  }
+  args = {
+    CUDA_ROOT         = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu130-py311"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu130-py311"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu130-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-triton-cu130"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), tritonclient 2.73.0, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu130-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-triton-cu132-py314" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("lyrical-core", "ros", "lyrical-core")
     part-cuda         = dependency("cuda-cu132", "part", "_files-cuda-cu132")
-    part-common       = dependency("common-cu132-py310", "part", "_files-common-cu132-py310")
-    part-grpc         = dependency("grpc-cu132-py310", "part", "_files-grpc-cu132-py310")
-    part-tritonclient = dependency("tritonclient-cu132-py310", "part", "_files-tritonclient-cu132-py310")
+    part-common       = dependency("common-cu132-py314", "part", "_files-common-cu132-py314")
+    part-grpc         = dependency("grpc-cu132-py314", "part", "_files-grpc-cu132-py314")
+    part-tritonclient = dependency("tritonclient-cu132-py314", "part", "_files-tritonclient-cu132-py314")
   }
   args = {
     CUDA_ROOT         = can(digests["cuda-cu132"]) ? "/" : "/out/"
-    COMMON_ROOT       = can(digests["common-cu132-py310"]) ? "/" : "/out/"
-    GRPC_ROOT         = can(digests["grpc-cu132-py310"]) ? "/" : "/out/"
-    TRITONCLIENT_ROOT = can(digests["tritonclient-cu132-py310"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu132-py314"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu132-py314"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu132-py314"]) ? "/" : "/out/"
   }
   labels = {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
@@ -6569,9 +7472,9 @@ target "_none-triton-cu132-py310" {
     "io.rosml.cuda"                        = "13.2.86"
     "io.rosml.cudnn"                       = "9.26.0.51"
     "io.rosml.gpu.driver"                  = "580"
-    "org.opencontainers.image.title"       = "humble-core-triton-cu132"
-    "org.opencontainers.image.description" = "ROS 2 core (humble), tritonclient 2.73.0, CUDA 13.2.86"
-    "org.opencontainers.image.version"     = "humble-core-cu132-tritonclient2.73.0"
+    "org.opencontainers.image.title"       = "lyrical-core-triton-cu132"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), tritonclient 2.73.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "lyrical-core-cu132-tritonclient2.73.0"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu132"
@@ -6643,20 +7546,20 @@ target "_none-triton-cu132-py312" {
   EOT
 }
 
-target "_none-triton-cu132-py314" {
+target "_none-triton-cu132-py310" {
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
-    ros               = dependency("lyrical-core", "ros", "lyrical-core")
+    ros               = dependency("humble-core", "ros", "humble-core")
     part-cuda         = dependency("cuda-cu132", "part", "_files-cuda-cu132")
-    part-common       = dependency("common-cu132-py314", "part", "_files-common-cu132-py314")
-    part-grpc         = dependency("grpc-cu132-py314", "part", "_files-grpc-cu132-py314")
-    part-tritonclient = dependency("tritonclient-cu132-py314", "part", "_files-tritonclient-cu132-py314")
+    part-common       = dependency("common-cu132-py310", "part", "_files-common-cu132-py310")
+    part-grpc         = dependency("grpc-cu132-py310", "part", "_files-grpc-cu132-py310")
+    part-tritonclient = dependency("tritonclient-cu132-py310", "part", "_files-tritonclient-cu132-py310")
   }
   args = {
     CUDA_ROOT         = can(digests["cuda-cu132"]) ? "/" : "/out/"
-    COMMON_ROOT       = can(digests["common-cu132-py314"]) ? "/" : "/out/"
-    GRPC_ROOT         = can(digests["grpc-cu132-py314"]) ? "/" : "/out/"
-    TRITONCLIENT_ROOT = can(digests["tritonclient-cu132-py314"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu132-py310"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu132-py310"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu132-py310"]) ? "/" : "/out/"
   }
   labels = {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
@@ -6665,57 +7568,9 @@ target "_none-triton-cu132-py314" {
     "io.rosml.cuda"                        = "13.2.86"
     "io.rosml.cudnn"                       = "9.26.0.51"
     "io.rosml.gpu.driver"                  = "580"
-    "org.opencontainers.image.title"       = "lyrical-core-triton-cu132"
-    "org.opencontainers.image.description" = "ROS 2 core (lyrical), tritonclient 2.73.0, CUDA 13.2.86"
-    "org.opencontainers.image.version"     = "lyrical-core-cu132-tritonclient2.73.0"
-    "io.rosml.component"                   = "core"
-    "io.rosml.runtime"                     = "core-run"
-    "io.rosml.stack"                       = "cu132"
-    "io.rosml.parts"                       = "cuda common grpc tritonclient"
-    "io.rosml.addons"                      = "triton"
-  }
-  dockerfile-inline = <<-EOT
-    FROM ros
-    ARG CUDA_ROOT
-    COPY --link --from=part-cuda $CUDA_ROOT /
-    ARG COMMON_ROOT
-    COPY --link --from=part-common $COMMON_ROOT /
-    ARG GRPC_ROOT
-    COPY --link --from=part-grpc $GRPC_ROOT /
-    ARG TRITONCLIENT_ROOT
-    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
-    ENV TRITONCLIENT_VERSION=2.73.0
-    ENV CUDA_VERSION=13.2.86
-    ENV CUDNN_VERSION=9.26.0.51
-    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
-  EOT
-}
-
-target "_none-triton-cu132-py311" {
-  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
-  contexts = {
-    ros               = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
-    part-cuda         = dependency("cuda-cu132", "part", "_files-cuda-cu132")
-    part-common       = dependency("common-cu132-py311", "part", "_files-common-cu132-py311")
-    part-grpc         = dependency("grpc-cu132-py311", "part", "_files-grpc-cu132-py311")
-    part-tritonclient = dependency("tritonclient-cu132-py311", "part", "_files-tritonclient-cu132-py311")
-  }
-  args = {
-    CUDA_ROOT         = can(digests["cuda-cu132"]) ? "/" : "/out/"
-    COMMON_ROOT       = can(digests["common-cu132-py311"]) ? "/" : "/out/"
-    GRPC_ROOT         = can(digests["grpc-cu132-py311"]) ? "/" : "/out/"
-    TRITONCLIENT_ROOT = can(digests["tritonclient-cu132-py311"]) ? "/" : "/out/"
-  }
-  labels = {
-    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.framework"                   = "none"
-    "io.rosml.tritonclient"                = "2.73.0"
-    "io.rosml.cuda"                        = "13.2.86"
-    "io.rosml.cudnn"                       = "9.26.0.51"
-    "io.rosml.gpu.driver"                  = "580"
-    "org.opencontainers.image.title"       = "ros1-bookworm-core-triton-cu132"
-    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), tritonclient 2.73.0, CUDA 13.2.86"
-    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu132-tritonclient2.73.0"
+    "org.opencontainers.image.title"       = "humble-core-triton-cu132"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), tritonclient 2.73.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "humble-core-cu132-tritonclient2.73.0"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu132"
@@ -6787,26 +7642,74 @@ target "_none-triton-cu132-py313" {
   EOT
 }
 
-target "_none-triton-cpu-py310" {
+target "_none-triton-cu132-py311" {
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
-    ros               = dependency("humble-core", "ros", "humble-core")
-    part-common       = dependency("common-cpu-py310", "part", "_files-common-cpu-py310")
-    part-grpc         = dependency("grpc-cpu-py310", "part", "_files-grpc-cpu-py310")
-    part-tritonclient = dependency("tritonclient-cpu-py310", "part", "_files-tritonclient-cpu-py310")
+    ros               = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda         = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common       = dependency("common-cu132-py311", "part", "_files-common-cu132-py311")
+    part-grpc         = dependency("grpc-cu132-py311", "part", "_files-grpc-cu132-py311")
+    part-tritonclient = dependency("tritonclient-cu132-py311", "part", "_files-tritonclient-cu132-py311")
   }
   args = {
-    COMMON_ROOT       = can(digests["common-cpu-py310"]) ? "/" : "/out/"
-    GRPC_ROOT         = can(digests["grpc-cpu-py310"]) ? "/" : "/out/"
-    TRITONCLIENT_ROOT = can(digests["tritonclient-cpu-py310"]) ? "/" : "/out/"
+    CUDA_ROOT         = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cu132-py311"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cu132-py311"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cu132-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-triton-cu132"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), tritonclient 2.73.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu132-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-triton-cpu-py314" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("lyrical-core", "ros", "lyrical-core")
+    part-common       = dependency("common-cpu-py314", "part", "_files-common-cpu-py314")
+    part-grpc         = dependency("grpc-cpu-py314", "part", "_files-grpc-cpu-py314")
+    part-tritonclient = dependency("tritonclient-cpu-py314", "part", "_files-tritonclient-cpu-py314")
+  }
+  args = {
+    COMMON_ROOT       = can(digests["common-cpu-py314"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cpu-py314"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cpu-py314"]) ? "/" : "/out/"
   }
   labels = {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.framework"                   = "none"
     "io.rosml.tritonclient"                = "2.73.0"
-    "org.opencontainers.image.title"       = "humble-core-triton-cpu"
-    "org.opencontainers.image.description" = "ROS 2 core (humble), tritonclient 2.73.0"
-    "org.opencontainers.image.version"     = "humble-core-cpu-tritonclient2.73.0"
+    "org.opencontainers.image.title"       = "lyrical-core-triton-cpu"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), tritonclient 2.73.0"
+    "org.opencontainers.image.version"     = "lyrical-core-cpu-tritonclient2.73.0"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cpu"
@@ -6863,64 +7766,26 @@ target "_none-triton-cpu-py312" {
   EOT
 }
 
-target "_none-triton-cpu-py314" {
+target "_none-triton-cpu-py310" {
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
-    ros               = dependency("lyrical-core", "ros", "lyrical-core")
-    part-common       = dependency("common-cpu-py314", "part", "_files-common-cpu-py314")
-    part-grpc         = dependency("grpc-cpu-py314", "part", "_files-grpc-cpu-py314")
-    part-tritonclient = dependency("tritonclient-cpu-py314", "part", "_files-tritonclient-cpu-py314")
+    ros               = dependency("humble-core", "ros", "humble-core")
+    part-common       = dependency("common-cpu-py310", "part", "_files-common-cpu-py310")
+    part-grpc         = dependency("grpc-cpu-py310", "part", "_files-grpc-cpu-py310")
+    part-tritonclient = dependency("tritonclient-cpu-py310", "part", "_files-tritonclient-cpu-py310")
   }
   args = {
-    COMMON_ROOT       = can(digests["common-cpu-py314"]) ? "/" : "/out/"
-    GRPC_ROOT         = can(digests["grpc-cpu-py314"]) ? "/" : "/out/"
-    TRITONCLIENT_ROOT = can(digests["tritonclient-cpu-py314"]) ? "/" : "/out/"
+    COMMON_ROOT       = can(digests["common-cpu-py310"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cpu-py310"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cpu-py310"]) ? "/" : "/out/"
   }
   labels = {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.framework"                   = "none"
     "io.rosml.tritonclient"                = "2.73.0"
-    "org.opencontainers.image.title"       = "lyrical-core-triton-cpu"
-    "org.opencontainers.image.description" = "ROS 2 core (lyrical), tritonclient 2.73.0"
-    "org.opencontainers.image.version"     = "lyrical-core-cpu-tritonclient2.73.0"
-    "io.rosml.component"                   = "core"
-    "io.rosml.runtime"                     = "core-run"
-    "io.rosml.stack"                       = "cpu"
-    "io.rosml.parts"                       = "common grpc tritonclient"
-    "io.rosml.addons"                      = "triton"
-  }
-  dockerfile-inline = <<-EOT
-    FROM ros
-    ARG COMMON_ROOT
-    COPY --link --from=part-common $COMMON_ROOT /
-    ARG GRPC_ROOT
-    COPY --link --from=part-grpc $GRPC_ROOT /
-    ARG TRITONCLIENT_ROOT
-    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
-    ENV TRITONCLIENT_VERSION=2.73.0
-  EOT
-}
-
-target "_none-triton-cpu-py311" {
-  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
-  contexts = {
-    ros               = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
-    part-common       = dependency("common-cpu-py311", "part", "_files-common-cpu-py311")
-    part-grpc         = dependency("grpc-cpu-py311", "part", "_files-grpc-cpu-py311")
-    part-tritonclient = dependency("tritonclient-cpu-py311", "part", "_files-tritonclient-cpu-py311")
-  }
-  args = {
-    COMMON_ROOT       = can(digests["common-cpu-py311"]) ? "/" : "/out/"
-    GRPC_ROOT         = can(digests["grpc-cpu-py311"]) ? "/" : "/out/"
-    TRITONCLIENT_ROOT = can(digests["tritonclient-cpu-py311"]) ? "/" : "/out/"
-  }
-  labels = {
-    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.framework"                   = "none"
-    "io.rosml.tritonclient"                = "2.73.0"
-    "org.opencontainers.image.title"       = "ros1-bookworm-core-triton-cpu"
-    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), tritonclient 2.73.0"
-    "org.opencontainers.image.version"     = "ros1-bookworm-core-cpu-tritonclient2.73.0"
+    "org.opencontainers.image.title"       = "humble-core-triton-cpu"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), tritonclient 2.73.0"
+    "org.opencontainers.image.version"     = "humble-core-cpu-tritonclient2.73.0"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cpu"
@@ -6977,20 +7842,58 @@ target "_none-triton-cpu-py313" {
   EOT
 }
 
-target "_none-tensorrt-rtx-cu130-py310" {
+target "_none-triton-cpu-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros               = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-common       = dependency("common-cpu-py311", "part", "_files-common-cpu-py311")
+    part-grpc         = dependency("grpc-cpu-py311", "part", "_files-grpc-cpu-py311")
+    part-tritonclient = dependency("tritonclient-cpu-py311", "part", "_files-tritonclient-cpu-py311")
+  }
+  args = {
+    COMMON_ROOT       = can(digests["common-cpu-py311"]) ? "/" : "/out/"
+    GRPC_ROOT         = can(digests["grpc-cpu-py311"]) ? "/" : "/out/"
+    TRITONCLIENT_ROOT = can(digests["tritonclient-cpu-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tritonclient"                = "2.73.0"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-triton-cpu"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), tritonclient 2.73.0"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cpu-tritonclient2.73.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.parts"                       = "common grpc tritonclient"
+    "io.rosml.addons"                      = "triton"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TRITONCLIENT_ROOT
+    COPY --link --from=part-tritonclient $TRITONCLIENT_ROOT /
+    ENV TRITONCLIENT_VERSION=2.73.0
+  EOT
+}
+
+target "_none-tensorrt-rtx-cu130-py314" {
   platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
   contexts = {
-    ros                  = dependency("humble-core", "ros", "humble-core")
+    ros                  = dependency("lyrical-core", "ros", "lyrical-core")
     part-cuda            = dependency("cuda-cu130", "part", "_files-cuda-cu130")
-    part-common          = dependency("common-cu130-py310", "part", "_files-common-cu130-py310")
+    part-common          = dependency("common-cu130-py314", "part", "_files-common-cu130-py314")
     part-tensorrt-rtx-cc = dependency("tensorrt-rtx-cc-cu130", "part", "_files-tensorrt-rtx-cc-cu130")
-    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu130-py310", "part", "_files-tensorrt-rtx-cu130-py310")
+    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu130-py314", "part", "_files-tensorrt-rtx-cu130-py314")
   }
   args = {
     CUDA_ROOT            = can(digests["cuda-cu130"]) ? "/" : "/out/"
-    COMMON_ROOT          = can(digests["common-cu130-py310"]) ? "/" : "/out/"
+    COMMON_ROOT          = can(digests["common-cu130-py314"]) ? "/" : "/out/"
     TENSORRT_RTX_CC_ROOT = can(digests["tensorrt-rtx-cc-cu130"]) ? "/" : "/out/"
-    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu130-py310"]) ? "/" : "/out/"
+    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu130-py314"]) ? "/" : "/out/"
   }
   labels = {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
@@ -7000,9 +7903,9 @@ target "_none-tensorrt-rtx-cu130-py310" {
     "io.rosml.cuda"                        = "13.0.96"
     "io.rosml.cudnn"                       = "9.24.0.43"
     "io.rosml.gpu.driver"                  = "580"
-    "org.opencontainers.image.title"       = "humble-core-tensorrt-rtx-cu130"
-    "org.opencontainers.image.description" = "ROS 2 core (humble), TensorRT-RTX 1.7.1.116, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "humble-core-cu130-tensorrt-rtx1.7.1.116"
+    "org.opencontainers.image.title"       = "lyrical-core-tensorrt-rtx-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), TensorRT-RTX 1.7.1.116, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "lyrical-core-cu130-tensorrt-rtx1.7.1.116"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu130"
@@ -7075,20 +7978,20 @@ target "_none-tensorrt-rtx-cu130-py312" {
   EOT
 }
 
-target "_none-tensorrt-rtx-cu130-py314" {
+target "_none-tensorrt-rtx-cu130-py310" {
   platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
   contexts = {
-    ros                  = dependency("lyrical-core", "ros", "lyrical-core")
+    ros                  = dependency("humble-core", "ros", "humble-core")
     part-cuda            = dependency("cuda-cu130", "part", "_files-cuda-cu130")
-    part-common          = dependency("common-cu130-py314", "part", "_files-common-cu130-py314")
+    part-common          = dependency("common-cu130-py310", "part", "_files-common-cu130-py310")
     part-tensorrt-rtx-cc = dependency("tensorrt-rtx-cc-cu130", "part", "_files-tensorrt-rtx-cc-cu130")
-    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu130-py314", "part", "_files-tensorrt-rtx-cu130-py314")
+    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu130-py310", "part", "_files-tensorrt-rtx-cu130-py310")
   }
   args = {
     CUDA_ROOT            = can(digests["cuda-cu130"]) ? "/" : "/out/"
-    COMMON_ROOT          = can(digests["common-cu130-py314"]) ? "/" : "/out/"
+    COMMON_ROOT          = can(digests["common-cu130-py310"]) ? "/" : "/out/"
     TENSORRT_RTX_CC_ROOT = can(digests["tensorrt-rtx-cc-cu130"]) ? "/" : "/out/"
-    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu130-py314"]) ? "/" : "/out/"
+    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu130-py310"]) ? "/" : "/out/"
   }
   labels = {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
@@ -7098,58 +8001,9 @@ target "_none-tensorrt-rtx-cu130-py314" {
     "io.rosml.cuda"                        = "13.0.96"
     "io.rosml.cudnn"                       = "9.24.0.43"
     "io.rosml.gpu.driver"                  = "580"
-    "org.opencontainers.image.title"       = "lyrical-core-tensorrt-rtx-cu130"
-    "org.opencontainers.image.description" = "ROS 2 core (lyrical), TensorRT-RTX 1.7.1.116, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "lyrical-core-cu130-tensorrt-rtx1.7.1.116"
-    "io.rosml.component"                   = "core"
-    "io.rosml.runtime"                     = "core-run"
-    "io.rosml.stack"                       = "cu130"
-    "io.rosml.parts"                       = "cuda common tensorrt-rtx-cc tensorrt-rtx"
-    "io.rosml.addons"                      = "tensorrt-rtx"
-  }
-  dockerfile-inline = <<-EOT
-    FROM ros
-    ARG CUDA_ROOT
-    COPY --link --from=part-cuda $CUDA_ROOT /
-    ARG COMMON_ROOT
-    COPY --link --from=part-common $COMMON_ROOT /
-    ARG TENSORRT_RTX_CC_ROOT
-    COPY --link --from=part-tensorrt-rtx-cc $TENSORRT_RTX_CC_ROOT /
-    ARG TENSORRT_RTX_ROOT
-    COPY --link --from=part-tensorrt-rtx $TENSORRT_RTX_ROOT /
-    ENV TENSORRT_RTX_VERSION=1.7.1.116
-    ENV CUDA_VERSION=13.0.96
-    ENV CUDNN_VERSION=9.24.0.43
-    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
-  EOT
-}
-
-target "_none-tensorrt-rtx-cu130-py311" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
-  contexts = {
-    ros                  = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
-    part-cuda            = dependency("cuda-cu130", "part", "_files-cuda-cu130")
-    part-common          = dependency("common-cu130-py311", "part", "_files-common-cu130-py311")
-    part-tensorrt-rtx-cc = dependency("tensorrt-rtx-cc-cu130", "part", "_files-tensorrt-rtx-cc-cu130")
-    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu130-py311", "part", "_files-tensorrt-rtx-cu130-py311")
-  }
-  args = {
-    CUDA_ROOT            = can(digests["cuda-cu130"]) ? "/" : "/out/"
-    COMMON_ROOT          = can(digests["common-cu130-py311"]) ? "/" : "/out/"
-    TENSORRT_RTX_CC_ROOT = can(digests["tensorrt-rtx-cc-cu130"]) ? "/" : "/out/"
-    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu130-py311"]) ? "/" : "/out/"
-  }
-  labels = {
-    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.restricted"                  = "tensorrt-rtx-cc tensorrt-rtx"
-    "io.rosml.framework"                   = "none"
-    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
-    "io.rosml.cuda"                        = "13.0.96"
-    "io.rosml.cudnn"                       = "9.24.0.43"
-    "io.rosml.gpu.driver"                  = "580"
-    "org.opencontainers.image.title"       = "ros1-bookworm-core-tensorrt-rtx-cu130"
-    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), TensorRT-RTX 1.7.1.116, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu130-tensorrt-rtx1.7.1.116"
+    "org.opencontainers.image.title"       = "humble-core-tensorrt-rtx-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), TensorRT-RTX 1.7.1.116, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "humble-core-cu130-tensorrt-rtx1.7.1.116"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu130"
@@ -7222,20 +8076,69 @@ target "_none-tensorrt-rtx-cu130-py313" {
   EOT
 }
 
-target "_none-tensorrt-rtx-cu132-py310" {
+target "_none-tensorrt-rtx-cu130-py311" {
   platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
   contexts = {
-    ros                  = dependency("humble-core", "ros", "humble-core")
+    ros                  = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda            = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common          = dependency("common-cu130-py311", "part", "_files-common-cu130-py311")
+    part-tensorrt-rtx-cc = dependency("tensorrt-rtx-cc-cu130", "part", "_files-tensorrt-rtx-cc-cu130")
+    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu130-py311", "part", "_files-tensorrt-rtx-cu130-py311")
+  }
+  args = {
+    CUDA_ROOT            = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT          = can(digests["common-cu130-py311"]) ? "/" : "/out/"
+    TENSORRT_RTX_CC_ROOT = can(digests["tensorrt-rtx-cc-cu130"]) ? "/" : "/out/"
+    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu130-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.restricted"                  = "tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-tensorrt-rtx-cu130"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), TensorRT-RTX 1.7.1.116, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu130-tensorrt-rtx1.7.1.116"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.addons"                      = "tensorrt-rtx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TENSORRT_RTX_CC_ROOT
+    COPY --link --from=part-tensorrt-rtx-cc $TENSORRT_RTX_CC_ROOT /
+    ARG TENSORRT_RTX_ROOT
+    COPY --link --from=part-tensorrt-rtx $TENSORRT_RTX_ROOT /
+    ENV TENSORRT_RTX_VERSION=1.7.1.116
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-tensorrt-rtx-cu132-py314" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                  = dependency("lyrical-core", "ros", "lyrical-core")
     part-cuda            = dependency("cuda-cu132", "part", "_files-cuda-cu132")
-    part-common          = dependency("common-cu132-py310", "part", "_files-common-cu132-py310")
+    part-common          = dependency("common-cu132-py314", "part", "_files-common-cu132-py314")
     part-tensorrt-rtx-cc = dependency("tensorrt-rtx-cc-cu132", "part", "_files-tensorrt-rtx-cc-cu132")
-    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu132-py310", "part", "_files-tensorrt-rtx-cu132-py310")
+    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu132-py314", "part", "_files-tensorrt-rtx-cu132-py314")
   }
   args = {
     CUDA_ROOT            = can(digests["cuda-cu132"]) ? "/" : "/out/"
-    COMMON_ROOT          = can(digests["common-cu132-py310"]) ? "/" : "/out/"
+    COMMON_ROOT          = can(digests["common-cu132-py314"]) ? "/" : "/out/"
     TENSORRT_RTX_CC_ROOT = can(digests["tensorrt-rtx-cc-cu132"]) ? "/" : "/out/"
-    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu132-py310"]) ? "/" : "/out/"
+    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu132-py314"]) ? "/" : "/out/"
   }
   labels = {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
@@ -7245,9 +8148,9 @@ target "_none-tensorrt-rtx-cu132-py310" {
     "io.rosml.cuda"                        = "13.2.86"
     "io.rosml.cudnn"                       = "9.26.0.51"
     "io.rosml.gpu.driver"                  = "580"
-    "org.opencontainers.image.title"       = "humble-core-tensorrt-rtx-cu132"
-    "org.opencontainers.image.description" = "ROS 2 core (humble), TensorRT-RTX 1.7.1.116, CUDA 13.2.86"
-    "org.opencontainers.image.version"     = "humble-core-cu132-tensorrt-rtx1.7.1.116"
+    "org.opencontainers.image.title"       = "lyrical-core-tensorrt-rtx-cu132"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), TensorRT-RTX 1.7.1.116, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "lyrical-core-cu132-tensorrt-rtx1.7.1.116"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu132"
@@ -7320,20 +8223,20 @@ target "_none-tensorrt-rtx-cu132-py312" {
   EOT
 }
 
-target "_none-tensorrt-rtx-cu132-py314" {
+target "_none-tensorrt-rtx-cu132-py310" {
   platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
   contexts = {
-    ros                  = dependency("lyrical-core", "ros", "lyrical-core")
+    ros                  = dependency("humble-core", "ros", "humble-core")
     part-cuda            = dependency("cuda-cu132", "part", "_files-cuda-cu132")
-    part-common          = dependency("common-cu132-py314", "part", "_files-common-cu132-py314")
+    part-common          = dependency("common-cu132-py310", "part", "_files-common-cu132-py310")
     part-tensorrt-rtx-cc = dependency("tensorrt-rtx-cc-cu132", "part", "_files-tensorrt-rtx-cc-cu132")
-    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu132-py314", "part", "_files-tensorrt-rtx-cu132-py314")
+    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu132-py310", "part", "_files-tensorrt-rtx-cu132-py310")
   }
   args = {
     CUDA_ROOT            = can(digests["cuda-cu132"]) ? "/" : "/out/"
-    COMMON_ROOT          = can(digests["common-cu132-py314"]) ? "/" : "/out/"
+    COMMON_ROOT          = can(digests["common-cu132-py310"]) ? "/" : "/out/"
     TENSORRT_RTX_CC_ROOT = can(digests["tensorrt-rtx-cc-cu132"]) ? "/" : "/out/"
-    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu132-py314"]) ? "/" : "/out/"
+    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu132-py310"]) ? "/" : "/out/"
   }
   labels = {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
@@ -7343,58 +8246,9 @@ target "_none-tensorrt-rtx-cu132-py314" {
     "io.rosml.cuda"                        = "13.2.86"
     "io.rosml.cudnn"                       = "9.26.0.51"
     "io.rosml.gpu.driver"                  = "580"
-    "org.opencontainers.image.title"       = "lyrical-core-tensorrt-rtx-cu132"
-    "org.opencontainers.image.description" = "ROS 2 core (lyrical), TensorRT-RTX 1.7.1.116, CUDA 13.2.86"
-    "org.opencontainers.image.version"     = "lyrical-core-cu132-tensorrt-rtx1.7.1.116"
-    "io.rosml.component"                   = "core"
-    "io.rosml.runtime"                     = "core-run"
-    "io.rosml.stack"                       = "cu132"
-    "io.rosml.parts"                       = "cuda common tensorrt-rtx-cc tensorrt-rtx"
-    "io.rosml.addons"                      = "tensorrt-rtx"
-  }
-  dockerfile-inline = <<-EOT
-    FROM ros
-    ARG CUDA_ROOT
-    COPY --link --from=part-cuda $CUDA_ROOT /
-    ARG COMMON_ROOT
-    COPY --link --from=part-common $COMMON_ROOT /
-    ARG TENSORRT_RTX_CC_ROOT
-    COPY --link --from=part-tensorrt-rtx-cc $TENSORRT_RTX_CC_ROOT /
-    ARG TENSORRT_RTX_ROOT
-    COPY --link --from=part-tensorrt-rtx $TENSORRT_RTX_ROOT /
-    ENV TENSORRT_RTX_VERSION=1.7.1.116
-    ENV CUDA_VERSION=13.2.86
-    ENV CUDNN_VERSION=9.26.0.51
-    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
-  EOT
-}
-
-target "_none-tensorrt-rtx-cu132-py311" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
-  contexts = {
-    ros                  = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
-    part-cuda            = dependency("cuda-cu132", "part", "_files-cuda-cu132")
-    part-common          = dependency("common-cu132-py311", "part", "_files-common-cu132-py311")
-    part-tensorrt-rtx-cc = dependency("tensorrt-rtx-cc-cu132", "part", "_files-tensorrt-rtx-cc-cu132")
-    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu132-py311", "part", "_files-tensorrt-rtx-cu132-py311")
-  }
-  args = {
-    CUDA_ROOT            = can(digests["cuda-cu132"]) ? "/" : "/out/"
-    COMMON_ROOT          = can(digests["common-cu132-py311"]) ? "/" : "/out/"
-    TENSORRT_RTX_CC_ROOT = can(digests["tensorrt-rtx-cc-cu132"]) ? "/" : "/out/"
-    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu132-py311"]) ? "/" : "/out/"
-  }
-  labels = {
-    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
-    "io.rosml.restricted"                  = "tensorrt-rtx-cc tensorrt-rtx"
-    "io.rosml.framework"                   = "none"
-    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
-    "io.rosml.cuda"                        = "13.2.86"
-    "io.rosml.cudnn"                       = "9.26.0.51"
-    "io.rosml.gpu.driver"                  = "580"
-    "org.opencontainers.image.title"       = "ros1-bookworm-core-tensorrt-rtx-cu132"
-    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), TensorRT-RTX 1.7.1.116, CUDA 13.2.86"
-    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu132-tensorrt-rtx1.7.1.116"
+    "org.opencontainers.image.title"       = "humble-core-tensorrt-rtx-cu132"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), TensorRT-RTX 1.7.1.116, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "humble-core-cu132-tensorrt-rtx1.7.1.116"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu132"
@@ -7444,6 +8298,55 @@ target "_none-tensorrt-rtx-cu132-py313" {
     "org.opencontainers.image.title"       = "ros1-trixie-core-tensorrt-rtx-cu132"
     "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), TensorRT-RTX 1.7.1.116, CUDA 13.2.86"
     "org.opencontainers.image.version"     = "ros1-trixie-core-cu132-tensorrt-rtx1.7.1.116"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.addons"                      = "tensorrt-rtx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TENSORRT_RTX_CC_ROOT
+    COPY --link --from=part-tensorrt-rtx-cc $TENSORRT_RTX_CC_ROOT /
+    ARG TENSORRT_RTX_ROOT
+    COPY --link --from=part-tensorrt-rtx $TENSORRT_RTX_ROOT /
+    ENV TENSORRT_RTX_VERSION=1.7.1.116
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-tensorrt-rtx-cu132-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                  = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda            = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common          = dependency("common-cu132-py311", "part", "_files-common-cu132-py311")
+    part-tensorrt-rtx-cc = dependency("tensorrt-rtx-cc-cu132", "part", "_files-tensorrt-rtx-cc-cu132")
+    part-tensorrt-rtx    = dependency("tensorrt-rtx-cu132-py311", "part", "_files-tensorrt-rtx-cu132-py311")
+  }
+  args = {
+    CUDA_ROOT            = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT          = can(digests["common-cu132-py311"]) ? "/" : "/out/"
+    TENSORRT_RTX_CC_ROOT = can(digests["tensorrt-rtx-cc-cu132"]) ? "/" : "/out/"
+    TENSORRT_RTX_ROOT    = can(digests["tensorrt-rtx-cu132-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.restricted"                  = "tensorrt-rtx-cc tensorrt-rtx"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.tensorrt-rtx"                = "1.7.1.116"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-tensorrt-rtx-cu132"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), TensorRT-RTX 1.7.1.116, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu132-tensorrt-rtx1.7.1.116"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu132"
@@ -8521,6 +9424,14 @@ target "noetic-base-run-tensorflow-cpu38" {
     "${REGISTRY}/ros-tf:noetic-base-run-cpu38",
     "${REGISTRY}/ros-tf:noetic-base-run-cpu38-tf2.13.1"
   ]
+}
+
+target "noetic-core-devel-cu130" {
+  inherits = ["_noetic", "_none-devel-cu130-py38"]
+}
+
+target "noetic-core-devel-cu132" {
+  inherits = ["_noetic", "_none-devel-cu132-py38"]
 }
 
 # ---- foxy -----------------------------------------------------------------------------------------------------------
@@ -10564,6 +11475,18 @@ target "humble-base-run-ml-cpu" {
     "${REGISTRY}/ros-ml:humble-base-run-cpu",
     "${REGISTRY}/ros-ml:humble-base-run-cpu-torch2.10.0-tf2.21.0"
   ]
+}
+
+target "humble-core-devel-cu130" {
+  inherits = ["_humble", "_none-devel-cu130-py310"]
+}
+
+target "humble-core-torch-devel-cu130" {
+  inherits = ["_humble", "_torch-devel-cu130-py310"]
+}
+
+target "humble-core-devel-cu132" {
+  inherits = ["_humble", "_none-devel-cu132-py310"]
 }
 
 target "humble-core-triton-cu128" {
@@ -13447,6 +14370,22 @@ target "jazzy-base-run-ml-cpu" {
   ]
 }
 
+target "jazzy-core-devel-cu130" {
+  inherits = ["_jazzy", "_none-devel-cu130-py312"]
+}
+
+target "jazzy-core-torch-devel-cu130" {
+  inherits = ["_jazzy", "_torch-devel-cu130-py312"]
+}
+
+target "jazzy-core-devel-cu132" {
+  inherits = ["_jazzy", "_none-devel-cu132-py312"]
+}
+
+target "jazzy-core-torch-devel-cu132" {
+  inherits = ["_jazzy", "_torch-devel-cu132-py312"]
+}
+
 target "jazzy-core-triton-cu128" {
   inherits = ["_jazzy", "_none-triton-cu128-py312"]
 }
@@ -15989,6 +16928,14 @@ target "lyrical-base-run-torch-cpu" {
     "${REGISTRY}/ros-torch:lyrical-base-run-cpu",
     "${REGISTRY}/ros-torch:lyrical-base-run-cpu-torch2.10.0"
   ]
+}
+
+target "lyrical-core-devel-cu132" {
+  inherits = ["_lyrical", "_none-devel-cu132-py314"]
+}
+
+target "lyrical-core-torch-devel-cu132" {
+  inherits = ["_lyrical", "_torch-devel-cu132-py314"]
 }
 
 target "lyrical-core-triton-cu128" {
@@ -18995,6 +19942,22 @@ target "ros1-bookworm-base-run-ml-cpu" {
   ]
 }
 
+target "ros1-bookworm-core-devel-cu130" {
+  inherits = ["_ros1-bookworm", "_none-devel-cu130-py311"]
+}
+
+target "ros1-bookworm-core-torch-devel-cu130" {
+  inherits = ["_ros1-bookworm", "_torch-devel-cu130-py311"]
+}
+
+target "ros1-bookworm-core-devel-cu132" {
+  inherits = ["_ros1-bookworm", "_none-devel-cu132-py311"]
+}
+
+target "ros1-bookworm-core-torch-devel-cu132" {
+  inherits = ["_ros1-bookworm", "_torch-devel-cu132-py311"]
+}
+
 target "ros1-bookworm-core-triton-cu128" {
   inherits = ["_ros1-bookworm", "_none-triton-cu128-py311"]
 }
@@ -20904,6 +21867,22 @@ target "ros1-trixie-base-run-ml-cpu" {
   ]
 }
 
+target "ros1-trixie-core-devel-cu130" {
+  inherits = ["_ros1-trixie", "_none-devel-cu130-py313"]
+}
+
+target "ros1-trixie-core-torch-devel-cu130" {
+  inherits = ["_ros1-trixie", "_torch-devel-cu130-py313"]
+}
+
+target "ros1-trixie-core-devel-cu132" {
+  inherits = ["_ros1-trixie", "_none-devel-cu132-py313"]
+}
+
+target "ros1-trixie-core-torch-devel-cu132" {
+  inherits = ["_ros1-trixie", "_torch-devel-cu132-py313"]
+}
+
 target "ros1-trixie-core-triton-cu128" {
   inherits = ["_ros1-trixie", "_none-triton-cu128-py313"]
 }
@@ -21403,43 +22382,59 @@ group "ml" {
   ]
 }
 
+group "devel" {
+  targets = [
+    "jazzy-core-devel-cu130", "jazzy-core-torch-devel-cu130",
+    "humble-core-devel-cu130", "humble-core-torch-devel-cu130",
+    "noetic-core-devel-cu130",
+    "ros1-trixie-core-devel-cu130", "ros1-trixie-core-torch-devel-cu130",
+    "ros1-bookworm-core-devel-cu130", "ros1-bookworm-core-torch-devel-cu130",
+    "lyrical-core-devel-cu132", "lyrical-core-torch-devel-cu132",
+    "jazzy-core-devel-cu132", "jazzy-core-torch-devel-cu132",
+    "humble-core-devel-cu132",
+    "noetic-core-devel-cu132",
+    "ros1-trixie-core-devel-cu132", "ros1-trixie-core-torch-devel-cu132",
+    "ros1-bookworm-core-devel-cu132", "ros1-bookworm-core-torch-devel-cu132",
+  ]
+}
+
 group "triton" {
   targets = [
-    "humble-core-triton-cu128",
-    "jazzy-core-triton-cu128",
     "lyrical-core-triton-cu128",
-    "ros1-bookworm-core-triton-cu128",
+    "jazzy-core-triton-cu128",
+    "humble-core-triton-cu128",
     "ros1-trixie-core-triton-cu128",
-    "humble-core-triton-cu130",
-    "jazzy-core-triton-cu130",
+    "ros1-bookworm-core-triton-cu128",
     "lyrical-core-triton-cu130",
-    "ros1-bookworm-core-triton-cu130",
+    "jazzy-core-triton-cu130",
+    "humble-core-triton-cu130",
     "ros1-trixie-core-triton-cu130",
-    "humble-core-triton-cu132",
-    "jazzy-core-triton-cu132",
+    "ros1-bookworm-core-triton-cu130",
     "lyrical-core-triton-cu132",
-    "ros1-bookworm-core-triton-cu132",
+    "jazzy-core-triton-cu132",
+    "humble-core-triton-cu132",
     "ros1-trixie-core-triton-cu132",
-    "humble-core-triton-cpu",
-    "jazzy-core-triton-cpu",
+    "ros1-bookworm-core-triton-cu132",
     "lyrical-core-triton-cpu",
-    "ros1-bookworm-core-triton-cpu",
+    "jazzy-core-triton-cpu",
+    "humble-core-triton-cpu",
     "ros1-trixie-core-triton-cpu",
+    "ros1-bookworm-core-triton-cpu",
   ]
 }
 
 group "tensorrt-rtx" {
   targets = [
-    "humble-core-tensorrt-rtx-cu130",
-    "jazzy-core-tensorrt-rtx-cu130",
     "lyrical-core-tensorrt-rtx-cu130",
-    "ros1-bookworm-core-tensorrt-rtx-cu130",
+    "jazzy-core-tensorrt-rtx-cu130",
+    "humble-core-tensorrt-rtx-cu130",
     "ros1-trixie-core-tensorrt-rtx-cu130",
-    "humble-core-tensorrt-rtx-cu132",
-    "jazzy-core-tensorrt-rtx-cu132",
+    "ros1-bookworm-core-tensorrt-rtx-cu130",
     "lyrical-core-tensorrt-rtx-cu132",
-    "ros1-bookworm-core-tensorrt-rtx-cu132",
+    "jazzy-core-tensorrt-rtx-cu132",
+    "humble-core-tensorrt-rtx-cu132",
     "ros1-trixie-core-tensorrt-rtx-cu132",
+    "ros1-bookworm-core-tensorrt-rtx-cu132",
   ]
 }
 
@@ -21544,6 +22539,6 @@ group "all" {
 
 group "parts" {
   targets = [
-    "part-cuda-cu128", "part-cuda-cu130", "part-cuda-cu132", "part-cuda-cu121", "part-common-cu121-py38", "part-torch-cu121-py38", "part-common-cpu38-py38", "part-grpc-cpu38-py38", "part-tensorflow-cc-cpu38", "part-tensorflow-cpu38-py38", "part-common-cu128-py310", "part-torch-cu128-py310", "part-grpc-cu128-py310", "part-tensorflow-cc-cu128", "part-tensorflow-cu128-py310", "part-tritonclient-cu128-py310", "part-common-cu130-py310", "part-torch-cu130-py310", "part-grpc-cu130-py310", "part-tritonclient-cu130-py310", "part-tensorrt-rtx-cc-cu130", "part-tensorrt-rtx-cu130-py310", "part-common-cu132-py310", "part-grpc-cu132-py310", "part-tritonclient-cu132-py310", "part-tensorrt-rtx-cc-cu132", "part-tensorrt-rtx-cu132-py310", "part-common-cpu-py310", "part-torch-cpu-py310", "part-grpc-cpu-py310", "part-tensorflow-cc-cpu", "part-tensorflow-cpu-py310", "part-tritonclient-cpu-py310", "part-common-cu128-py312", "part-torch-cu128-py312", "part-grpc-cu128-py312", "part-tensorflow-cu128-py312", "part-tritonclient-cu128-py312", "part-common-cu130-py312", "part-torch-cu130-py312", "part-grpc-cu130-py312", "part-tritonclient-cu130-py312", "part-tensorrt-rtx-cu130-py312", "part-common-cu132-py312", "part-torch-cu132-py312", "part-grpc-cu132-py312", "part-tritonclient-cu132-py312", "part-tensorrt-rtx-cu132-py312", "part-common-cpu-py312", "part-torch-cpu-py312", "part-grpc-cpu-py312", "part-tensorflow-cpu-py312", "part-tritonclient-cpu-py312", "part-common-cu128-py314", "part-torch-cu128-py314", "part-grpc-cu128-py314", "part-tritonclient-cu128-py314", "part-common-cu130-py314", "part-torch-cu130-py314", "part-grpc-cu130-py314", "part-tritonclient-cu130-py314", "part-tensorrt-rtx-cu130-py314", "part-common-cu132-py314", "part-torch-cu132-py314", "part-grpc-cu132-py314", "part-tritonclient-cu132-py314", "part-tensorrt-rtx-cu132-py314", "part-common-cpu-py314", "part-grpc-cpu-py314", "part-tritonclient-cpu-py314", "part-common-cu128-py311", "part-torch-cu128-py311", "part-grpc-cu128-py311", "part-tensorflow-cu128-py311", "part-tritonclient-cu128-py311", "part-common-cu130-py311", "part-torch-cu130-py311", "part-grpc-cu130-py311", "part-tritonclient-cu130-py311", "part-tensorrt-rtx-cu130-py311", "part-common-cu132-py311", "part-torch-cu132-py311", "part-grpc-cu132-py311", "part-tritonclient-cu132-py311", "part-tensorrt-rtx-cu132-py311", "part-common-cpu-py311", "part-grpc-cpu-py311", "part-tensorflow-cpu-py311", "part-tritonclient-cpu-py311", "part-common-cu128-py313", "part-torch-cu128-py313", "part-grpc-cu128-py313", "part-tensorflow-cu128-py313", "part-tritonclient-cu128-py313", "part-common-cu130-py313", "part-torch-cu130-py313", "part-grpc-cu130-py313", "part-tritonclient-cu130-py313", "part-tensorrt-rtx-cu130-py313", "part-common-cu132-py313", "part-torch-cu132-py313", "part-grpc-cu132-py313", "part-tritonclient-cu132-py313", "part-tensorrt-rtx-cu132-py313", "part-common-cpu-py313", "part-torch-cpu-py313", "part-grpc-cpu-py313", "part-tensorflow-cpu-py313", "part-tritonclient-cpu-py313",
+    "part-cuda-cu128", "part-cuda-cu130", "part-devel-cu130", "part-cuda-cu132", "part-devel-cu132", "part-cuda-cu121", "part-common-cu121-py38", "part-torch-cu121-py38", "part-common-cpu38-py38", "part-grpc-cpu38-py38", "part-tensorflow-cc-cpu38", "part-tensorflow-cpu38-py38", "part-common-cu128-py310", "part-torch-cu128-py310", "part-grpc-cu128-py310", "part-tensorflow-cc-cu128", "part-tensorflow-cu128-py310", "part-tritonclient-cu128-py310", "part-common-cu130-py310", "part-torch-cu130-py310", "part-grpc-cu130-py310", "part-tritonclient-cu130-py310", "part-tensorrt-rtx-cc-cu130", "part-tensorrt-rtx-cu130-py310", "part-common-cu132-py310", "part-grpc-cu132-py310", "part-tritonclient-cu132-py310", "part-tensorrt-rtx-cc-cu132", "part-tensorrt-rtx-cu132-py310", "part-common-cpu-py310", "part-torch-cpu-py310", "part-grpc-cpu-py310", "part-tensorflow-cc-cpu", "part-tensorflow-cpu-py310", "part-tritonclient-cpu-py310", "part-common-cu128-py312", "part-torch-cu128-py312", "part-grpc-cu128-py312", "part-tensorflow-cu128-py312", "part-tritonclient-cu128-py312", "part-common-cu130-py312", "part-torch-cu130-py312", "part-grpc-cu130-py312", "part-tritonclient-cu130-py312", "part-tensorrt-rtx-cu130-py312", "part-common-cu132-py312", "part-torch-cu132-py312", "part-grpc-cu132-py312", "part-tritonclient-cu132-py312", "part-tensorrt-rtx-cu132-py312", "part-common-cpu-py312", "part-torch-cpu-py312", "part-grpc-cpu-py312", "part-tensorflow-cpu-py312", "part-tritonclient-cpu-py312", "part-common-cu128-py314", "part-torch-cu128-py314", "part-grpc-cu128-py314", "part-tritonclient-cu128-py314", "part-common-cu130-py314", "part-torch-cu130-py314", "part-grpc-cu130-py314", "part-tritonclient-cu130-py314", "part-tensorrt-rtx-cu130-py314", "part-common-cu132-py314", "part-torch-cu132-py314", "part-grpc-cu132-py314", "part-tritonclient-cu132-py314", "part-tensorrt-rtx-cu132-py314", "part-common-cpu-py314", "part-grpc-cpu-py314", "part-tritonclient-cpu-py314", "part-common-cu128-py311", "part-torch-cu128-py311", "part-grpc-cu128-py311", "part-tensorflow-cu128-py311", "part-tritonclient-cu128-py311", "part-common-cu130-py311", "part-torch-cu130-py311", "part-grpc-cu130-py311", "part-tritonclient-cu130-py311", "part-tensorrt-rtx-cu130-py311", "part-common-cu132-py311", "part-torch-cu132-py311", "part-grpc-cu132-py311", "part-tritonclient-cu132-py311", "part-tensorrt-rtx-cu132-py311", "part-common-cpu-py311", "part-grpc-cpu-py311", "part-tensorflow-cpu-py311", "part-tritonclient-cpu-py311", "part-common-cu128-py313", "part-torch-cu128-py313", "part-grpc-cu128-py313", "part-tensorflow-cu128-py313", "part-tritonclient-cu128-py313", "part-common-cu130-py313", "part-torch-cu130-py313", "part-grpc-cu130-py313", "part-tritonclient-cu130-py313", "part-tensorrt-rtx-cu130-py313", "part-common-cu132-py313", "part-torch-cu132-py313", "part-grpc-cu132-py313", "part-tritonclient-cu132-py313", "part-tensorrt-rtx-cu132-py313", "part-common-cpu-py313", "part-torch-cpu-py313", "part-grpc-cpu-py313", "part-tensorflow-cpu-py313", "part-tritonclient-cpu-py313",
   ]
 }

@@ -654,6 +654,26 @@ target "noetic-base-run-tensorflow-cpu38-test" {
   }
 }
 
+target "noetic-core-devel-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("noetic-core-devel-cu130", "ros-devel", "noetic-core-devel-cu130") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda devel devel-build pip"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "noetic-core-devel-cu132-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("noetic-core-devel-cu132", "ros-devel", "noetic-core-devel-cu132") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda devel devel-build pip"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
 # ---- foxy -----------------------------------------------------------------------------------------------------------
 
 target "foxy-core-test" {
@@ -1895,6 +1915,36 @@ target "humble-base-run-ml-cpu-test" {
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch tensorflow"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
+  }
+}
+
+target "humble-core-devel-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("humble-core-devel-cu130", "ros-devel", "humble-core-devel-cu130") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda devel devel-build pip"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "humble-core-torch-devel-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("humble-core-torch-devel-cu130", "ros-torch-devel", "humble-core-torch-devel-cu130") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda torch devel devel-build pip"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+  }
+}
+
+target "humble-core-devel-cu132-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("humble-core-devel-cu132", "ros-devel", "humble-core-devel-cu132") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda devel devel-build pip"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -3712,6 +3762,46 @@ target "jazzy-base-run-ml-cpu-test" {
   }
 }
 
+target "jazzy-core-devel-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("jazzy-core-devel-cu130", "ros-devel", "jazzy-core-devel-cu130") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda devel devel-build pip"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "jazzy-core-torch-devel-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("jazzy-core-torch-devel-cu130", "ros-torch-devel", "jazzy-core-torch-devel-cu130") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda torch devel devel-build pip"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+  }
+}
+
+target "jazzy-core-devel-cu132-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("jazzy-core-devel-cu132", "ros-devel", "jazzy-core-devel-cu132") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda devel devel-build pip"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "jazzy-core-torch-devel-cu132-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("jazzy-core-torch-devel-cu132", "ros-torch-devel", "jazzy-core-torch-devel-cu132") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda torch devel devel-build pip"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+  }
+}
+
 target "jazzy-core-triton-cu128-test" {
   inherits  = ["_test"]
   platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
@@ -5313,6 +5403,26 @@ target "lyrical-base-run-torch-cpu-test" {
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0"
+  }
+}
+
+target "lyrical-core-devel-cu132-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("lyrical-core-devel-cu132", "ros-devel", "lyrical-core-devel-cu132") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda devel devel-build pip"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "lyrical-core-torch-devel-cu132-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("lyrical-core-torch-devel-cu132", "ros-torch-devel", "lyrical-core-torch-devel-cu132") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda torch devel devel-build pip"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7050,6 +7160,46 @@ target "ros1-bookworm-base-run-ml-cpu-test" {
   }
 }
 
+target "ros1-bookworm-core-devel-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-bookworm-core-devel-cu130", "ros-devel", "ros1-bookworm-core-devel-cu130") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda devel devel-build pip"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "ros1-bookworm-core-torch-devel-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-bookworm-core-torch-devel-cu130", "ros-torch-devel", "ros1-bookworm-core-torch-devel-cu130") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda torch devel devel-build pip"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+  }
+}
+
+target "ros1-bookworm-core-devel-cu132-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-bookworm-core-devel-cu132", "ros-devel", "ros1-bookworm-core-devel-cu132") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda devel devel-build pip"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "ros1-bookworm-core-torch-devel-cu132-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-bookworm-core-torch-devel-cu132", "ros-torch-devel", "ros1-bookworm-core-torch-devel-cu132") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda torch devel devel-build pip"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+  }
+}
+
 target "ros1-bookworm-core-triton-cu128-test" {
   inherits  = ["_test"]
   platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
@@ -8152,6 +8302,46 @@ target "ros1-trixie-base-run-ml-cpu-test" {
   }
 }
 
+target "ros1-trixie-core-devel-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-trixie-core-devel-cu130", "ros-devel", "ros1-trixie-core-devel-cu130") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda devel devel-build pip"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "ros1-trixie-core-torch-devel-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-trixie-core-torch-devel-cu130", "ros-torch-devel", "ros1-trixie-core-torch-devel-cu130") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda torch devel devel-build pip"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+  }
+}
+
+target "ros1-trixie-core-devel-cu132-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-trixie-core-devel-cu132", "ros-devel", "ros1-trixie-core-devel-cu132") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda devel devel-build pip"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "ros1-trixie-core-torch-devel-cu132-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-trixie-core-torch-devel-cu132", "ros-torch-devel", "ros1-trixie-core-torch-devel-cu132") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda torch devel devel-build pip"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+  }
+}
+
 target "ros1-trixie-core-triton-cu128-test" {
   inherits  = ["_test"]
   platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
@@ -8359,35 +8549,46 @@ group "tests" {
     "ros1-bookworm-core-test", "ros1-bookworm-base-test", "ros1-bookworm-robot-test", "ros1-bookworm-perception-test", "ros1-bookworm-desktop-test", "ros1-bookworm-desktop-full-test", "ros1-bookworm-core-run-test", "ros1-bookworm-base-run-test", "ros1-bookworm-core-cuda-cu128-test", "ros1-bookworm-base-cuda-cu128-test", "ros1-bookworm-robot-cuda-cu128-test", "ros1-bookworm-perception-cuda-cu128-test", "ros1-bookworm-desktop-cuda-cu128-test", "ros1-bookworm-desktop-full-cuda-cu128-test", "ros1-bookworm-core-run-cuda-cu128-test", "ros1-bookworm-base-run-cuda-cu128-test", "ros1-bookworm-core-cuda-cu130-test", "ros1-bookworm-base-cuda-cu130-test", "ros1-bookworm-robot-cuda-cu130-test", "ros1-bookworm-perception-cuda-cu130-test", "ros1-bookworm-desktop-cuda-cu130-test", "ros1-bookworm-desktop-full-cuda-cu130-test", "ros1-bookworm-core-run-cuda-cu130-test", "ros1-bookworm-base-run-cuda-cu130-test", "ros1-bookworm-core-cuda-cu132-test", "ros1-bookworm-base-cuda-cu132-test", "ros1-bookworm-robot-cuda-cu132-test", "ros1-bookworm-perception-cuda-cu132-test", "ros1-bookworm-desktop-cuda-cu132-test", "ros1-bookworm-desktop-full-cuda-cu132-test", "ros1-bookworm-core-run-cuda-cu132-test", "ros1-bookworm-base-run-cuda-cu132-test", "ros1-bookworm-core-cuda-cu121-test", "ros1-bookworm-base-cuda-cu121-test", "ros1-bookworm-robot-cuda-cu121-test", "ros1-bookworm-perception-cuda-cu121-test", "ros1-bookworm-desktop-cuda-cu121-test", "ros1-bookworm-desktop-full-cuda-cu121-test", "ros1-bookworm-core-run-cuda-cu121-test", "ros1-bookworm-base-run-cuda-cu121-test", "ros1-bookworm-core-torch-cu128-test", "ros1-bookworm-base-torch-cu128-test", "ros1-bookworm-robot-torch-cu128-test", "ros1-bookworm-perception-torch-cu128-test", "ros1-bookworm-desktop-torch-cu128-test", "ros1-bookworm-desktop-full-torch-cu128-test", "ros1-bookworm-core-run-torch-cu128-test", "ros1-bookworm-base-run-torch-cu128-test", "ros1-bookworm-core-torch-cu130-test", "ros1-bookworm-base-torch-cu130-test", "ros1-bookworm-robot-torch-cu130-test", "ros1-bookworm-perception-torch-cu130-test", "ros1-bookworm-desktop-torch-cu130-test", "ros1-bookworm-desktop-full-torch-cu130-test", "ros1-bookworm-core-run-torch-cu130-test", "ros1-bookworm-base-run-torch-cu130-test", "ros1-bookworm-core-torch-cu132-test", "ros1-bookworm-base-torch-cu132-test", "ros1-bookworm-robot-torch-cu132-test", "ros1-bookworm-perception-torch-cu132-test", "ros1-bookworm-desktop-torch-cu132-test", "ros1-bookworm-desktop-full-torch-cu132-test", "ros1-bookworm-core-run-torch-cu132-test", "ros1-bookworm-base-run-torch-cu132-test", "ros1-bookworm-core-tensorflow-cu128-test", "ros1-bookworm-base-tensorflow-cu128-test", "ros1-bookworm-robot-tensorflow-cu128-test", "ros1-bookworm-perception-tensorflow-cu128-test", "ros1-bookworm-desktop-tensorflow-cu128-test", "ros1-bookworm-desktop-full-tensorflow-cu128-test", "ros1-bookworm-core-run-tensorflow-cu128-test", "ros1-bookworm-base-run-tensorflow-cu128-test", "ros1-bookworm-core-tensorflow-cpu-test", "ros1-bookworm-base-tensorflow-cpu-test", "ros1-bookworm-robot-tensorflow-cpu-test", "ros1-bookworm-perception-tensorflow-cpu-test", "ros1-bookworm-desktop-tensorflow-cpu-test", "ros1-bookworm-desktop-full-tensorflow-cpu-test", "ros1-bookworm-core-run-tensorflow-cpu-test", "ros1-bookworm-base-run-tensorflow-cpu-test", "ros1-bookworm-core-ml-cu128-test", "ros1-bookworm-base-ml-cu128-test", "ros1-bookworm-robot-ml-cu128-test", "ros1-bookworm-perception-ml-cu128-test", "ros1-bookworm-desktop-ml-cu128-test", "ros1-bookworm-desktop-full-ml-cu128-test", "ros1-bookworm-core-run-ml-cu128-test", "ros1-bookworm-base-run-ml-cu128-test",
     "ros1-trixie-core-test", "ros1-trixie-base-test", "ros1-trixie-robot-test", "ros1-trixie-perception-test", "ros1-trixie-desktop-test", "ros1-trixie-desktop-full-test", "ros1-trixie-core-run-test", "ros1-trixie-base-run-test", "ros1-trixie-core-cuda-cu128-test", "ros1-trixie-base-cuda-cu128-test", "ros1-trixie-robot-cuda-cu128-test", "ros1-trixie-perception-cuda-cu128-test", "ros1-trixie-desktop-cuda-cu128-test", "ros1-trixie-desktop-full-cuda-cu128-test", "ros1-trixie-core-run-cuda-cu128-test", "ros1-trixie-base-run-cuda-cu128-test", "ros1-trixie-core-cuda-cu130-test", "ros1-trixie-base-cuda-cu130-test", "ros1-trixie-robot-cuda-cu130-test", "ros1-trixie-perception-cuda-cu130-test", "ros1-trixie-desktop-cuda-cu130-test", "ros1-trixie-desktop-full-cuda-cu130-test", "ros1-trixie-core-run-cuda-cu130-test", "ros1-trixie-base-run-cuda-cu130-test", "ros1-trixie-core-cuda-cu132-test", "ros1-trixie-base-cuda-cu132-test", "ros1-trixie-robot-cuda-cu132-test", "ros1-trixie-perception-cuda-cu132-test", "ros1-trixie-desktop-cuda-cu132-test", "ros1-trixie-desktop-full-cuda-cu132-test", "ros1-trixie-core-run-cuda-cu132-test", "ros1-trixie-base-run-cuda-cu132-test", "ros1-trixie-core-cuda-cu121-test", "ros1-trixie-base-cuda-cu121-test", "ros1-trixie-robot-cuda-cu121-test", "ros1-trixie-perception-cuda-cu121-test", "ros1-trixie-desktop-cuda-cu121-test", "ros1-trixie-desktop-full-cuda-cu121-test", "ros1-trixie-core-run-cuda-cu121-test", "ros1-trixie-base-run-cuda-cu121-test", "ros1-trixie-core-torch-cu128-test", "ros1-trixie-base-torch-cu128-test", "ros1-trixie-robot-torch-cu128-test", "ros1-trixie-perception-torch-cu128-test", "ros1-trixie-desktop-torch-cu128-test", "ros1-trixie-desktop-full-torch-cu128-test", "ros1-trixie-core-run-torch-cu128-test", "ros1-trixie-base-run-torch-cu128-test", "ros1-trixie-core-torch-cu130-test", "ros1-trixie-base-torch-cu130-test", "ros1-trixie-robot-torch-cu130-test", "ros1-trixie-perception-torch-cu130-test", "ros1-trixie-desktop-torch-cu130-test", "ros1-trixie-desktop-full-torch-cu130-test", "ros1-trixie-core-run-torch-cu130-test", "ros1-trixie-base-run-torch-cu130-test", "ros1-trixie-core-torch-cu132-test", "ros1-trixie-base-torch-cu132-test", "ros1-trixie-robot-torch-cu132-test", "ros1-trixie-perception-torch-cu132-test", "ros1-trixie-desktop-torch-cu132-test", "ros1-trixie-desktop-full-torch-cu132-test", "ros1-trixie-core-run-torch-cu132-test", "ros1-trixie-base-run-torch-cu132-test", "ros1-trixie-core-torch-cpu-test", "ros1-trixie-base-torch-cpu-test", "ros1-trixie-robot-torch-cpu-test", "ros1-trixie-perception-torch-cpu-test", "ros1-trixie-desktop-torch-cpu-test", "ros1-trixie-desktop-full-torch-cpu-test", "ros1-trixie-core-run-torch-cpu-test", "ros1-trixie-base-run-torch-cpu-test", "ros1-trixie-core-tensorflow-cu128-test", "ros1-trixie-base-tensorflow-cu128-test", "ros1-trixie-robot-tensorflow-cu128-test", "ros1-trixie-perception-tensorflow-cu128-test", "ros1-trixie-desktop-tensorflow-cu128-test", "ros1-trixie-desktop-full-tensorflow-cu128-test", "ros1-trixie-core-run-tensorflow-cu128-test", "ros1-trixie-base-run-tensorflow-cu128-test", "ros1-trixie-core-tensorflow-cpu-test", "ros1-trixie-base-tensorflow-cpu-test", "ros1-trixie-robot-tensorflow-cpu-test", "ros1-trixie-perception-tensorflow-cpu-test", "ros1-trixie-desktop-tensorflow-cpu-test", "ros1-trixie-desktop-full-tensorflow-cpu-test", "ros1-trixie-core-run-tensorflow-cpu-test", "ros1-trixie-base-run-tensorflow-cpu-test", "ros1-trixie-core-ml-cu128-test", "ros1-trixie-base-ml-cu128-test", "ros1-trixie-robot-ml-cu128-test", "ros1-trixie-perception-ml-cu128-test", "ros1-trixie-desktop-ml-cu128-test", "ros1-trixie-desktop-full-ml-cu128-test", "ros1-trixie-core-run-ml-cu128-test", "ros1-trixie-base-run-ml-cu128-test", "ros1-trixie-core-ml-cpu-test", "ros1-trixie-base-ml-cpu-test", "ros1-trixie-robot-ml-cpu-test", "ros1-trixie-perception-ml-cpu-test", "ros1-trixie-desktop-ml-cpu-test", "ros1-trixie-desktop-full-ml-cpu-test", "ros1-trixie-core-run-ml-cpu-test", "ros1-trixie-base-run-ml-cpu-test",
     "jazzy-wheels-core-test", "jazzy-wheels-core-cuda-cu128-test", "jazzy-wheels-core-cuda-cu130-test", "jazzy-wheels-core-cuda-cu132-test", "jazzy-wheels-core-cuda-cu121-test", "jazzy-wheels-core-torch-cu128-test", "jazzy-wheels-core-torch-cu130-test", "jazzy-wheels-core-torch-cu132-test", "jazzy-wheels-core-tensorflow-cu128-test", "jazzy-wheels-core-tensorflow-cpu-test", "jazzy-wheels-core-ml-cu128-test",
-    "humble-core-triton-cu128-test",
-    "jazzy-core-triton-cu128-test",
+    "jazzy-core-devel-cu130-test", "jazzy-core-torch-devel-cu130-test",
+    "humble-core-devel-cu130-test", "humble-core-torch-devel-cu130-test",
+    "noetic-core-devel-cu130-test",
+    "ros1-trixie-core-devel-cu130-test", "ros1-trixie-core-torch-devel-cu130-test",
+    "ros1-bookworm-core-devel-cu130-test", "ros1-bookworm-core-torch-devel-cu130-test",
+    "lyrical-core-devel-cu132-test", "lyrical-core-torch-devel-cu132-test",
+    "jazzy-core-devel-cu132-test", "jazzy-core-torch-devel-cu132-test",
+    "humble-core-devel-cu132-test",
+    "noetic-core-devel-cu132-test",
+    "ros1-trixie-core-devel-cu132-test", "ros1-trixie-core-torch-devel-cu132-test",
+    "ros1-bookworm-core-devel-cu132-test", "ros1-bookworm-core-torch-devel-cu132-test",
     "lyrical-core-triton-cu128-test",
-    "ros1-bookworm-core-triton-cu128-test",
+    "jazzy-core-triton-cu128-test",
+    "humble-core-triton-cu128-test",
     "ros1-trixie-core-triton-cu128-test",
-    "humble-core-triton-cu130-test",
-    "jazzy-core-triton-cu130-test",
+    "ros1-bookworm-core-triton-cu128-test",
     "lyrical-core-triton-cu130-test",
-    "ros1-bookworm-core-triton-cu130-test",
+    "jazzy-core-triton-cu130-test",
+    "humble-core-triton-cu130-test",
     "ros1-trixie-core-triton-cu130-test",
-    "humble-core-triton-cu132-test",
-    "jazzy-core-triton-cu132-test",
+    "ros1-bookworm-core-triton-cu130-test",
     "lyrical-core-triton-cu132-test",
-    "ros1-bookworm-core-triton-cu132-test",
+    "jazzy-core-triton-cu132-test",
+    "humble-core-triton-cu132-test",
     "ros1-trixie-core-triton-cu132-test",
-    "humble-core-triton-cpu-test",
-    "jazzy-core-triton-cpu-test",
+    "ros1-bookworm-core-triton-cu132-test",
     "lyrical-core-triton-cpu-test",
-    "ros1-bookworm-core-triton-cpu-test",
+    "jazzy-core-triton-cpu-test",
+    "humble-core-triton-cpu-test",
     "ros1-trixie-core-triton-cpu-test",
-    "humble-core-tensorrt-rtx-cu130-test",
-    "jazzy-core-tensorrt-rtx-cu130-test",
+    "ros1-bookworm-core-triton-cpu-test",
     "lyrical-core-tensorrt-rtx-cu130-test",
-    "ros1-bookworm-core-tensorrt-rtx-cu130-test",
+    "jazzy-core-tensorrt-rtx-cu130-test",
+    "humble-core-tensorrt-rtx-cu130-test",
     "ros1-trixie-core-tensorrt-rtx-cu130-test",
-    "humble-core-tensorrt-rtx-cu132-test",
-    "jazzy-core-tensorrt-rtx-cu132-test",
+    "ros1-bookworm-core-tensorrt-rtx-cu130-test",
     "lyrical-core-tensorrt-rtx-cu132-test",
-    "ros1-bookworm-core-tensorrt-rtx-cu132-test",
+    "jazzy-core-tensorrt-rtx-cu132-test",
+    "humble-core-tensorrt-rtx-cu132-test",
     "ros1-trixie-core-tensorrt-rtx-cu132-test",
+    "ros1-bookworm-core-tensorrt-rtx-cu132-test",
   ]
 }

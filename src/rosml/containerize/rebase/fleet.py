@@ -227,7 +227,7 @@ class Fleet:
             if plan.there == plan.digest:
                 return Outcome(name, "there")
             if self._undone(plan):
-                back = f"rosml rebase {name} moves it all the same"
+                back = f"to move it nevertheless: rosml rebase {name}"
                 return Outcome(
                     name, "held", "somebody undid this move; another base image, or another app, moves again", back
                 )

@@ -65,13 +65,13 @@ def _images(matrix: Matrix) -> Iterator[Image]:
 
 
 def _with_addon(matrix: Matrix, addon: str, latest: str | None) -> Iterator[Image]:
-    """The images with an add-on: those that get tags, and those that test it. The latter have the lowest component of the first
-    distribution of each Python, and of those whose images get tags."""
+    """The images with an add-on: those that get tags, and those that test it. The latter have the lowest component of the distribution of
+    each Python that is supported longest, and of those whose images get tags."""
     entry, bare = matrix.addons[addon], rules.plain(matrix)
     tagged = entry.tags
     for stack in matrix.stacks:
         seen: set[tuple[str, str]] = set()
-        for name, distribution in matrix.distributions.items():
+        for name, distribution in _lasting(matrix):
             python = matrix.operating_systems[distribution.os].python
             for framework in (bare, *entry.beside):
                 if rules.stack_reason(matrix, name, framework, stack, addon):
@@ -87,6 +87,16 @@ def _with_addon(matrix: Matrix, addon: str, latest: str | None) -> Iterator[Imag
                     if component in chosen and component in distribution.present:
                         named = bool(tagged and listed and component in tagged.components)
                         yield _image(matrix, name, distribution, component, kind, name == latest, named)
+
+
+def _lasting(matrix: Matrix) -> list[tuple[str, Distribution]]:
+    """The distributions, those that are supported longest first; the order of the matrix does not count."""
+
+    def worth(item: tuple[str, Distribution]) -> tuple[bool, bool, str, str]:
+        name, facts = item
+        return not facts.experimental, facts.lts, str(facts.eol or ""), name
+
+    return sorted(matrix.distributions.items(), key=worth, reverse=True)
 
 
 def _lowest(matrix: Matrix, distribution: Distribution) -> list[str]:

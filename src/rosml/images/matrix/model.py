@@ -311,6 +311,9 @@ class AddOn(Facts):
     beside: tuple[Name, ...] = Field(
         default=(), description="frameworks beside which it is tested as well, if a stack has both"
     )
+    systems: dict[Name, tuple[OsName, ...]] = Field(
+        default={}, description="stack -> the operating systems on which it works; all, if a stack is not named"
+    )
     tags: TaggedImages | None = Field(default=None, description="the images with it that get tags; none if left out")
 
 

@@ -191,6 +191,9 @@ def _addons(matrix: Matrix) -> Iterator[Finding]:
                         f"{part} comes before {late[0]} in 'parts', which framework {framework} takes; move it behind"
                     )
                     yield (*path, "parts", number), text
+        yield from _each((*path, "systems"), "stack", addon.systems, matrix.stacks)
+        for stack, systems in addon.systems.items():
+            yield from _each((*path, "systems", stack), "operating system", systems, matrix.operating_systems)
         if addon.tags:
             for key, known in (
                 ("distributions", matrix.distributions),

@@ -45,6 +45,8 @@ def stack_reason(matrix: Matrix, distribution: str, framework: str, stack: str |
     facts, os = matrix.carrying(framework, addon), matrix.distributions[distribution].os
     if (reason := _content_reason(matrix, framework, stack, addon)) or stack is None:
         return reason
+    if addon and os not in (systems := matrix.addons[addon].systems.get(stack, (os,))):
+        return f"add-on {addon} of stack {stack} works on {listed(systems)}, and {distribution} stands on {os}"
     return _python(matrix, os, facts, matrix.stacks[stack]) or _architectures(matrix, distribution, facts, stack)
 
 
