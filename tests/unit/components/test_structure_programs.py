@@ -122,9 +122,11 @@ def test_runtimes_of_openmp_in_one_process(name: str) -> None:
     assert found == ([] if well else sorted(paths))
 
 
-def test_orders_of_imports() -> None:
+@pytest.mark.parametrize("turns", [1, 3])
+def test_orders_of_imports(turns: int) -> None:
     names = ["cv_bridge", "cv2", "torch", "tensorflow", "numpy", "rospy"]
-    tried = program("programs/coexist/process.py")["orders"](names)
+    tried = program("programs/coexist/process.py")["orders"](names, turns)
+    assert len(set(map(tuple, tried))) == 2 * turns
     for one, other in itertools.combinations(names, 2):
         assert {order.index(one) < order.index(other) for order in tried} == {True, False}
 
@@ -201,6 +203,7 @@ FAULTS: dict[str, tuple[dict[str, str], dict[str, str | None], tuple[str, ...], 
         ["recorded of nccl: {'nvidia-nccl-cu12': '2.27.5'}, expected 2.26.0"],
     ),
     "a build for the CPU is of the same version": ({"torch": "2.10.0+cpu"}, {}, ROS_2, []),
+    "a wheel that names its accelerator": ({"torch": "", "torch-gpu": "2.10.0"}, {}, ROS_2, ["the banner's PyTorch: None, expected 2.10.0"]),
     "another PyTorch": (
         {"torch": "2.9.1"},
         {},

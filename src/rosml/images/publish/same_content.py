@@ -29,9 +29,9 @@ def content(versions: Mapping[str, str], released: Iterable[str] = ()) -> dict[s
 
     Args:
         versions: all versions found in the image.
-        released: further packages that count; each may have `-cpu` after its name.
+        released: further packages that count; each may have `-cpu` or `-gpu` after its name.
     """
-    patterns = {**CONTENT, **{name: f"{re.escape(name)}(-cpu)?" for name in released}}
+    patterns = {**CONTENT, **{name: f"{re.escape(name)}(-cpu|-gpu)?" for name in released}}
     return {
         name: version.split("+")[0]
         for name, pattern in patterns.items()

@@ -1,7 +1,7 @@
 """One process with ROS, the frameworks that the image promises with numpy, and OpenCV and cv_bridge if it has perception: whichever
 is imported first, each does its work, and the process ends cleanly.
 
-Without arguments: runs itself for both orders. `process.py NAME…`: one process with that order.
+Without arguments: runs itself for both orders; with `--six`, for six. `process.py NAME…`: one process with that order.
 """
 
 from __future__ import annotations
@@ -71,13 +71,22 @@ def look(modules: dict[str, Any]) -> None:
         tf = modules["tensorflow"]
         pooled = tf.nn.avg_pool2d(tf.constant(picture[None], tf.float32), (4, 6), 1, "VALID")
         assert abs(float(tf.reduce_mean(pooled)) - mean) < 1e-3
+    if "onnxruntime" in modules:
+        from onnxruntime import datasets  # its own: three times two numbers, multiplied by 1, 2, 3 …
+
+        session = modules["onnxruntime"].InferenceSession(
+            datasets.get_example("mul_1.onnx"), providers=["CPUExecutionProvider"]
+        )
+        (product,) = session.run(None, {session.get_inputs()[0].name: np.full((3, 2), mean, np.float32)})
+        assert np.abs(product.ravel() - mean * np.arange(1, 7)).max() < 1e-3
     runtimes = runtimes_too_many(Path("/proc/self/maps").read_text(), os.uname().machine)
     assert not runtimes, runtimes
 
 
-def orders(names: list[str]) -> list[list[str]]:
-    """Two orders, in which each two of the names stand either way."""
-    return [names, names[::-1]]
+def orders(names: list[str], turns: int = 1) -> list[list[str]]:
+    """Orders in which each two of the names stand either way: turns of a ring of them, and the same backwards."""
+    starts = [turn * len(names) // turns for turn in range(turns)]
+    return [ring[::step] for ring in (names[start:] + names[:start] for start in starts) for step in (1, -1)]
 
 
 def run(order: list[str]) -> str:
@@ -90,16 +99,20 @@ def run(order: list[str]) -> str:
     return ""
 
 
-def main() -> None:
-    promised = [name for name in ("torch", "tensorflow") if f"EXPECT_{name.upper()}" in os.environ]
+def main(turns: int = 1) -> None:
+    promised = [name for name in ("torch", "tensorflow", "onnxruntime") if f"EXPECT_{name.upper()}" in os.environ]
     seeing = ["cv_bridge", "cv2"] if "EXPECT_PACKAGES_PERCEPTION" in os.environ else []
     names = [*seeing, *promised, *(["numpy"] if seeing or promised else [])]
     names.append("rospy" if os.environ["ROS_VERSION"] == "1" else "rclpy")
+    wanted = orders(names, turns)
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        if failed := list(filter(None, pool.map(run, orders(names)))):
+        if failed := list(filter(None, pool.map(run, wanted))):
             sys.exit("\n".join(failed))
-    print("both orders: each works and ends cleanly")
+    print("both" if turns == 1 else len(wanted), "orders: each works and ends cleanly")
 
 
 if __name__ == "__main__":
-    work(sys.argv[1:]) if len(sys.argv) > 1 else main()
+    if sys.argv[1:] in ([], ["--six"]):
+        main(3 if sys.argv[1:] else 1)
+    else:
+        work(sys.argv[1:])

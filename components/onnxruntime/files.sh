@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Python takes ONNX Runtime's libraries from the part onnxruntime-cc, which has them for every Python and for C++.
+set -euo pipefail
+here=$(dirname "${BASH_SOURCE[0]}")
+
+cc=/usr/local/lib/rosml/onnxruntime-cc
+shared=(onnxruntime/LICENSE onnxruntime/ThirdPartyNotices.txt)
+for library in "${OUT:?}${SITE:?}"/onnxruntime/capi/libonnxruntime*; do
+  path=${library#"$OUT$SITE/"}
+  case $path in
+    # It differs from wheel to wheel (onnxruntime-cc/files.sh).
+    */libonnxruntime_providers_cuda.so) ln -sf "$cc/$path" "$library" ;;
+    *) shared+=("$path") ;;
+  esac
+done
+"$here/../part/records.py" link "$cc" "${shared[@]}"
+
+# `pip install` of what depends on "onnxruntime" must find it where the wheel that carries it is called onnxruntime-gpu: pip would put
+# the one for the CPU over it. A package that says so, with the files of that wheel on its record: whoever replaces it replaces them.
+wheel=$(basename "$OUT$SITE"/onnxruntime*.dist-info)
+version=${wheel%.dist-info} version=${version##*-}
+alias=$OUT$SITE/onnxruntime-$version.dist-info
+if [[ ! -d $alias ]]; then
+  mkdir "$alias"
+  printf '%s\n' 'Metadata-Version: 2.1' 'Name: onnxruntime' "Version: $version" \
+    "Summary: Stands for ${wheel%%-*}, which is the same package under another name" \
+    "Requires-Dist: ${wheel%%-*}==$version" >"$alias/METADATA"
+  printf '%s\n' 'Wheel-Version: 1.0' 'Generator: rosml' 'Root-Is-Purelib: true' 'Tag: py3-none-any' >"$alias/WHEEL"
+  echo rosml >"$alias/INSTALLER"
+  for file in INSTALLER METADATA RECORD WHEEL; do echo "${alias##*/}/$file,,"; done >"$alias/RECORD"
+  cat "$OUT$SITE/$wheel/RECORD" >>"$alias/RECORD"
+fi

@@ -1,0 +1,44 @@
+#!/usr/bin/env python3
+"""ONNX Runtime's libraries: Python and C++ have the same; the provider for CUDA is there where the image has CUDA, and finds CUDA's
+libraries; none of them tells its maker what a program does, as those of releases from 1.29.0 on do.
+
+The provider may lack the driver alone, which comes from the machine: libcuda.so.1, and functions such as cuInit.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import re
+import subprocess
+import sys
+import sysconfig
+from pathlib import Path
+
+import onnxruntime as ort
+
+cuda = "EXPECT_CUDA" in os.environ
+assert ("CUDAExecutionProvider" in ort.get_available_providers()) == cuda, ort.get_available_providers()
+capi = Path(ort.__file__).parent / "capi"
+system = Path("/usr/lib", sysconfig.get_config_var("MULTIARCH"))
+for library in (*capi.glob("onnxruntime_pybind11_state*"), *capi.glob("libonnxruntime.so*")):
+    assert b"ORT_DISABLE_TELEMETRY" not in library.read_bytes(), f"{library} has telemetry"
+for library in capi.glob("libonnxruntime*"):
+    assert library.resolve() == (system / library.name).resolve(), library
+wrong = []
+for folder in (capi, system) if cuda else ():
+    said = subprocess.run(
+        ["ldd", "-r", folder / "libonnxruntime_providers_cuda.so"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+    )
+    wrong += [line.strip() for line in said.stdout.splitlines() if re.search("not found|undefined", line)]
+# Provider_GetHost is in a library of ONNX Runtime's that the process has loaded before.
+expected = re.compile(r"libcuda\.so\.1 => not found|undefined symbol: (cu[A-Z]\w*|Provider_GetHost)\b.*")
+if wrong := [line for line in wrong if not expected.fullmatch(line)]:
+    sys.exit("\n".join(wrong))
+# What it loads when a model first needs it.
+for name in ("cublas", "cublasLt", "cudart", "cudnn", "cufft", "curand", "nvrtc") if cuda else ():
+    ctypes.CDLL(f"lib{name}.so")
+print(*ort.get_available_providers())
