@@ -543,6 +543,107 @@ target "part-torch-cu121-py38" {
   ]
 }
 
+target "_files-grpc-cu121-py38" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_20_04 }
+  args = {
+    PART         = "grpc"
+    STACK        = "cu121"
+    PYTHON       = "3.8"
+    WHEEL_PYTHON = "3.8"
+    ACCELERATOR  = "cuda"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cu121-py38" {
+  inherits = ["_files-grpc-cu121-py38"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cu121-py38"
+    "org.opencontainers.image.description" = "part grpc of stack cu121, for Python 3.8"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cu121"
+    "io.rosml.python"                      = "3.8"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+    "io.rosml.frameworks"                  = ""
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cu121-py38"
+  ]
+}
+
+target "_files-onnxruntime-cc-cu121" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_20_04 }
+  args = {
+    PART         = "onnxruntime-cc"
+    STACK        = "cu121"
+    PYTHON       = "any"
+    WHEEL_PYTHON = "3.8"
+    ACCELERATOR  = "cuda"
+    SHOWS        = "cuda"
+  }
+}
+
+target "part-onnxruntime-cc-cu121" {
+  inherits = ["_files-onnxruntime-cc-cu121"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cc-cu121"
+    "org.opencontainers.image.description" = "part onnxruntime-cc of stack cu121, for any Python"
+    "io.rosml.part"                        = "onnxruntime-cc"
+    "io.rosml.stack"                       = "cu121"
+    "io.rosml.python"                      = "any"
+    "io.rosml.onnxruntime"                 = "1.19.2"
+    "io.rosml.brings"                      = "onnxruntime::"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cc-cu121"
+  ]
+}
+
+target "_files-onnxruntime-cu121-py38" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_20_04 }
+  args = {
+    PART         = "onnxruntime"
+    STACK        = "cu121"
+    PYTHON       = "3.8"
+    WHEEL_PYTHON = "3.8"
+    ACCELERATOR  = "cuda"
+    SLOT         = "04"
+  }
+}
+
+target "part-onnxruntime-cu121-py38" {
+  inherits = ["_files-onnxruntime-cu121-py38"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cu121-py38"
+    "org.opencontainers.image.description" = "part onnxruntime of stack cu121, for Python 3.8"
+    "io.rosml.part"                        = "onnxruntime"
+    "io.rosml.stack"                       = "cu121"
+    "io.rosml.python"                      = "3.8"
+    "io.rosml.onnxruntime"                 = "1.19.2"
+    "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cu121-py38"
+  ]
+}
+
 target "_files-common-cpu38-py38" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -869,6 +970,76 @@ target "part-tensorflow-cu128-py310" {
   }
   tags = [
     "${REGISTRY}/part:tensorflow-cu128-py310"
+  ]
+}
+
+target "_files-onnxruntime-cc-cu128" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "onnxruntime-cc"
+    STACK        = "cu128"
+    PYTHON       = "any"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
+    SHOWS        = "cuda"
+  }
+}
+
+target "part-onnxruntime-cc-cu128" {
+  inherits = ["_files-onnxruntime-cc-cu128"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cc-cu128"
+    "org.opencontainers.image.description" = "part onnxruntime-cc of stack cu128, for any Python"
+    "io.rosml.part"                        = "onnxruntime-cc"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "any"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "io.rosml.brings"                      = "onnxruntime::"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cc-cu128"
+  ]
+}
+
+target "_files-onnxruntime-cu128-py310" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_22_04 }
+  args = {
+    PART         = "onnxruntime"
+    STACK        = "cu128"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cuda"
+    SLOT         = "04"
+  }
+}
+
+target "part-onnxruntime-cu128-py310" {
+  inherits = ["_files-onnxruntime-cu128-py310"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cu128-py310"
+    "org.opencontainers.image.description" = "part onnxruntime of stack cu128, for Python 3.10"
+    "io.rosml.part"                        = "onnxruntime"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.10"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cu128-py310"
   ]
 }
 
@@ -1440,6 +1611,75 @@ target "part-tensorflow-cpu-py310" {
   ]
 }
 
+target "_files-onnxruntime-cc-cpu" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "onnxruntime-cc"
+    STACK        = "cpu"
+    PYTHON       = "any"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cpu"
+  }
+}
+
+target "part-onnxruntime-cc-cpu" {
+  inherits = ["_files-onnxruntime-cc-cpu"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cc-cpu"
+    "org.opencontainers.image.description" = "part onnxruntime-cc of stack cpu, for any Python"
+    "io.rosml.part"                        = "onnxruntime-cc"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "any"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "io.rosml.brings"                      = "onnxruntime::"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cc-cpu"
+  ]
+}
+
+target "_files-onnxruntime-cpu-py310" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_22_04 }
+  args = {
+    PART         = "onnxruntime"
+    STACK        = "cpu"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cpu"
+    SLOT         = "04"
+  }
+}
+
+target "part-onnxruntime-cpu-py310" {
+  inherits = ["_files-onnxruntime-cpu-py310"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cpu-py310"
+    "org.opencontainers.image.description" = "part onnxruntime of stack cpu, for Python 3.10"
+    "io.rosml.part"                        = "onnxruntime"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.10"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cpu-py310"
+  ]
+}
+
 target "_files-tritonclient-cpu-py310" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -1608,6 +1848,41 @@ target "part-tensorflow-cu128-py312" {
   ]
 }
 
+target "_files-onnxruntime-cu128-py312" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_24_04 }
+  args = {
+    PART         = "onnxruntime"
+    STACK        = "cu128"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cuda"
+    SLOT         = "04"
+  }
+}
+
+target "part-onnxruntime-cu128-py312" {
+  inherits = ["_files-onnxruntime-cu128-py312"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cu128-py312"
+    "org.opencontainers.image.description" = "part onnxruntime of stack cu128, for Python 3.12"
+    "io.rosml.part"                        = "onnxruntime"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.12"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cu128-py312"
+  ]
+}
+
 target "_files-tritonclient-cu128-py312" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
@@ -1739,6 +2014,76 @@ target "part-grpc-cu130-py312" {
   }
   tags = [
     "${REGISTRY}/part:grpc-cu130-py312"
+  ]
+}
+
+target "_files-onnxruntime-cc-cu130" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "onnxruntime-cc"
+    STACK        = "cu130"
+    PYTHON       = "any"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
+    SHOWS        = "cuda"
+  }
+}
+
+target "part-onnxruntime-cc-cu130" {
+  inherits = ["_files-onnxruntime-cc-cu130"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cc-cu130"
+    "org.opencontainers.image.description" = "part onnxruntime-cc of stack cu130, for any Python"
+    "io.rosml.part"                        = "onnxruntime-cc"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "any"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.brings"                      = "onnxruntime::"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cc-cu130"
+  ]
+}
+
+target "_files-onnxruntime-cu130-py312" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_24_04 }
+  args = {
+    PART         = "onnxruntime"
+    STACK        = "cu130"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cuda"
+    SLOT         = "04"
+  }
+}
+
+target "part-onnxruntime-cu130-py312" {
+  inherits = ["_files-onnxruntime-cu130-py312"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cu130-py312"
+    "org.opencontainers.image.description" = "part onnxruntime of stack cu130, for Python 3.12"
+    "io.rosml.part"                        = "onnxruntime"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.12"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cu130-py312"
   ]
 }
 
@@ -1910,6 +2255,76 @@ target "part-grpc-cu132-py312" {
   }
   tags = [
     "${REGISTRY}/part:grpc-cu132-py312"
+  ]
+}
+
+target "_files-onnxruntime-cc-cu132" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "onnxruntime-cc"
+    STACK        = "cu132"
+    PYTHON       = "any"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
+    SHOWS        = "cuda"
+  }
+}
+
+target "part-onnxruntime-cc-cu132" {
+  inherits = ["_files-onnxruntime-cc-cu132"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cc-cu132"
+    "org.opencontainers.image.description" = "part onnxruntime-cc of stack cu132, for any Python"
+    "io.rosml.part"                        = "onnxruntime-cc"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "any"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.brings"                      = "onnxruntime::"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cc-cu132"
+  ]
+}
+
+target "_files-onnxruntime-cu132-py312" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_24_04 }
+  args = {
+    PART         = "onnxruntime"
+    STACK        = "cu132"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cuda"
+    SLOT         = "04"
+  }
+}
+
+target "part-onnxruntime-cu132-py312" {
+  inherits = ["_files-onnxruntime-cu132-py312"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cu132-py312"
+    "org.opencontainers.image.description" = "part onnxruntime of stack cu132, for Python 3.12"
+    "io.rosml.part"                        = "onnxruntime"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.12"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cu132-py312"
   ]
 }
 
@@ -2112,6 +2527,41 @@ target "part-tensorflow-cpu-py312" {
   }
   tags = [
     "${REGISTRY}/part:tensorflow-cpu-py312"
+  ]
+}
+
+target "_files-onnxruntime-cpu-py312" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_24_04 }
+  args = {
+    PART         = "onnxruntime"
+    STACK        = "cpu"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cpu"
+    SLOT         = "04"
+  }
+}
+
+target "part-onnxruntime-cpu-py312" {
+  inherits = ["_files-onnxruntime-cpu-py312"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cpu-py312"
+    "org.opencontainers.image.description" = "part onnxruntime of stack cpu, for Python 3.12"
+    "io.rosml.part"                        = "onnxruntime"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.12"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cpu-py312"
   ]
 }
 
@@ -2382,6 +2832,41 @@ target "part-grpc-cu130-py314" {
   ]
 }
 
+target "_files-onnxruntime-cu130-py314" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_26_04 }
+  args = {
+    PART         = "onnxruntime"
+    STACK        = "cu130"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cuda"
+    SLOT         = "04"
+  }
+}
+
+target "part-onnxruntime-cu130-py314" {
+  inherits = ["_files-onnxruntime-cu130-py314"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cu130-py314"
+    "org.opencontainers.image.description" = "part onnxruntime of stack cu130, for Python 3.14"
+    "io.rosml.part"                        = "onnxruntime"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.14"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cu130-py314"
+  ]
+}
+
 target "_files-tritonclient-cu130-py314" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -2550,6 +3035,41 @@ target "part-grpc-cu132-py314" {
   }
   tags = [
     "${REGISTRY}/part:grpc-cu132-py314"
+  ]
+}
+
+target "_files-onnxruntime-cu132-py314" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_26_04 }
+  args = {
+    PART         = "onnxruntime"
+    STACK        = "cu132"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cuda"
+    SLOT         = "04"
+  }
+}
+
+target "part-onnxruntime-cu132-py314" {
+  inherits = ["_files-onnxruntime-cu132-py314"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cu132-py314"
+    "org.opencontainers.image.description" = "part onnxruntime of stack cu132, for Python 3.14"
+    "io.rosml.part"                        = "onnxruntime"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.14"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cu132-py314"
   ]
 }
 
@@ -2889,6 +3409,41 @@ target "part-tensorflow-cu128-py311" {
   ]
 }
 
+target "_files-onnxruntime-cu128-py311" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "onnxruntime"
+    STACK        = "cu128"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
+    SLOT         = "04"
+  }
+}
+
+target "part-onnxruntime-cu128-py311" {
+  inherits = ["_files-onnxruntime-cu128-py311"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cu128-py311"
+    "org.opencontainers.image.description" = "part onnxruntime of stack cu128, for Python 3.11"
+    "io.rosml.part"                        = "onnxruntime"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cu128-py311"
+  ]
+}
+
 target "_files-tritonclient-cu128-py311" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
@@ -3020,6 +3575,41 @@ target "part-grpc-cu130-py311" {
   }
   tags = [
     "${REGISTRY}/part:grpc-cu130-py311"
+  ]
+}
+
+target "_files-onnxruntime-cu130-py311" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "onnxruntime"
+    STACK        = "cu130"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
+    SLOT         = "04"
+  }
+}
+
+target "part-onnxruntime-cu130-py311" {
+  inherits = ["_files-onnxruntime-cu130-py311"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cu130-py311"
+    "org.opencontainers.image.description" = "part onnxruntime of stack cu130, for Python 3.11"
+    "io.rosml.part"                        = "onnxruntime"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cu130-py311"
   ]
 }
 
@@ -3191,6 +3781,41 @@ target "part-grpc-cu132-py311" {
   }
   tags = [
     "${REGISTRY}/part:grpc-cu132-py311"
+  ]
+}
+
+target "_files-onnxruntime-cu132-py311" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "onnxruntime"
+    STACK        = "cu132"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
+    SLOT         = "04"
+  }
+}
+
+target "part-onnxruntime-cu132-py311" {
+  inherits = ["_files-onnxruntime-cu132-py311"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cu132-py311"
+    "org.opencontainers.image.description" = "part onnxruntime of stack cu132, for Python 3.11"
+    "io.rosml.part"                        = "onnxruntime"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cu132-py311"
   ]
 }
 
@@ -3396,6 +4021,41 @@ target "part-tensorflow-cpu-py311" {
   ]
 }
 
+target "_files-onnxruntime-cpu-py311" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "onnxruntime"
+    STACK        = "cpu"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cpu"
+    SLOT         = "04"
+  }
+}
+
+target "part-onnxruntime-cpu-py311" {
+  inherits = ["_files-onnxruntime-cpu-py311"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cpu-py311"
+    "org.opencontainers.image.description" = "part onnxruntime of stack cpu, for Python 3.11"
+    "io.rosml.part"                        = "onnxruntime"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cpu-py311"
+  ]
+}
+
 target "_files-tritonclient-cpu-py311" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -3564,6 +4224,41 @@ target "part-tensorflow-cu128-py313" {
   ]
 }
 
+target "_files-onnxruntime-cu128-py313" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_TRIXIE }
+  args = {
+    PART         = "onnxruntime"
+    STACK        = "cu128"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cuda"
+    SLOT         = "04"
+  }
+}
+
+target "part-onnxruntime-cu128-py313" {
+  inherits = ["_files-onnxruntime-cu128-py313"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cu128-py313"
+    "org.opencontainers.image.description" = "part onnxruntime of stack cu128, for Python 3.13"
+    "io.rosml.part"                        = "onnxruntime"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.13"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cu128-py313"
+  ]
+}
+
 target "_files-tritonclient-cu128-py313" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
@@ -3695,6 +4390,41 @@ target "part-grpc-cu130-py313" {
   }
   tags = [
     "${REGISTRY}/part:grpc-cu130-py313"
+  ]
+}
+
+target "_files-onnxruntime-cu130-py313" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_TRIXIE }
+  args = {
+    PART         = "onnxruntime"
+    STACK        = "cu130"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cuda"
+    SLOT         = "04"
+  }
+}
+
+target "part-onnxruntime-cu130-py313" {
+  inherits = ["_files-onnxruntime-cu130-py313"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cu130-py313"
+    "org.opencontainers.image.description" = "part onnxruntime of stack cu130, for Python 3.13"
+    "io.rosml.part"                        = "onnxruntime"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.13"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cu130-py313"
   ]
 }
 
@@ -3866,6 +4596,41 @@ target "part-grpc-cu132-py313" {
   }
   tags = [
     "${REGISTRY}/part:grpc-cu132-py313"
+  ]
+}
+
+target "_files-onnxruntime-cu132-py313" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { os = OS_TRIXIE }
+  args = {
+    PART         = "onnxruntime"
+    STACK        = "cu132"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cuda"
+    SLOT         = "04"
+  }
+}
+
+target "part-onnxruntime-cu132-py313" {
+  inherits = ["_files-onnxruntime-cu132-py313"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cu132-py313"
+    "org.opencontainers.image.description" = "part onnxruntime of stack cu132, for Python 3.13"
+    "io.rosml.part"                        = "onnxruntime"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.python"                      = "3.13"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cu132-py313"
   ]
 }
 
@@ -4068,6 +4833,41 @@ target "part-tensorflow-cpu-py313" {
   }
   tags = [
     "${REGISTRY}/part:tensorflow-cpu-py313"
+  ]
+}
+
+target "_files-onnxruntime-cpu-py313" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_TRIXIE }
+  args = {
+    PART         = "onnxruntime"
+    STACK        = "cpu"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cpu"
+    SLOT         = "04"
+  }
+}
+
+target "part-onnxruntime-cpu-py313" {
+  inherits = ["_files-onnxruntime-cpu-py313"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cpu-py313"
+    "org.opencontainers.image.description" = "part onnxruntime of stack cpu, for Python 3.13"
+    "io.rosml.part"                        = "onnxruntime"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.13"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.frameworks"                  = ""
+    "io.rosml.addons"                      = "onnx=common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cpu-py313"
   ]
 }
 
@@ -6130,6 +6930,2224 @@ target "_ml-cpu-py313" {
     COPY --link --from=part-tensorflow $TENSORFLOW_ROOT /
     ENV TORCH_VERSION=2.10.0
     ENV TENSORFLOW_VERSION=2.21.0
+  EOT
+}
+
+target "_none-onnx-cu128-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    part-cuda           = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common         = dependency("common-cu128-py312", "part", "_files-common-cu128-py312")
+    part-grpc           = dependency("grpc-cu128-py312", "part", "_files-grpc-cu128-py312")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu128", "part", "_files-onnxruntime-cc-cu128")
+    part-onnxruntime    = dependency("onnxruntime-cu128-py312", "part", "_files-onnxruntime-cu128-py312")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu128-py312"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu128-py312"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu128"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu128-py312"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                = "none"
+    "io.rosml.onnxruntime"              = "1.23.2"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda common grpc onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                   = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV ONNXRUNTIME_VERSION=1.23.2
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_torch-onnx-cu128-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("jazzy-core", "ros", "jazzy-core")
+    part-cuda           = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common         = dependency("common-cu128-py312", "part", "_files-common-cu128-py312")
+    part-grpc           = dependency("grpc-cu128-py312", "part", "_files-grpc-cu128-py312")
+    part-torch          = dependency("torch-cu128-py312", "part", "_files-torch-cu128-py312")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu128", "part", "_files-onnxruntime-cc-cu128")
+    part-onnxruntime    = dependency("onnxruntime-cu128-py312", "part", "_files-onnxruntime-cu128-py312")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu128-py312"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu128-py312"]) ? "/" : "/out/"
+    TORCH_ROOT          = can(digests["torch-cu128-py312"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu128"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu128-py312"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "io.rosml.cuda"                        = "12.8.90"
+    "io.rosml.cudnn"                       = "9.10.2.21"
+    "io.rosml.gpu.driver"                  = "525"
+    "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "org.opencontainers.image.title"       = "jazzy-core-torch-onnx-cu128"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), PyTorch 2.10.0, onnxruntime 1.23.2, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "jazzy-core-cu128-torch2.10.0-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.parts"                       = "cuda common grpc torch onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TORCH_VERSION=2.10.0
+    ENV ONNXRUNTIME_VERSION=1.23.2
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_tensorflow-onnx-cu128-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("jazzy-core", "ros", "jazzy-core")
+    part-cuda           = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common         = dependency("common-cu128-py312", "part", "_files-common-cu128-py312")
+    part-grpc           = dependency("grpc-cu128-py312", "part", "_files-grpc-cu128-py312")
+    part-tensorflow-cc  = dependency("tensorflow-cc-cu128", "part", "_files-tensorflow-cc-cu128")
+    part-tensorflow     = dependency("tensorflow-cu128-py312", "part", "_files-tensorflow-cu128-py312")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu128", "part", "_files-onnxruntime-cc-cu128")
+    part-onnxruntime    = dependency("onnxruntime-cu128-py312", "part", "_files-onnxruntime-cu128-py312")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu128-py312"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu128-py312"]) ? "/" : "/out/"
+    TENSORFLOW_CC_ROOT  = can(digests["tensorflow-cc-cu128"]) ? "/" : "/out/"
+    TENSORFLOW_ROOT     = can(digests["tensorflow-cu128-py312"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu128"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu128-py312"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND BSD-2-Clause AND MPL-2.0"
+    "io.rosml.framework"                   = "tensorflow"
+    "io.rosml.tensorflow"                  = "2.20.0"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "io.rosml.cuda"                        = "12.8.90"
+    "io.rosml.cudnn"                       = "9.10.2.21"
+    "io.rosml.gpu.driver"                  = "525"
+    "io.rosml.gpu.tensorflow.amd64"        = "sm_60 sm_70 sm_80 sm_89 compute_90"
+    "org.opencontainers.image.title"       = "jazzy-core-tensorflow-onnx-cu128"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), TensorFlow 2.20.0, onnxruntime 1.23.2, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "jazzy-core-cu128-tf2.20.0-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.parts"                       = "cuda common grpc tensorflow-cc tensorflow onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TENSORFLOW_CC_ROOT
+    COPY --link --from=part-tensorflow-cc $TENSORFLOW_CC_ROOT /
+    ARG TENSORFLOW_ROOT
+    COPY --link --from=part-tensorflow $TENSORFLOW_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TENSORFLOW_VERSION=2.20.0
+    ENV ONNXRUNTIME_VERSION=1.23.2
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_none-onnx-cu128-py310" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    part-cuda           = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common         = dependency("common-cu128-py310", "part", "_files-common-cu128-py310")
+    part-grpc           = dependency("grpc-cu128-py310", "part", "_files-grpc-cu128-py310")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu128", "part", "_files-onnxruntime-cc-cu128")
+    part-onnxruntime    = dependency("onnxruntime-cu128-py310", "part", "_files-onnxruntime-cu128-py310")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu128-py310"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu128-py310"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu128"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu128-py310"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                = "none"
+    "io.rosml.onnxruntime"              = "1.23.2"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda common grpc onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                   = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV ONNXRUNTIME_VERSION=1.23.2
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_torch-onnx-cu128-py310" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("humble-core", "ros", "humble-core")
+    part-cuda           = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common         = dependency("common-cu128-py310", "part", "_files-common-cu128-py310")
+    part-grpc           = dependency("grpc-cu128-py310", "part", "_files-grpc-cu128-py310")
+    part-torch          = dependency("torch-cu128-py310", "part", "_files-torch-cu128-py310")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu128", "part", "_files-onnxruntime-cc-cu128")
+    part-onnxruntime    = dependency("onnxruntime-cu128-py310", "part", "_files-onnxruntime-cu128-py310")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu128-py310"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu128-py310"]) ? "/" : "/out/"
+    TORCH_ROOT          = can(digests["torch-cu128-py310"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu128"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu128-py310"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "io.rosml.cuda"                        = "12.8.90"
+    "io.rosml.cudnn"                       = "9.10.2.21"
+    "io.rosml.gpu.driver"                  = "525"
+    "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "org.opencontainers.image.title"       = "humble-core-torch-onnx-cu128"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), PyTorch 2.10.0, onnxruntime 1.23.2, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "humble-core-cu128-torch2.10.0-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.parts"                       = "cuda common grpc torch onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TORCH_VERSION=2.10.0
+    ENV ONNXRUNTIME_VERSION=1.23.2
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_tensorflow-onnx-cu128-py310" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("humble-core", "ros", "humble-core")
+    part-cuda           = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common         = dependency("common-cu128-py310", "part", "_files-common-cu128-py310")
+    part-grpc           = dependency("grpc-cu128-py310", "part", "_files-grpc-cu128-py310")
+    part-tensorflow-cc  = dependency("tensorflow-cc-cu128", "part", "_files-tensorflow-cc-cu128")
+    part-tensorflow     = dependency("tensorflow-cu128-py310", "part", "_files-tensorflow-cu128-py310")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu128", "part", "_files-onnxruntime-cc-cu128")
+    part-onnxruntime    = dependency("onnxruntime-cu128-py310", "part", "_files-onnxruntime-cu128-py310")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu128-py310"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu128-py310"]) ? "/" : "/out/"
+    TENSORFLOW_CC_ROOT  = can(digests["tensorflow-cc-cu128"]) ? "/" : "/out/"
+    TENSORFLOW_ROOT     = can(digests["tensorflow-cu128-py310"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu128"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu128-py310"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND BSD-2-Clause AND MPL-2.0"
+    "io.rosml.framework"                   = "tensorflow"
+    "io.rosml.tensorflow"                  = "2.20.0"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "io.rosml.cuda"                        = "12.8.90"
+    "io.rosml.cudnn"                       = "9.10.2.21"
+    "io.rosml.gpu.driver"                  = "525"
+    "io.rosml.gpu.tensorflow.amd64"        = "sm_60 sm_70 sm_80 sm_89 compute_90"
+    "org.opencontainers.image.title"       = "humble-core-tensorflow-onnx-cu128"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), TensorFlow 2.20.0, onnxruntime 1.23.2, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "humble-core-cu128-tf2.20.0-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.parts"                       = "cuda common grpc tensorflow-cc tensorflow onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TENSORFLOW_CC_ROOT
+    COPY --link --from=part-tensorflow-cc $TENSORFLOW_CC_ROOT /
+    ARG TENSORFLOW_ROOT
+    COPY --link --from=part-tensorflow $TENSORFLOW_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TENSORFLOW_VERSION=2.20.0
+    ENV ONNXRUNTIME_VERSION=1.23.2
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_none-onnx-cu128-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-cuda           = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common         = dependency("common-cu128-py313", "part", "_files-common-cu128-py313")
+    part-grpc           = dependency("grpc-cu128-py313", "part", "_files-grpc-cu128-py313")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu128", "part", "_files-onnxruntime-cc-cu128")
+    part-onnxruntime    = dependency("onnxruntime-cu128-py313", "part", "_files-onnxruntime-cu128-py313")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu128-py313"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu128-py313"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu128"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu128-py313"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "io.rosml.cuda"                        = "12.8.90"
+    "io.rosml.cudnn"                       = "9.10.2.21"
+    "io.rosml.gpu.driver"                  = "525"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-onnx-cu128"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), onnxruntime 1.23.2, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu128-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.parts"                       = "cuda common grpc onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV ONNXRUNTIME_VERSION=1.23.2
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_torch-onnx-cu128-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-cuda           = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common         = dependency("common-cu128-py313", "part", "_files-common-cu128-py313")
+    part-grpc           = dependency("grpc-cu128-py313", "part", "_files-grpc-cu128-py313")
+    part-torch          = dependency("torch-cu128-py313", "part", "_files-torch-cu128-py313")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu128", "part", "_files-onnxruntime-cc-cu128")
+    part-onnxruntime    = dependency("onnxruntime-cu128-py313", "part", "_files-onnxruntime-cu128-py313")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu128-py313"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu128-py313"]) ? "/" : "/out/"
+    TORCH_ROOT          = can(digests["torch-cu128-py313"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu128"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu128-py313"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "io.rosml.cuda"                        = "12.8.90"
+    "io.rosml.cudnn"                       = "9.10.2.21"
+    "io.rosml.gpu.driver"                  = "525"
+    "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-torch-onnx-cu128"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), PyTorch 2.10.0, onnxruntime 1.23.2, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu128-torch2.10.0-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.parts"                       = "cuda common grpc torch onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TORCH_VERSION=2.10.0
+    ENV ONNXRUNTIME_VERSION=1.23.2
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_tensorflow-onnx-cu128-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-cuda           = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common         = dependency("common-cu128-py313", "part", "_files-common-cu128-py313")
+    part-grpc           = dependency("grpc-cu128-py313", "part", "_files-grpc-cu128-py313")
+    part-tensorflow-cc  = dependency("tensorflow-cc-cu128", "part", "_files-tensorflow-cc-cu128")
+    part-tensorflow     = dependency("tensorflow-cu128-py313", "part", "_files-tensorflow-cu128-py313")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu128", "part", "_files-onnxruntime-cc-cu128")
+    part-onnxruntime    = dependency("onnxruntime-cu128-py313", "part", "_files-onnxruntime-cu128-py313")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu128-py313"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu128-py313"]) ? "/" : "/out/"
+    TENSORFLOW_CC_ROOT  = can(digests["tensorflow-cc-cu128"]) ? "/" : "/out/"
+    TENSORFLOW_ROOT     = can(digests["tensorflow-cu128-py313"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu128"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu128-py313"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND BSD-2-Clause AND MPL-2.0"
+    "io.rosml.framework"                   = "tensorflow"
+    "io.rosml.tensorflow"                  = "2.20.0"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "io.rosml.cuda"                        = "12.8.90"
+    "io.rosml.cudnn"                       = "9.10.2.21"
+    "io.rosml.gpu.driver"                  = "525"
+    "io.rosml.gpu.tensorflow.amd64"        = "sm_60 sm_70 sm_80 sm_89 compute_90"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-tensorflow-onnx-cu128"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), TensorFlow 2.20.0, onnxruntime 1.23.2, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu128-tf2.20.0-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.parts"                       = "cuda common grpc tensorflow-cc tensorflow onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TENSORFLOW_CC_ROOT
+    COPY --link --from=part-tensorflow-cc $TENSORFLOW_CC_ROOT /
+    ARG TENSORFLOW_ROOT
+    COPY --link --from=part-tensorflow $TENSORFLOW_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TENSORFLOW_VERSION=2.20.0
+    ENV ONNXRUNTIME_VERSION=1.23.2
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_none-onnx-cu128-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    part-cuda           = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common         = dependency("common-cu128-py311", "part", "_files-common-cu128-py311")
+    part-grpc           = dependency("grpc-cu128-py311", "part", "_files-grpc-cu128-py311")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu128", "part", "_files-onnxruntime-cc-cu128")
+    part-onnxruntime    = dependency("onnxruntime-cu128-py311", "part", "_files-onnxruntime-cu128-py311")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu128-py311"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu128-py311"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu128"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu128-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                = "none"
+    "io.rosml.onnxruntime"              = "1.23.2"
+    "io.rosml.cuda"                     = "12.8.90"
+    "io.rosml.cudnn"                    = "9.10.2.21"
+    "io.rosml.gpu.driver"               = "525"
+    "io.rosml.stack"                    = "cu128"
+    "io.rosml.parts"                    = "cuda common grpc onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                   = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV ONNXRUNTIME_VERSION=1.23.2
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_torch-onnx-cu128-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda           = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common         = dependency("common-cu128-py311", "part", "_files-common-cu128-py311")
+    part-grpc           = dependency("grpc-cu128-py311", "part", "_files-grpc-cu128-py311")
+    part-torch          = dependency("torch-cu128-py311", "part", "_files-torch-cu128-py311")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu128", "part", "_files-onnxruntime-cc-cu128")
+    part-onnxruntime    = dependency("onnxruntime-cu128-py311", "part", "_files-onnxruntime-cu128-py311")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu128-py311"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu128-py311"]) ? "/" : "/out/"
+    TORCH_ROOT          = can(digests["torch-cu128-py311"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu128"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu128-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "io.rosml.cuda"                        = "12.8.90"
+    "io.rosml.cudnn"                       = "9.10.2.21"
+    "io.rosml.gpu.driver"                  = "525"
+    "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-torch-onnx-cu128"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), PyTorch 2.10.0, onnxruntime 1.23.2, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu128-torch2.10.0-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.parts"                       = "cuda common grpc torch onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TORCH_VERSION=2.10.0
+    ENV ONNXRUNTIME_VERSION=1.23.2
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_tensorflow-onnx-cu128-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda           = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common         = dependency("common-cu128-py311", "part", "_files-common-cu128-py311")
+    part-grpc           = dependency("grpc-cu128-py311", "part", "_files-grpc-cu128-py311")
+    part-tensorflow-cc  = dependency("tensorflow-cc-cu128", "part", "_files-tensorflow-cc-cu128")
+    part-tensorflow     = dependency("tensorflow-cu128-py311", "part", "_files-tensorflow-cu128-py311")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu128", "part", "_files-onnxruntime-cc-cu128")
+    part-onnxruntime    = dependency("onnxruntime-cu128-py311", "part", "_files-onnxruntime-cu128-py311")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu128-py311"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu128-py311"]) ? "/" : "/out/"
+    TENSORFLOW_CC_ROOT  = can(digests["tensorflow-cc-cu128"]) ? "/" : "/out/"
+    TENSORFLOW_ROOT     = can(digests["tensorflow-cu128-py311"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu128"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu128-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND BSD-2-Clause AND MPL-2.0"
+    "io.rosml.framework"                   = "tensorflow"
+    "io.rosml.tensorflow"                  = "2.20.0"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "io.rosml.cuda"                        = "12.8.90"
+    "io.rosml.cudnn"                       = "9.10.2.21"
+    "io.rosml.gpu.driver"                  = "525"
+    "io.rosml.gpu.tensorflow.amd64"        = "sm_60 sm_70 sm_80 sm_89 compute_90"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-tensorflow-onnx-cu128"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), TensorFlow 2.20.0, onnxruntime 1.23.2, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu128-tf2.20.0-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.parts"                       = "cuda common grpc tensorflow-cc tensorflow onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TENSORFLOW_CC_ROOT
+    COPY --link --from=part-tensorflow-cc $TENSORFLOW_CC_ROOT /
+    ARG TENSORFLOW_ROOT
+    COPY --link --from=part-tensorflow $TENSORFLOW_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TENSORFLOW_VERSION=2.20.0
+    ENV ONNXRUNTIME_VERSION=1.23.2
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_none-onnx-cu130-py314" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    part-cuda           = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common         = dependency("common-cu130-py314", "part", "_files-common-cu130-py314")
+    part-grpc           = dependency("grpc-cu130-py314", "part", "_files-grpc-cu130-py314")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu130", "part", "_files-onnxruntime-cc-cu130")
+    part-onnxruntime    = dependency("onnxruntime-cu130-py314", "part", "_files-onnxruntime-cu130-py314")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu130-py314"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu130-py314"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu130"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu130-py314"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                = "none"
+    "io.rosml.onnxruntime"              = "1.28.0"
+    "io.rosml.cuda"                     = "13.0.96"
+    "io.rosml.cudnn"                    = "9.24.0.43"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.stack"                    = "cu130"
+    "io.rosml.parts"                    = "cuda common grpc onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                   = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_torch-onnx-cu130-py314" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("lyrical-core", "ros", "lyrical-core")
+    part-cuda           = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common         = dependency("common-cu130-py314", "part", "_files-common-cu130-py314")
+    part-grpc           = dependency("grpc-cu130-py314", "part", "_files-grpc-cu130-py314")
+    part-torch          = dependency("torch-cu130-py314", "part", "_files-torch-cu130-py314")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu130", "part", "_files-onnxruntime-cc-cu130")
+    part-onnxruntime    = dependency("onnxruntime-cu130-py314", "part", "_files-onnxruntime-cu130-py314")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu130-py314"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu130-py314"]) ? "/" : "/out/"
+    TORCH_ROOT          = can(digests["torch-cu130-py314"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu130"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu130-py314"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.14.1"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "org.opencontainers.image.title"       = "lyrical-core-torch-onnx-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), PyTorch 2.14.1, onnxruntime 1.28.0, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "lyrical-core-cu130-torch2.14.1-onnx1.28.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common grpc torch onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TORCH_VERSION=2.14.1
+    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-onnx-cu130-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    part-cuda           = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common         = dependency("common-cu130-py312", "part", "_files-common-cu130-py312")
+    part-grpc           = dependency("grpc-cu130-py312", "part", "_files-grpc-cu130-py312")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu130", "part", "_files-onnxruntime-cc-cu130")
+    part-onnxruntime    = dependency("onnxruntime-cu130-py312", "part", "_files-onnxruntime-cu130-py312")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu130-py312"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu130-py312"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu130"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu130-py312"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                = "none"
+    "io.rosml.onnxruntime"              = "1.28.0"
+    "io.rosml.cuda"                     = "13.0.96"
+    "io.rosml.cudnn"                    = "9.24.0.43"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.stack"                    = "cu130"
+    "io.rosml.parts"                    = "cuda common grpc onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                   = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_torch-onnx-cu130-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("jazzy-core", "ros", "jazzy-core")
+    part-cuda           = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common         = dependency("common-cu130-py312", "part", "_files-common-cu130-py312")
+    part-grpc           = dependency("grpc-cu130-py312", "part", "_files-grpc-cu130-py312")
+    part-torch          = dependency("torch-cu130-py312", "part", "_files-torch-cu130-py312")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu130", "part", "_files-onnxruntime-cc-cu130")
+    part-onnxruntime    = dependency("onnxruntime-cu130-py312", "part", "_files-onnxruntime-cu130-py312")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu130-py312"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu130-py312"]) ? "/" : "/out/"
+    TORCH_ROOT          = can(digests["torch-cu130-py312"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu130"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu130-py312"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.14.1"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "org.opencontainers.image.title"       = "jazzy-core-torch-onnx-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), PyTorch 2.14.1, onnxruntime 1.28.0, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "jazzy-core-cu130-torch2.14.1-onnx1.28.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common grpc torch onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TORCH_VERSION=2.14.1
+    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-onnx-cu130-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-cuda           = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common         = dependency("common-cu130-py313", "part", "_files-common-cu130-py313")
+    part-grpc           = dependency("grpc-cu130-py313", "part", "_files-grpc-cu130-py313")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu130", "part", "_files-onnxruntime-cc-cu130")
+    part-onnxruntime    = dependency("onnxruntime-cu130-py313", "part", "_files-onnxruntime-cu130-py313")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu130-py313"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu130-py313"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu130"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu130-py313"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-onnx-cu130"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), onnxruntime 1.28.0, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu130-onnx1.28.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common grpc onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_torch-onnx-cu130-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-cuda           = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common         = dependency("common-cu130-py313", "part", "_files-common-cu130-py313")
+    part-grpc           = dependency("grpc-cu130-py313", "part", "_files-grpc-cu130-py313")
+    part-torch          = dependency("torch-cu130-py313", "part", "_files-torch-cu130-py313")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu130", "part", "_files-onnxruntime-cc-cu130")
+    part-onnxruntime    = dependency("onnxruntime-cu130-py313", "part", "_files-onnxruntime-cu130-py313")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu130-py313"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu130-py313"]) ? "/" : "/out/"
+    TORCH_ROOT          = can(digests["torch-cu130-py313"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu130"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu130-py313"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.14.1"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-torch-onnx-cu130"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), PyTorch 2.14.1, onnxruntime 1.28.0, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu130-torch2.14.1-onnx1.28.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common grpc torch onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TORCH_VERSION=2.14.1
+    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-onnx-cu130-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    part-cuda           = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common         = dependency("common-cu130-py311", "part", "_files-common-cu130-py311")
+    part-grpc           = dependency("grpc-cu130-py311", "part", "_files-grpc-cu130-py311")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu130", "part", "_files-onnxruntime-cc-cu130")
+    part-onnxruntime    = dependency("onnxruntime-cu130-py311", "part", "_files-onnxruntime-cu130-py311")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu130-py311"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu130-py311"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu130"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu130-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                = "none"
+    "io.rosml.onnxruntime"              = "1.28.0"
+    "io.rosml.cuda"                     = "13.0.96"
+    "io.rosml.cudnn"                    = "9.24.0.43"
+    "io.rosml.gpu.driver"               = "580"
+    "io.rosml.stack"                    = "cu130"
+    "io.rosml.parts"                    = "cuda common grpc onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                   = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_torch-onnx-cu130-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda           = dependency("cuda-cu130", "part", "_files-cuda-cu130")
+    part-common         = dependency("common-cu130-py311", "part", "_files-common-cu130-py311")
+    part-grpc           = dependency("grpc-cu130-py311", "part", "_files-grpc-cu130-py311")
+    part-torch          = dependency("torch-cu130-py311", "part", "_files-torch-cu130-py311")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu130", "part", "_files-onnxruntime-cc-cu130")
+    part-onnxruntime    = dependency("onnxruntime-cu130-py311", "part", "_files-onnxruntime-cu130-py311")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu130"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu130-py311"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu130-py311"]) ? "/" : "/out/"
+    TORCH_ROOT          = can(digests["torch-cu130-py311"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu130"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu130-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.14.1"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.24.0.43"
+    "io.rosml.gpu.driver"                  = "580"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-torch-onnx-cu130"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), PyTorch 2.14.1, onnxruntime 1.28.0, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu130-torch2.14.1-onnx1.28.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.parts"                       = "cuda common grpc torch onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TORCH_VERSION=2.14.1
+    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV CUDA_VERSION=13.0.96
+    ENV CUDNN_VERSION=9.24.0.43
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-onnx-cu132-py314" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("lyrical-core", "ros", "lyrical-core")
+    part-cuda           = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common         = dependency("common-cu132-py314", "part", "_files-common-cu132-py314")
+    part-grpc           = dependency("grpc-cu132-py314", "part", "_files-grpc-cu132-py314")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu132", "part", "_files-onnxruntime-cc-cu132")
+    part-onnxruntime    = dependency("onnxruntime-cu132-py314", "part", "_files-onnxruntime-cu132-py314")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu132-py314"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu132-py314"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu132"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu132-py314"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "lyrical-core-onnx-cu132"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), onnxruntime 1.28.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "lyrical-core-cu132-onnx1.28.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common grpc onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_torch-onnx-cu132-py314" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("lyrical-core", "ros", "lyrical-core")
+    part-cuda           = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common         = dependency("common-cu132-py314", "part", "_files-common-cu132-py314")
+    part-grpc           = dependency("grpc-cu132-py314", "part", "_files-grpc-cu132-py314")
+    part-torch          = dependency("torch-cu132-py314", "part", "_files-torch-cu132-py314")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu132", "part", "_files-onnxruntime-cc-cu132")
+    part-onnxruntime    = dependency("onnxruntime-cu132-py314", "part", "_files-onnxruntime-cu132-py314")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu132-py314"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu132-py314"]) ? "/" : "/out/"
+    TORCH_ROOT          = can(digests["torch-cu132-py314"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu132"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu132-py314"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.15.0"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "org.opencontainers.image.title"       = "lyrical-core-torch-onnx-cu132"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), PyTorch 2.15.0, onnxruntime 1.28.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "lyrical-core-cu132-torch2.15.0-onnx1.28.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common grpc torch onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TORCH_VERSION=2.15.0
+    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-onnx-cu132-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("jazzy-core", "ros", "jazzy-core")
+    part-cuda           = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common         = dependency("common-cu132-py312", "part", "_files-common-cu132-py312")
+    part-grpc           = dependency("grpc-cu132-py312", "part", "_files-grpc-cu132-py312")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu132", "part", "_files-onnxruntime-cc-cu132")
+    part-onnxruntime    = dependency("onnxruntime-cu132-py312", "part", "_files-onnxruntime-cu132-py312")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu132-py312"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu132-py312"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu132"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu132-py312"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "jazzy-core-onnx-cu132"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), onnxruntime 1.28.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "jazzy-core-cu132-onnx1.28.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common grpc onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_torch-onnx-cu132-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("jazzy-core", "ros", "jazzy-core")
+    part-cuda           = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common         = dependency("common-cu132-py312", "part", "_files-common-cu132-py312")
+    part-grpc           = dependency("grpc-cu132-py312", "part", "_files-grpc-cu132-py312")
+    part-torch          = dependency("torch-cu132-py312", "part", "_files-torch-cu132-py312")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu132", "part", "_files-onnxruntime-cc-cu132")
+    part-onnxruntime    = dependency("onnxruntime-cu132-py312", "part", "_files-onnxruntime-cu132-py312")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu132-py312"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu132-py312"]) ? "/" : "/out/"
+    TORCH_ROOT          = can(digests["torch-cu132-py312"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu132"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu132-py312"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.15.0"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "org.opencontainers.image.title"       = "jazzy-core-torch-onnx-cu132"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), PyTorch 2.15.0, onnxruntime 1.28.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "jazzy-core-cu132-torch2.15.0-onnx1.28.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common grpc torch onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TORCH_VERSION=2.15.0
+    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-onnx-cu132-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-cuda           = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common         = dependency("common-cu132-py313", "part", "_files-common-cu132-py313")
+    part-grpc           = dependency("grpc-cu132-py313", "part", "_files-grpc-cu132-py313")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu132", "part", "_files-onnxruntime-cc-cu132")
+    part-onnxruntime    = dependency("onnxruntime-cu132-py313", "part", "_files-onnxruntime-cu132-py313")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu132-py313"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu132-py313"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu132"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu132-py313"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-onnx-cu132"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), onnxruntime 1.28.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu132-onnx1.28.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common grpc onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_torch-onnx-cu132-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-cuda           = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common         = dependency("common-cu132-py313", "part", "_files-common-cu132-py313")
+    part-grpc           = dependency("grpc-cu132-py313", "part", "_files-grpc-cu132-py313")
+    part-torch          = dependency("torch-cu132-py313", "part", "_files-torch-cu132-py313")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu132", "part", "_files-onnxruntime-cc-cu132")
+    part-onnxruntime    = dependency("onnxruntime-cu132-py313", "part", "_files-onnxruntime-cu132-py313")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu132-py313"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu132-py313"]) ? "/" : "/out/"
+    TORCH_ROOT          = can(digests["torch-cu132-py313"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu132"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu132-py313"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.15.0"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-torch-onnx-cu132"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), PyTorch 2.15.0, onnxruntime 1.28.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu132-torch2.15.0-onnx1.28.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common grpc torch onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TORCH_VERSION=2.15.0
+    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-onnx-cu132-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda           = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common         = dependency("common-cu132-py311", "part", "_files-common-cu132-py311")
+    part-grpc           = dependency("grpc-cu132-py311", "part", "_files-grpc-cu132-py311")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu132", "part", "_files-onnxruntime-cc-cu132")
+    part-onnxruntime    = dependency("onnxruntime-cu132-py311", "part", "_files-onnxruntime-cu132-py311")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu132-py311"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu132-py311"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu132"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu132-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-onnx-cu132"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), onnxruntime 1.28.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu132-onnx1.28.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common grpc onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_torch-onnx-cu132-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda           = dependency("cuda-cu132", "part", "_files-cuda-cu132")
+    part-common         = dependency("common-cu132-py311", "part", "_files-common-cu132-py311")
+    part-grpc           = dependency("grpc-cu132-py311", "part", "_files-grpc-cu132-py311")
+    part-torch          = dependency("torch-cu132-py311", "part", "_files-torch-cu132-py311")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu132", "part", "_files-onnxruntime-cc-cu132")
+    part-onnxruntime    = dependency("onnxruntime-cu132-py311", "part", "_files-onnxruntime-cu132-py311")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu132"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu132-py311"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu132-py311"]) ? "/" : "/out/"
+    TORCH_ROOT          = can(digests["torch-cu132-py311"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu132"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu132-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.15.0"
+    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.cuda"                        = "13.2.86"
+    "io.rosml.cudnn"                       = "9.26.0.51"
+    "io.rosml.gpu.driver"                  = "580"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-torch-onnx-cu132"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), PyTorch 2.15.0, onnxruntime 1.28.0, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu132-torch2.15.0-onnx1.28.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu132"
+    "io.rosml.parts"                       = "cuda common grpc torch onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TORCH_VERSION=2.15.0
+    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV CUDA_VERSION=13.2.86
+    ENV CUDNN_VERSION=9.26.0.51
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
+  EOT
+}
+
+target "_none-onnx-cu121-py38" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("noetic-core", "ros", "noetic-core")
+    part-cuda           = dependency("cuda-cu121", "part", "_files-cuda-cu121")
+    part-common         = dependency("common-cu121-py38", "part", "_files-common-cu121-py38")
+    part-grpc           = dependency("grpc-cu121-py38", "part", "_files-grpc-cu121-py38")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu121", "part", "_files-onnxruntime-cc-cu121")
+    part-onnxruntime    = dependency("onnxruntime-cu121-py38", "part", "_files-onnxruntime-cu121-py38")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu121"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu121-py38"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu121-py38"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu121"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu121-py38"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.onnxruntime"                 = "1.19.2"
+    "io.rosml.cuda"                        = "12.1.105"
+    "io.rosml.cudnn"                       = "9.1.0.70"
+    "io.rosml.gpu.driver"                  = "525"
+    "org.opencontainers.image.title"       = "noetic-core-onnx-cu121"
+    "org.opencontainers.image.description" = "ROS 1 core (noetic), onnxruntime 1.19.2, CUDA 12.1.105"
+    "org.opencontainers.image.version"     = "noetic-core-cu121-onnx1.19.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu121"
+    "io.rosml.parts"                       = "cuda common grpc onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV ONNXRUNTIME_VERSION=1.19.2
+    ENV CUDA_VERSION=12.1.105
+    ENV CUDNN_VERSION=9.1.0.70
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_torch-onnx-cu121-py38" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("noetic-core", "ros", "noetic-core")
+    part-cuda           = dependency("cuda-cu121", "part", "_files-cuda-cu121")
+    part-common         = dependency("common-cu121-py38", "part", "_files-common-cu121-py38")
+    part-grpc           = dependency("grpc-cu121-py38", "part", "_files-grpc-cu121-py38")
+    part-torch          = dependency("torch-cu121-py38", "part", "_files-torch-cu121-py38")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cu121", "part", "_files-onnxruntime-cc-cu121")
+    part-onnxruntime    = dependency("onnxruntime-cu121-py38", "part", "_files-onnxruntime-cu121-py38")
+  }
+  args = {
+    CUDA_ROOT           = can(digests["cuda-cu121"]) ? "/" : "/out/"
+    COMMON_ROOT         = can(digests["common-cu121-py38"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cu121-py38"]) ? "/" : "/out/"
+    TORCH_ROOT          = can(digests["torch-cu121-py38"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cu121"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cu121-py38"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.4.1"
+    "io.rosml.onnxruntime"                 = "1.19.2"
+    "io.rosml.cuda"                        = "12.1.105"
+    "io.rosml.cudnn"                       = "9.1.0.70"
+    "io.rosml.gpu.driver"                  = "525"
+    "io.rosml.gpu.torch.amd64"             = "sm_50 sm_60 sm_70 sm_75 sm_80 sm_86 sm_90"
+    "org.opencontainers.image.title"       = "noetic-core-torch-onnx-cu121"
+    "org.opencontainers.image.description" = "ROS 1 core (noetic), PyTorch 2.4.1, onnxruntime 1.19.2, CUDA 12.1.105"
+    "org.opencontainers.image.version"     = "noetic-core-cu121-torch2.4.1-onnx1.19.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu121"
+    "io.rosml.parts"                       = "cuda common grpc torch onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TORCH_VERSION=2.4.1
+    ENV ONNXRUNTIME_VERSION=1.19.2
+    ENV CUDA_VERSION=12.1.105
+    ENV CUDNN_VERSION=9.1.0.70
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_none-onnx-cpu-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    part-common         = dependency("common-cpu-py312", "part", "_files-common-cpu-py312")
+    part-grpc           = dependency("grpc-cpu-py312", "part", "_files-grpc-cpu-py312")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cpu", "part", "_files-onnxruntime-cc-cpu")
+    part-onnxruntime    = dependency("onnxruntime-cpu-py312", "part", "_files-onnxruntime-cpu-py312")
+  }
+  args = {
+    COMMON_ROOT         = can(digests["common-cpu-py312"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cpu-py312"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cpu"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cpu-py312"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                = "none"
+    "io.rosml.onnxruntime"              = "1.23.2"
+    "io.rosml.stack"                    = "cpu"
+    "io.rosml.parts"                    = "common grpc onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                   = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV ONNXRUNTIME_VERSION=1.23.2
+  EOT
+}
+
+target "_torch-onnx-cpu-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("jazzy-core", "ros", "jazzy-core")
+    part-common         = dependency("common-cpu-py312", "part", "_files-common-cpu-py312")
+    part-grpc           = dependency("grpc-cpu-py312", "part", "_files-grpc-cpu-py312")
+    part-torch          = dependency("torch-cpu-py312", "part", "_files-torch-cpu-py312")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cpu", "part", "_files-onnxruntime-cc-cpu")
+    part-onnxruntime    = dependency("onnxruntime-cpu-py312", "part", "_files-onnxruntime-cpu-py312")
+  }
+  args = {
+    COMMON_ROOT         = can(digests["common-cpu-py312"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cpu-py312"]) ? "/" : "/out/"
+    TORCH_ROOT          = can(digests["torch-cpu-py312"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cpu"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cpu-py312"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "org.opencontainers.image.title"       = "jazzy-core-torch-onnx-cpu"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), PyTorch 2.10.0, onnxruntime 1.23.2"
+    "org.opencontainers.image.version"     = "jazzy-core-cpu-torch2.10.0-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.parts"                       = "common grpc torch onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TORCH_VERSION=2.10.0
+    ENV ONNXRUNTIME_VERSION=1.23.2
+  EOT
+}
+
+target "_tensorflow-onnx-cpu-py312" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("jazzy-core", "ros", "jazzy-core")
+    part-common         = dependency("common-cpu-py312", "part", "_files-common-cpu-py312")
+    part-grpc           = dependency("grpc-cpu-py312", "part", "_files-grpc-cpu-py312")
+    part-tensorflow-cc  = dependency("tensorflow-cc-cpu", "part", "_files-tensorflow-cc-cpu")
+    part-tensorflow     = dependency("tensorflow-cpu-py312", "part", "_files-tensorflow-cpu-py312")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cpu", "part", "_files-onnxruntime-cc-cpu")
+    part-onnxruntime    = dependency("onnxruntime-cpu-py312", "part", "_files-onnxruntime-cpu-py312")
+  }
+  args = {
+    COMMON_ROOT         = can(digests["common-cpu-py312"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cpu-py312"]) ? "/" : "/out/"
+    TENSORFLOW_CC_ROOT  = can(digests["tensorflow-cc-cpu"]) ? "/" : "/out/"
+    TENSORFLOW_ROOT     = can(digests["tensorflow-cpu-py312"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cpu"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cpu-py312"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND BSD-2-Clause AND MPL-2.0"
+    "io.rosml.framework"                   = "tensorflow"
+    "io.rosml.tensorflow"                  = "2.21.0"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "org.opencontainers.image.title"       = "jazzy-core-tensorflow-onnx-cpu"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), TensorFlow 2.21.0, onnxruntime 1.23.2"
+    "org.opencontainers.image.version"     = "jazzy-core-cpu-tf2.21.0-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.parts"                       = "common grpc tensorflow-cc tensorflow onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TENSORFLOW_CC_ROOT
+    COPY --link --from=part-tensorflow-cc $TENSORFLOW_CC_ROOT /
+    ARG TENSORFLOW_ROOT
+    COPY --link --from=part-tensorflow $TENSORFLOW_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TENSORFLOW_VERSION=2.21.0
+    ENV ONNXRUNTIME_VERSION=1.23.2
+  EOT
+}
+
+target "_none-onnx-cpu-py310" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    part-common         = dependency("common-cpu-py310", "part", "_files-common-cpu-py310")
+    part-grpc           = dependency("grpc-cpu-py310", "part", "_files-grpc-cpu-py310")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cpu", "part", "_files-onnxruntime-cc-cpu")
+    part-onnxruntime    = dependency("onnxruntime-cpu-py310", "part", "_files-onnxruntime-cpu-py310")
+  }
+  args = {
+    COMMON_ROOT         = can(digests["common-cpu-py310"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cpu-py310"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cpu"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cpu-py310"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                = "none"
+    "io.rosml.onnxruntime"              = "1.23.2"
+    "io.rosml.stack"                    = "cpu"
+    "io.rosml.parts"                    = "common grpc onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                   = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV ONNXRUNTIME_VERSION=1.23.2
+  EOT
+}
+
+target "_torch-onnx-cpu-py310" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("humble-core", "ros", "humble-core")
+    part-common         = dependency("common-cpu-py310", "part", "_files-common-cpu-py310")
+    part-grpc           = dependency("grpc-cpu-py310", "part", "_files-grpc-cpu-py310")
+    part-torch          = dependency("torch-cpu-py310", "part", "_files-torch-cpu-py310")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cpu", "part", "_files-onnxruntime-cc-cpu")
+    part-onnxruntime    = dependency("onnxruntime-cpu-py310", "part", "_files-onnxruntime-cpu-py310")
+  }
+  args = {
+    COMMON_ROOT         = can(digests["common-cpu-py310"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cpu-py310"]) ? "/" : "/out/"
+    TORCH_ROOT          = can(digests["torch-cpu-py310"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cpu"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cpu-py310"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "org.opencontainers.image.title"       = "humble-core-torch-onnx-cpu"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), PyTorch 2.10.0, onnxruntime 1.23.2"
+    "org.opencontainers.image.version"     = "humble-core-cpu-torch2.10.0-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.parts"                       = "common grpc torch onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TORCH_VERSION=2.10.0
+    ENV ONNXRUNTIME_VERSION=1.23.2
+  EOT
+}
+
+target "_tensorflow-onnx-cpu-py310" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("humble-core", "ros", "humble-core")
+    part-common         = dependency("common-cpu-py310", "part", "_files-common-cpu-py310")
+    part-grpc           = dependency("grpc-cpu-py310", "part", "_files-grpc-cpu-py310")
+    part-tensorflow-cc  = dependency("tensorflow-cc-cpu", "part", "_files-tensorflow-cc-cpu")
+    part-tensorflow     = dependency("tensorflow-cpu-py310", "part", "_files-tensorflow-cpu-py310")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cpu", "part", "_files-onnxruntime-cc-cpu")
+    part-onnxruntime    = dependency("onnxruntime-cpu-py310", "part", "_files-onnxruntime-cpu-py310")
+  }
+  args = {
+    COMMON_ROOT         = can(digests["common-cpu-py310"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cpu-py310"]) ? "/" : "/out/"
+    TENSORFLOW_CC_ROOT  = can(digests["tensorflow-cc-cpu"]) ? "/" : "/out/"
+    TENSORFLOW_ROOT     = can(digests["tensorflow-cpu-py310"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cpu"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cpu-py310"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND BSD-2-Clause AND MPL-2.0"
+    "io.rosml.framework"                   = "tensorflow"
+    "io.rosml.tensorflow"                  = "2.21.0"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "org.opencontainers.image.title"       = "humble-core-tensorflow-onnx-cpu"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), TensorFlow 2.21.0, onnxruntime 1.23.2"
+    "org.opencontainers.image.version"     = "humble-core-cpu-tf2.21.0-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.parts"                       = "common grpc tensorflow-cc tensorflow onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TENSORFLOW_CC_ROOT
+    COPY --link --from=part-tensorflow-cc $TENSORFLOW_CC_ROOT /
+    ARG TENSORFLOW_ROOT
+    COPY --link --from=part-tensorflow $TENSORFLOW_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TENSORFLOW_VERSION=2.21.0
+    ENV ONNXRUNTIME_VERSION=1.23.2
+  EOT
+}
+
+target "_none-onnx-cpu-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-common         = dependency("common-cpu-py313", "part", "_files-common-cpu-py313")
+    part-grpc           = dependency("grpc-cpu-py313", "part", "_files-grpc-cpu-py313")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cpu", "part", "_files-onnxruntime-cc-cpu")
+    part-onnxruntime    = dependency("onnxruntime-cpu-py313", "part", "_files-onnxruntime-cpu-py313")
+  }
+  args = {
+    COMMON_ROOT         = can(digests["common-cpu-py313"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cpu-py313"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cpu"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cpu-py313"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-onnx-cpu"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), onnxruntime 1.23.2"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cpu-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.parts"                       = "common grpc onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV ONNXRUNTIME_VERSION=1.23.2
+  EOT
+}
+
+target "_torch-onnx-cpu-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-common         = dependency("common-cpu-py313", "part", "_files-common-cpu-py313")
+    part-grpc           = dependency("grpc-cpu-py313", "part", "_files-grpc-cpu-py313")
+    part-torch          = dependency("torch-cpu-py313", "part", "_files-torch-cpu-py313")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cpu", "part", "_files-onnxruntime-cc-cpu")
+    part-onnxruntime    = dependency("onnxruntime-cpu-py313", "part", "_files-onnxruntime-cpu-py313")
+  }
+  args = {
+    COMMON_ROOT         = can(digests["common-cpu-py313"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cpu-py313"]) ? "/" : "/out/"
+    TORCH_ROOT          = can(digests["torch-cpu-py313"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cpu"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cpu-py313"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-torch-onnx-cpu"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), PyTorch 2.10.0, onnxruntime 1.23.2"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cpu-torch2.10.0-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.parts"                       = "common grpc torch onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TORCH_VERSION=2.10.0
+    ENV ONNXRUNTIME_VERSION=1.23.2
+  EOT
+}
+
+target "_tensorflow-onnx-cpu-py313" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
+    part-common         = dependency("common-cpu-py313", "part", "_files-common-cpu-py313")
+    part-grpc           = dependency("grpc-cpu-py313", "part", "_files-grpc-cpu-py313")
+    part-tensorflow-cc  = dependency("tensorflow-cc-cpu", "part", "_files-tensorflow-cc-cpu")
+    part-tensorflow     = dependency("tensorflow-cpu-py313", "part", "_files-tensorflow-cpu-py313")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cpu", "part", "_files-onnxruntime-cc-cpu")
+    part-onnxruntime    = dependency("onnxruntime-cpu-py313", "part", "_files-onnxruntime-cpu-py313")
+  }
+  args = {
+    COMMON_ROOT         = can(digests["common-cpu-py313"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cpu-py313"]) ? "/" : "/out/"
+    TENSORFLOW_CC_ROOT  = can(digests["tensorflow-cc-cpu"]) ? "/" : "/out/"
+    TENSORFLOW_ROOT     = can(digests["tensorflow-cpu-py313"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cpu"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cpu-py313"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND BSD-2-Clause AND MPL-2.0"
+    "io.rosml.framework"                   = "tensorflow"
+    "io.rosml.tensorflow"                  = "2.21.0"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "org.opencontainers.image.title"       = "ros1-trixie-core-tensorflow-onnx-cpu"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), TensorFlow 2.21.0, onnxruntime 1.23.2"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cpu-tf2.21.0-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.parts"                       = "common grpc tensorflow-cc tensorflow onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TENSORFLOW_CC_ROOT
+    COPY --link --from=part-tensorflow-cc $TENSORFLOW_CC_ROOT /
+    ARG TENSORFLOW_ROOT
+    COPY --link --from=part-tensorflow $TENSORFLOW_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TENSORFLOW_VERSION=2.21.0
+    ENV ONNXRUNTIME_VERSION=1.23.2
+  EOT
+}
+
+target "_none-onnx-cpu-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    part-common         = dependency("common-cpu-py311", "part", "_files-common-cpu-py311")
+    part-grpc           = dependency("grpc-cpu-py311", "part", "_files-grpc-cpu-py311")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cpu", "part", "_files-onnxruntime-cc-cpu")
+    part-onnxruntime    = dependency("onnxruntime-cpu-py311", "part", "_files-onnxruntime-cpu-py311")
+  }
+  args = {
+    COMMON_ROOT         = can(digests["common-cpu-py311"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cpu-py311"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cpu"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cpu-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses" = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                = "none"
+    "io.rosml.onnxruntime"              = "1.23.2"
+    "io.rosml.stack"                    = "cpu"
+    "io.rosml.parts"                    = "common grpc onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                   = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV ONNXRUNTIME_VERSION=1.23.2
+  EOT
+}
+
+target "_torch-onnx-cpu-py311" {
+  description = "cannot be built yet: no lock; run 'rosml locks' on a machine that reaches the package indexes, PyTorch's own among them"
+  platforms   = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-common         = dependency("common-cpu-py311", "part", "_files-common-cpu-py311")
+    part-grpc           = dependency("grpc-cpu-py311", "part", "_files-grpc-cpu-py311")
+    part-torch          = dependency("torch-cpu-py311", "part", "_files-torch-cpu-py311")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cpu", "part", "_files-onnxruntime-cc-cpu")
+    part-onnxruntime    = dependency("onnxruntime-cpu-py311", "part", "_files-onnxruntime-cpu-py311")
+  }
+  args = {
+    COMMON_ROOT         = can(digests["common-cpu-py311"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cpu-py311"]) ? "/" : "/out/"
+    TORCH_ROOT          = can(digests["torch-cpu-py311"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cpu"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cpu-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-torch-onnx-cpu"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), PyTorch 2.10.0, onnxruntime 1.23.2"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cpu-torch2.10.0-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.parts"                       = "common grpc torch onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TORCH_VERSION=2.10.0
+    ENV ONNXRUNTIME_VERSION=1.23.2
+  EOT
+}
+
+target "_tensorflow-onnx-cpu-py311" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-common         = dependency("common-cpu-py311", "part", "_files-common-cpu-py311")
+    part-grpc           = dependency("grpc-cpu-py311", "part", "_files-grpc-cpu-py311")
+    part-tensorflow-cc  = dependency("tensorflow-cc-cpu", "part", "_files-tensorflow-cc-cpu")
+    part-tensorflow     = dependency("tensorflow-cpu-py311", "part", "_files-tensorflow-cpu-py311")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cpu", "part", "_files-onnxruntime-cc-cpu")
+    part-onnxruntime    = dependency("onnxruntime-cpu-py311", "part", "_files-onnxruntime-cpu-py311")
+  }
+  args = {
+    COMMON_ROOT         = can(digests["common-cpu-py311"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cpu-py311"]) ? "/" : "/out/"
+    TENSORFLOW_CC_ROOT  = can(digests["tensorflow-cc-cpu"]) ? "/" : "/out/"
+    TENSORFLOW_ROOT     = can(digests["tensorflow-cpu-py311"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cpu"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cpu-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND BSD-2-Clause AND MPL-2.0"
+    "io.rosml.framework"                   = "tensorflow"
+    "io.rosml.tensorflow"                  = "2.21.0"
+    "io.rosml.onnxruntime"                 = "1.23.2"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-tensorflow-onnx-cpu"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), TensorFlow 2.21.0, onnxruntime 1.23.2"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cpu-tf2.21.0-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.parts"                       = "common grpc tensorflow-cc tensorflow onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG TENSORFLOW_CC_ROOT
+    COPY --link --from=part-tensorflow-cc $TENSORFLOW_CC_ROOT /
+    ARG TENSORFLOW_ROOT
+    COPY --link --from=part-tensorflow $TENSORFLOW_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV TENSORFLOW_VERSION=2.21.0
+    ENV ONNXRUNTIME_VERSION=1.23.2
   EOT
 }
 
@@ -9426,6 +12444,14 @@ target "noetic-base-run-tensorflow-cpu38" {
   ]
 }
 
+target "noetic-core-onnx-cu121" {
+  inherits = ["_noetic", "_none-onnx-cu121-py38"]
+}
+
+target "noetic-core-torch-onnx-cu121" {
+  inherits = ["_noetic", "_torch-onnx-cu121-py38"]
+}
+
 target "noetic-core-devel-cu130" {
   inherits = ["_noetic", "_none-devel-cu130-py38"]
 }
@@ -11475,6 +14501,79 @@ target "humble-base-run-ml-cpu" {
     "${REGISTRY}/ros-ml:humble-base-run-cpu",
     "${REGISTRY}/ros-ml:humble-base-run-cpu-torch2.10.0-tf2.21.0"
   ]
+}
+
+target "humble-core-onnx-cu128" {
+  inherits = ["_humble", "_none-onnx-cu128-py310"]
+  contexts = { ros = dependency("humble-core", "ros", "humble-core") }
+  labels = {
+    "org.opencontainers.image.title"       = "humble-core-onnx-cu128"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), onnxruntime 1.23.2, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "humble-core-cu128-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+  }
+}
+
+target "humble-base-onnx-cu128" {
+  inherits = ["_humble", "_none-onnx-cu128-py310"]
+  contexts = { ros = dependency("humble-base", "ros", "humble-base") }
+  labels = {
+    "org.opencontainers.image.title"       = "humble-base-onnx-cu128"
+    "org.opencontainers.image.description" = "ROS 2 base (humble), onnxruntime 1.23.2, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "humble-base-cu128-onnx1.23.2"
+    "io.rosml.component"                   = "base"
+    "io.rosml.runtime"                     = "base-run"
+  }
+  tags = [
+    "${REGISTRY}/ros-onnx:humble-base-cu128",
+    "${REGISTRY}/ros-onnx:humble-base-cu128-onnx1.23.2",
+    "${REGISTRY}/ros-onnx:humble"
+  ]
+}
+
+target "humble-core-torch-onnx-cu128" {
+  inherits = ["_humble", "_torch-onnx-cu128-py310"]
+}
+
+target "humble-core-tensorflow-onnx-cu128" {
+  inherits = ["_humble", "_tensorflow-onnx-cu128-py310"]
+}
+
+target "humble-core-onnx-cpu" {
+  inherits = ["_humble", "_none-onnx-cpu-py310"]
+  contexts = { ros = dependency("humble-core", "ros", "humble-core") }
+  labels = {
+    "org.opencontainers.image.title"       = "humble-core-onnx-cpu"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), onnxruntime 1.23.2"
+    "org.opencontainers.image.version"     = "humble-core-cpu-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+  }
+}
+
+target "humble-base-onnx-cpu" {
+  inherits = ["_humble", "_none-onnx-cpu-py310"]
+  contexts = { ros = dependency("humble-base", "ros", "humble-base") }
+  labels = {
+    "org.opencontainers.image.title"       = "humble-base-onnx-cpu"
+    "org.opencontainers.image.description" = "ROS 2 base (humble), onnxruntime 1.23.2"
+    "org.opencontainers.image.version"     = "humble-base-cpu-onnx1.23.2"
+    "io.rosml.component"                   = "base"
+    "io.rosml.runtime"                     = "base-run"
+  }
+  tags = [
+    "${REGISTRY}/ros-onnx:humble-base-cpu",
+    "${REGISTRY}/ros-onnx:humble-base-cpu-onnx1.23.2"
+  ]
+}
+
+target "humble-core-torch-onnx-cpu" {
+  inherits = ["_humble", "_torch-onnx-cpu-py310"]
+}
+
+target "humble-core-tensorflow-onnx-cpu" {
+  inherits = ["_humble", "_tensorflow-onnx-cpu-py310"]
 }
 
 target "humble-core-devel-cu130" {
@@ -14370,6 +17469,120 @@ target "jazzy-base-run-ml-cpu" {
   ]
 }
 
+target "jazzy-core-onnx-cu128" {
+  inherits = ["_jazzy", "_none-onnx-cu128-py312"]
+  contexts = { ros = dependency("jazzy-core", "ros", "jazzy-core") }
+  labels = {
+    "org.opencontainers.image.title"       = "jazzy-core-onnx-cu128"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), onnxruntime 1.23.2, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "jazzy-core-cu128-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+  }
+}
+
+target "jazzy-base-onnx-cu128" {
+  inherits = ["_jazzy", "_none-onnx-cu128-py312"]
+  contexts = { ros = dependency("jazzy-base", "ros", "jazzy-base") }
+  labels = {
+    "org.opencontainers.image.title"       = "jazzy-base-onnx-cu128"
+    "org.opencontainers.image.description" = "ROS 2 base (jazzy), onnxruntime 1.23.2, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "jazzy-base-cu128-onnx1.23.2"
+    "io.rosml.component"                   = "base"
+    "io.rosml.runtime"                     = "base-run"
+  }
+  tags = [
+    "${REGISTRY}/ros-onnx:jazzy-base-cu128",
+    "${REGISTRY}/ros-onnx:jazzy-base-cu128-onnx1.23.2"
+  ]
+}
+
+target "jazzy-core-torch-onnx-cu128" {
+  inherits = ["_jazzy", "_torch-onnx-cu128-py312"]
+}
+
+target "jazzy-core-tensorflow-onnx-cu128" {
+  inherits = ["_jazzy", "_tensorflow-onnx-cu128-py312"]
+}
+
+target "jazzy-core-onnx-cu130" {
+  inherits = ["_jazzy", "_none-onnx-cu130-py312"]
+  contexts = { ros = dependency("jazzy-core", "ros", "jazzy-core") }
+  labels = {
+    "org.opencontainers.image.title"       = "jazzy-core-onnx-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), onnxruntime 1.28.0, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "jazzy-core-cu130-onnx1.28.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+  }
+}
+
+target "jazzy-base-onnx-cu130" {
+  inherits = ["_jazzy", "_none-onnx-cu130-py312"]
+  contexts = { ros = dependency("jazzy-base", "ros", "jazzy-base") }
+  labels = {
+    "org.opencontainers.image.title"       = "jazzy-base-onnx-cu130"
+    "org.opencontainers.image.description" = "ROS 2 base (jazzy), onnxruntime 1.28.0, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "jazzy-base-cu130-onnx1.28.0"
+    "io.rosml.component"                   = "base"
+    "io.rosml.runtime"                     = "base-run"
+  }
+  tags = [
+    "${REGISTRY}/ros-onnx:jazzy-base-cu130",
+    "${REGISTRY}/ros-onnx:jazzy-base-cu130-onnx1.28.0",
+    "${REGISTRY}/ros-onnx:jazzy",
+    "${REGISTRY}/ros-onnx:latest"
+  ]
+}
+
+target "jazzy-core-torch-onnx-cu130" {
+  inherits = ["_jazzy", "_torch-onnx-cu130-py312"]
+}
+
+target "jazzy-core-onnx-cu132" {
+  inherits = ["_jazzy", "_none-onnx-cu132-py312"]
+}
+
+target "jazzy-core-torch-onnx-cu132" {
+  inherits = ["_jazzy", "_torch-onnx-cu132-py312"]
+}
+
+target "jazzy-core-onnx-cpu" {
+  inherits = ["_jazzy", "_none-onnx-cpu-py312"]
+  contexts = { ros = dependency("jazzy-core", "ros", "jazzy-core") }
+  labels = {
+    "org.opencontainers.image.title"       = "jazzy-core-onnx-cpu"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), onnxruntime 1.23.2"
+    "org.opencontainers.image.version"     = "jazzy-core-cpu-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+  }
+}
+
+target "jazzy-base-onnx-cpu" {
+  inherits = ["_jazzy", "_none-onnx-cpu-py312"]
+  contexts = { ros = dependency("jazzy-base", "ros", "jazzy-base") }
+  labels = {
+    "org.opencontainers.image.title"       = "jazzy-base-onnx-cpu"
+    "org.opencontainers.image.description" = "ROS 2 base (jazzy), onnxruntime 1.23.2"
+    "org.opencontainers.image.version"     = "jazzy-base-cpu-onnx1.23.2"
+    "io.rosml.component"                   = "base"
+    "io.rosml.runtime"                     = "base-run"
+  }
+  tags = [
+    "${REGISTRY}/ros-onnx:jazzy-base-cpu",
+    "${REGISTRY}/ros-onnx:jazzy-base-cpu-onnx1.23.2"
+  ]
+}
+
+target "jazzy-core-torch-onnx-cpu" {
+  inherits = ["_jazzy", "_torch-onnx-cpu-py312"]
+}
+
+target "jazzy-core-tensorflow-onnx-cpu" {
+  inherits = ["_jazzy", "_tensorflow-onnx-cpu-py312"]
+}
+
 target "jazzy-core-devel-cu130" {
   inherits = ["_jazzy", "_none-devel-cu130-py312"]
 }
@@ -16928,6 +20141,47 @@ target "lyrical-base-run-torch-cpu" {
     "${REGISTRY}/ros-torch:lyrical-base-run-cpu",
     "${REGISTRY}/ros-torch:lyrical-base-run-cpu-torch2.10.0"
   ]
+}
+
+target "lyrical-core-onnx-cu130" {
+  inherits = ["_lyrical", "_none-onnx-cu130-py314"]
+  contexts = { ros = dependency("lyrical-core", "ros", "lyrical-core") }
+  labels = {
+    "org.opencontainers.image.title"       = "lyrical-core-onnx-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), onnxruntime 1.28.0, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "lyrical-core-cu130-onnx1.28.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+  }
+}
+
+target "lyrical-base-onnx-cu130" {
+  inherits = ["_lyrical", "_none-onnx-cu130-py314"]
+  contexts = { ros = dependency("lyrical-base", "ros", "lyrical-base") }
+  labels = {
+    "org.opencontainers.image.title"       = "lyrical-base-onnx-cu130"
+    "org.opencontainers.image.description" = "ROS 2 base (lyrical), onnxruntime 1.28.0, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "lyrical-base-cu130-onnx1.28.0"
+    "io.rosml.component"                   = "base"
+    "io.rosml.runtime"                     = "base-run"
+  }
+  tags = [
+    "${REGISTRY}/ros-onnx:lyrical-base-cu130",
+    "${REGISTRY}/ros-onnx:lyrical-base-cu130-onnx1.28.0",
+    "${REGISTRY}/ros-onnx:lyrical"
+  ]
+}
+
+target "lyrical-core-torch-onnx-cu130" {
+  inherits = ["_lyrical", "_torch-onnx-cu130-py314"]
+}
+
+target "lyrical-core-onnx-cu132" {
+  inherits = ["_lyrical", "_none-onnx-cu132-py314"]
+}
+
+target "lyrical-core-torch-onnx-cu132" {
+  inherits = ["_lyrical", "_torch-onnx-cu132-py314"]
 }
 
 target "lyrical-core-devel-cu132" {
@@ -19942,6 +23196,126 @@ target "ros1-bookworm-base-run-ml-cpu" {
   ]
 }
 
+target "ros1-bookworm-core-onnx-cu128" {
+  inherits = ["_ros1-bookworm", "_none-onnx-cu128-py311"]
+  contexts = { ros = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core") }
+  labels = {
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-onnx-cu128"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), onnxruntime 1.23.2, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu128-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+  }
+}
+
+target "ros1-bookworm-base-onnx-cu128" {
+  inherits = ["_ros1-bookworm", "_none-onnx-cu128-py311"]
+  contexts = { ros = dependency("ros1-bookworm-base", "ros", "ros1-bookworm-base") }
+  labels = {
+    "org.opencontainers.image.title"       = "ros1-bookworm-base-onnx-cu128"
+    "org.opencontainers.image.description" = "ROS 1 base (ros1-bookworm), onnxruntime 1.23.2, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "ros1-bookworm-base-cu128-onnx1.23.2"
+    "io.rosml.component"                   = "base"
+    "io.rosml.runtime"                     = "base-run"
+  }
+  tags = [
+    "${REGISTRY}/ros-onnx:ros1-bookworm-base-cu128",
+    "${REGISTRY}/ros-onnx:ros1-bookworm-base-cu128-onnx1.23.2",
+    "${REGISTRY}/ros-onnx:bookworm-base-cu128",
+    "${REGISTRY}/ros-onnx:bookworm-base-cu128-onnx1.23.2"
+  ]
+}
+
+target "ros1-bookworm-core-torch-onnx-cu128" {
+  inherits = ["_ros1-bookworm", "_torch-onnx-cu128-py311"]
+}
+
+target "ros1-bookworm-core-tensorflow-onnx-cu128" {
+  inherits = ["_ros1-bookworm", "_tensorflow-onnx-cu128-py311"]
+}
+
+target "ros1-bookworm-core-onnx-cu130" {
+  inherits = ["_ros1-bookworm", "_none-onnx-cu130-py311"]
+  contexts = { ros = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core") }
+  labels = {
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-onnx-cu130"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), onnxruntime 1.28.0, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu130-onnx1.28.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+  }
+}
+
+target "ros1-bookworm-base-onnx-cu130" {
+  inherits = ["_ros1-bookworm", "_none-onnx-cu130-py311"]
+  contexts = { ros = dependency("ros1-bookworm-base", "ros", "ros1-bookworm-base") }
+  labels = {
+    "org.opencontainers.image.title"       = "ros1-bookworm-base-onnx-cu130"
+    "org.opencontainers.image.description" = "ROS 1 base (ros1-bookworm), onnxruntime 1.28.0, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-bookworm-base-cu130-onnx1.28.0"
+    "io.rosml.component"                   = "base"
+    "io.rosml.runtime"                     = "base-run"
+  }
+  tags = [
+    "${REGISTRY}/ros-onnx:ros1-bookworm-base-cu130",
+    "${REGISTRY}/ros-onnx:ros1-bookworm-base-cu130-onnx1.28.0",
+    "${REGISTRY}/ros-onnx:bookworm-base-cu130",
+    "${REGISTRY}/ros-onnx:bookworm-base-cu130-onnx1.28.0",
+    "${REGISTRY}/ros-onnx:ros1-bookworm",
+    "${REGISTRY}/ros-onnx:bookworm"
+  ]
+}
+
+target "ros1-bookworm-core-torch-onnx-cu130" {
+  inherits = ["_ros1-bookworm", "_torch-onnx-cu130-py311"]
+}
+
+target "ros1-bookworm-core-onnx-cu132" {
+  inherits = ["_ros1-bookworm", "_none-onnx-cu132-py311"]
+}
+
+target "ros1-bookworm-core-torch-onnx-cu132" {
+  inherits = ["_ros1-bookworm", "_torch-onnx-cu132-py311"]
+}
+
+target "ros1-bookworm-core-onnx-cpu" {
+  inherits = ["_ros1-bookworm", "_none-onnx-cpu-py311"]
+  contexts = { ros = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core") }
+  labels = {
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-onnx-cpu"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), onnxruntime 1.23.2"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cpu-onnx1.23.2"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+  }
+}
+
+target "ros1-bookworm-base-onnx-cpu" {
+  inherits = ["_ros1-bookworm", "_none-onnx-cpu-py311"]
+  contexts = { ros = dependency("ros1-bookworm-base", "ros", "ros1-bookworm-base") }
+  labels = {
+    "org.opencontainers.image.title"       = "ros1-bookworm-base-onnx-cpu"
+    "org.opencontainers.image.description" = "ROS 1 base (ros1-bookworm), onnxruntime 1.23.2"
+    "org.opencontainers.image.version"     = "ros1-bookworm-base-cpu-onnx1.23.2"
+    "io.rosml.component"                   = "base"
+    "io.rosml.runtime"                     = "base-run"
+  }
+  tags = [
+    "${REGISTRY}/ros-onnx:ros1-bookworm-base-cpu",
+    "${REGISTRY}/ros-onnx:ros1-bookworm-base-cpu-onnx1.23.2",
+    "${REGISTRY}/ros-onnx:bookworm-base-cpu",
+    "${REGISTRY}/ros-onnx:bookworm-base-cpu-onnx1.23.2"
+  ]
+}
+
+target "ros1-bookworm-core-torch-onnx-cpu" {
+  inherits = ["_ros1-bookworm", "_torch-onnx-cpu-py311"]
+}
+
+target "ros1-bookworm-core-tensorflow-onnx-cpu" {
+  inherits = ["_ros1-bookworm", "_tensorflow-onnx-cpu-py311"]
+}
+
 target "ros1-bookworm-core-devel-cu130" {
   inherits = ["_ros1-bookworm", "_none-devel-cu130-py311"]
 }
@@ -21867,6 +25241,46 @@ target "ros1-trixie-base-run-ml-cpu" {
   ]
 }
 
+target "ros1-trixie-core-onnx-cu128" {
+  inherits = ["_ros1-trixie", "_none-onnx-cu128-py313"]
+}
+
+target "ros1-trixie-core-torch-onnx-cu128" {
+  inherits = ["_ros1-trixie", "_torch-onnx-cu128-py313"]
+}
+
+target "ros1-trixie-core-tensorflow-onnx-cu128" {
+  inherits = ["_ros1-trixie", "_tensorflow-onnx-cu128-py313"]
+}
+
+target "ros1-trixie-core-onnx-cu130" {
+  inherits = ["_ros1-trixie", "_none-onnx-cu130-py313"]
+}
+
+target "ros1-trixie-core-torch-onnx-cu130" {
+  inherits = ["_ros1-trixie", "_torch-onnx-cu130-py313"]
+}
+
+target "ros1-trixie-core-onnx-cu132" {
+  inherits = ["_ros1-trixie", "_none-onnx-cu132-py313"]
+}
+
+target "ros1-trixie-core-torch-onnx-cu132" {
+  inherits = ["_ros1-trixie", "_torch-onnx-cu132-py313"]
+}
+
+target "ros1-trixie-core-onnx-cpu" {
+  inherits = ["_ros1-trixie", "_none-onnx-cpu-py313"]
+}
+
+target "ros1-trixie-core-torch-onnx-cpu" {
+  inherits = ["_ros1-trixie", "_torch-onnx-cpu-py313"]
+}
+
+target "ros1-trixie-core-tensorflow-onnx-cpu" {
+  inherits = ["_ros1-trixie", "_tensorflow-onnx-cpu-py313"]
+}
+
 target "ros1-trixie-core-devel-cu130" {
   inherits = ["_ros1-trixie", "_none-devel-cu130-py313"]
 }
@@ -22144,7 +25558,7 @@ group "foxy" {
 
 group "humble" {
   targets = [
-    "humble-core", "humble-base", "humble-perception", "humble-desktop", "humble-desktop-full", "humble-core-run", "humble-base-run", "humble-core-cuda-cu128", "humble-base-cuda-cu128", "humble-perception-cuda-cu128", "humble-desktop-cuda-cu128", "humble-desktop-full-cuda-cu128", "humble-core-run-cuda-cu128", "humble-base-run-cuda-cu128", "humble-core-cuda-cu130", "humble-base-cuda-cu130", "humble-perception-cuda-cu130", "humble-desktop-cuda-cu130", "humble-desktop-full-cuda-cu130", "humble-core-run-cuda-cu130", "humble-base-run-cuda-cu130", "humble-core-cuda-cu132", "humble-base-cuda-cu132", "humble-perception-cuda-cu132", "humble-desktop-cuda-cu132", "humble-desktop-full-cuda-cu132", "humble-core-run-cuda-cu132", "humble-base-run-cuda-cu132", "humble-core-cuda-cu121", "humble-base-cuda-cu121", "humble-perception-cuda-cu121", "humble-desktop-cuda-cu121", "humble-desktop-full-cuda-cu121", "humble-core-run-cuda-cu121", "humble-base-run-cuda-cu121", "humble-core-torch-cu128", "humble-base-torch-cu128", "humble-perception-torch-cu128", "humble-desktop-torch-cu128", "humble-desktop-full-torch-cu128", "humble-core-run-torch-cu128", "humble-base-run-torch-cu128", "humble-core-torch-cu130", "humble-base-torch-cu130", "humble-perception-torch-cu130", "humble-desktop-torch-cu130", "humble-desktop-full-torch-cu130", "humble-core-run-torch-cu130", "humble-base-run-torch-cu130", "humble-core-torch-cpu", "humble-base-torch-cpu", "humble-perception-torch-cpu", "humble-desktop-torch-cpu", "humble-desktop-full-torch-cpu", "humble-core-run-torch-cpu", "humble-base-run-torch-cpu", "humble-core-tensorflow-cu128", "humble-base-tensorflow-cu128", "humble-perception-tensorflow-cu128", "humble-desktop-tensorflow-cu128", "humble-desktop-full-tensorflow-cu128", "humble-core-run-tensorflow-cu128", "humble-base-run-tensorflow-cu128", "humble-core-tensorflow-cpu", "humble-base-tensorflow-cpu", "humble-perception-tensorflow-cpu", "humble-desktop-tensorflow-cpu", "humble-desktop-full-tensorflow-cpu", "humble-core-run-tensorflow-cpu", "humble-base-run-tensorflow-cpu", "humble-core-ml-cu128", "humble-base-ml-cu128", "humble-perception-ml-cu128", "humble-desktop-ml-cu128", "humble-desktop-full-ml-cu128", "humble-core-run-ml-cu128", "humble-base-run-ml-cu128", "humble-core-ml-cpu", "humble-base-ml-cpu", "humble-perception-ml-cpu", "humble-desktop-ml-cpu", "humble-desktop-full-ml-cpu", "humble-core-run-ml-cpu", "humble-base-run-ml-cpu",
+    "humble-core", "humble-base", "humble-perception", "humble-desktop", "humble-desktop-full", "humble-core-run", "humble-base-run", "humble-core-cuda-cu128", "humble-base-cuda-cu128", "humble-perception-cuda-cu128", "humble-desktop-cuda-cu128", "humble-desktop-full-cuda-cu128", "humble-core-run-cuda-cu128", "humble-base-run-cuda-cu128", "humble-core-cuda-cu130", "humble-base-cuda-cu130", "humble-perception-cuda-cu130", "humble-desktop-cuda-cu130", "humble-desktop-full-cuda-cu130", "humble-core-run-cuda-cu130", "humble-base-run-cuda-cu130", "humble-core-cuda-cu132", "humble-base-cuda-cu132", "humble-perception-cuda-cu132", "humble-desktop-cuda-cu132", "humble-desktop-full-cuda-cu132", "humble-core-run-cuda-cu132", "humble-base-run-cuda-cu132", "humble-core-cuda-cu121", "humble-base-cuda-cu121", "humble-perception-cuda-cu121", "humble-desktop-cuda-cu121", "humble-desktop-full-cuda-cu121", "humble-core-run-cuda-cu121", "humble-base-run-cuda-cu121", "humble-core-torch-cu128", "humble-base-torch-cu128", "humble-perception-torch-cu128", "humble-desktop-torch-cu128", "humble-desktop-full-torch-cu128", "humble-core-run-torch-cu128", "humble-base-run-torch-cu128", "humble-core-torch-cu130", "humble-base-torch-cu130", "humble-perception-torch-cu130", "humble-desktop-torch-cu130", "humble-desktop-full-torch-cu130", "humble-core-run-torch-cu130", "humble-base-run-torch-cu130", "humble-core-torch-cpu", "humble-base-torch-cpu", "humble-perception-torch-cpu", "humble-desktop-torch-cpu", "humble-desktop-full-torch-cpu", "humble-core-run-torch-cpu", "humble-base-run-torch-cpu", "humble-core-tensorflow-cu128", "humble-base-tensorflow-cu128", "humble-perception-tensorflow-cu128", "humble-desktop-tensorflow-cu128", "humble-desktop-full-tensorflow-cu128", "humble-core-run-tensorflow-cu128", "humble-base-run-tensorflow-cu128", "humble-core-tensorflow-cpu", "humble-base-tensorflow-cpu", "humble-perception-tensorflow-cpu", "humble-desktop-tensorflow-cpu", "humble-desktop-full-tensorflow-cpu", "humble-core-run-tensorflow-cpu", "humble-base-run-tensorflow-cpu", "humble-core-ml-cu128", "humble-base-ml-cu128", "humble-perception-ml-cu128", "humble-desktop-ml-cu128", "humble-desktop-full-ml-cu128", "humble-core-run-ml-cu128", "humble-base-run-ml-cu128", "humble-core-ml-cpu", "humble-base-ml-cpu", "humble-perception-ml-cpu", "humble-desktop-ml-cpu", "humble-desktop-full-ml-cpu", "humble-core-run-ml-cpu", "humble-base-run-ml-cpu", "humble-base-onnx-cu128", "humble-base-onnx-cpu",
   ]
 }
 
@@ -22156,7 +25570,7 @@ group "iron" {
 
 group "jazzy" {
   targets = [
-    "jazzy-core", "jazzy-base", "jazzy-perception", "jazzy-desktop", "jazzy-desktop-full", "jazzy-core-run", "jazzy-base-run", "jazzy-core-cuda-cu128", "jazzy-base-cuda-cu128", "jazzy-perception-cuda-cu128", "jazzy-desktop-cuda-cu128", "jazzy-desktop-full-cuda-cu128", "jazzy-core-run-cuda-cu128", "jazzy-base-run-cuda-cu128", "jazzy-core-cuda-cu130", "jazzy-base-cuda-cu130", "jazzy-perception-cuda-cu130", "jazzy-desktop-cuda-cu130", "jazzy-desktop-full-cuda-cu130", "jazzy-core-run-cuda-cu130", "jazzy-base-run-cuda-cu130", "jazzy-core-cuda-cu132", "jazzy-base-cuda-cu132", "jazzy-perception-cuda-cu132", "jazzy-desktop-cuda-cu132", "jazzy-desktop-full-cuda-cu132", "jazzy-core-run-cuda-cu132", "jazzy-base-run-cuda-cu132", "jazzy-core-cuda-cu121", "jazzy-base-cuda-cu121", "jazzy-perception-cuda-cu121", "jazzy-desktop-cuda-cu121", "jazzy-desktop-full-cuda-cu121", "jazzy-core-run-cuda-cu121", "jazzy-base-run-cuda-cu121", "jazzy-core-torch-cu128", "jazzy-base-torch-cu128", "jazzy-perception-torch-cu128", "jazzy-desktop-torch-cu128", "jazzy-desktop-full-torch-cu128", "jazzy-core-run-torch-cu128", "jazzy-base-run-torch-cu128", "jazzy-core-torch-cu130", "jazzy-base-torch-cu130", "jazzy-perception-torch-cu130", "jazzy-desktop-torch-cu130", "jazzy-desktop-full-torch-cu130", "jazzy-core-run-torch-cu130", "jazzy-base-run-torch-cu130", "jazzy-core-torch-cu132", "jazzy-base-torch-cu132", "jazzy-perception-torch-cu132", "jazzy-desktop-torch-cu132", "jazzy-desktop-full-torch-cu132", "jazzy-core-run-torch-cu132", "jazzy-base-run-torch-cu132", "jazzy-core-torch-cpu", "jazzy-base-torch-cpu", "jazzy-perception-torch-cpu", "jazzy-desktop-torch-cpu", "jazzy-desktop-full-torch-cpu", "jazzy-core-run-torch-cpu", "jazzy-base-run-torch-cpu", "jazzy-core-tensorflow-cu128", "jazzy-base-tensorflow-cu128", "jazzy-perception-tensorflow-cu128", "jazzy-desktop-tensorflow-cu128", "jazzy-desktop-full-tensorflow-cu128", "jazzy-core-run-tensorflow-cu128", "jazzy-base-run-tensorflow-cu128", "jazzy-core-tensorflow-cpu", "jazzy-base-tensorflow-cpu", "jazzy-perception-tensorflow-cpu", "jazzy-desktop-tensorflow-cpu", "jazzy-desktop-full-tensorflow-cpu", "jazzy-core-run-tensorflow-cpu", "jazzy-base-run-tensorflow-cpu", "jazzy-core-ml-cu128", "jazzy-base-ml-cu128", "jazzy-perception-ml-cu128", "jazzy-desktop-ml-cu128", "jazzy-desktop-full-ml-cu128", "jazzy-core-run-ml-cu128", "jazzy-base-run-ml-cu128", "jazzy-core-ml-cpu", "jazzy-base-ml-cpu", "jazzy-perception-ml-cpu", "jazzy-desktop-ml-cpu", "jazzy-desktop-full-ml-cpu", "jazzy-core-run-ml-cpu", "jazzy-base-run-ml-cpu",
+    "jazzy-core", "jazzy-base", "jazzy-perception", "jazzy-desktop", "jazzy-desktop-full", "jazzy-core-run", "jazzy-base-run", "jazzy-core-cuda-cu128", "jazzy-base-cuda-cu128", "jazzy-perception-cuda-cu128", "jazzy-desktop-cuda-cu128", "jazzy-desktop-full-cuda-cu128", "jazzy-core-run-cuda-cu128", "jazzy-base-run-cuda-cu128", "jazzy-core-cuda-cu130", "jazzy-base-cuda-cu130", "jazzy-perception-cuda-cu130", "jazzy-desktop-cuda-cu130", "jazzy-desktop-full-cuda-cu130", "jazzy-core-run-cuda-cu130", "jazzy-base-run-cuda-cu130", "jazzy-core-cuda-cu132", "jazzy-base-cuda-cu132", "jazzy-perception-cuda-cu132", "jazzy-desktop-cuda-cu132", "jazzy-desktop-full-cuda-cu132", "jazzy-core-run-cuda-cu132", "jazzy-base-run-cuda-cu132", "jazzy-core-cuda-cu121", "jazzy-base-cuda-cu121", "jazzy-perception-cuda-cu121", "jazzy-desktop-cuda-cu121", "jazzy-desktop-full-cuda-cu121", "jazzy-core-run-cuda-cu121", "jazzy-base-run-cuda-cu121", "jazzy-core-torch-cu128", "jazzy-base-torch-cu128", "jazzy-perception-torch-cu128", "jazzy-desktop-torch-cu128", "jazzy-desktop-full-torch-cu128", "jazzy-core-run-torch-cu128", "jazzy-base-run-torch-cu128", "jazzy-core-torch-cu130", "jazzy-base-torch-cu130", "jazzy-perception-torch-cu130", "jazzy-desktop-torch-cu130", "jazzy-desktop-full-torch-cu130", "jazzy-core-run-torch-cu130", "jazzy-base-run-torch-cu130", "jazzy-core-torch-cu132", "jazzy-base-torch-cu132", "jazzy-perception-torch-cu132", "jazzy-desktop-torch-cu132", "jazzy-desktop-full-torch-cu132", "jazzy-core-run-torch-cu132", "jazzy-base-run-torch-cu132", "jazzy-core-torch-cpu", "jazzy-base-torch-cpu", "jazzy-perception-torch-cpu", "jazzy-desktop-torch-cpu", "jazzy-desktop-full-torch-cpu", "jazzy-core-run-torch-cpu", "jazzy-base-run-torch-cpu", "jazzy-core-tensorflow-cu128", "jazzy-base-tensorflow-cu128", "jazzy-perception-tensorflow-cu128", "jazzy-desktop-tensorflow-cu128", "jazzy-desktop-full-tensorflow-cu128", "jazzy-core-run-tensorflow-cu128", "jazzy-base-run-tensorflow-cu128", "jazzy-core-tensorflow-cpu", "jazzy-base-tensorflow-cpu", "jazzy-perception-tensorflow-cpu", "jazzy-desktop-tensorflow-cpu", "jazzy-desktop-full-tensorflow-cpu", "jazzy-core-run-tensorflow-cpu", "jazzy-base-run-tensorflow-cpu", "jazzy-core-ml-cu128", "jazzy-base-ml-cu128", "jazzy-perception-ml-cu128", "jazzy-desktop-ml-cu128", "jazzy-desktop-full-ml-cu128", "jazzy-core-run-ml-cu128", "jazzy-base-run-ml-cu128", "jazzy-core-ml-cpu", "jazzy-base-ml-cpu", "jazzy-perception-ml-cpu", "jazzy-desktop-ml-cpu", "jazzy-desktop-full-ml-cpu", "jazzy-core-run-ml-cpu", "jazzy-base-run-ml-cpu", "jazzy-base-onnx-cu128", "jazzy-base-onnx-cu130", "jazzy-base-onnx-cpu",
   ]
 }
 
@@ -22168,7 +25582,7 @@ group "kilted" {
 
 group "lyrical" {
   targets = [
-    "lyrical-core", "lyrical-base", "lyrical-perception", "lyrical-desktop", "lyrical-desktop-full", "lyrical-core-run", "lyrical-base-run", "lyrical-core-cuda-cu128", "lyrical-base-cuda-cu128", "lyrical-perception-cuda-cu128", "lyrical-desktop-cuda-cu128", "lyrical-desktop-full-cuda-cu128", "lyrical-core-run-cuda-cu128", "lyrical-base-run-cuda-cu128", "lyrical-core-cuda-cu130", "lyrical-base-cuda-cu130", "lyrical-perception-cuda-cu130", "lyrical-desktop-cuda-cu130", "lyrical-desktop-full-cuda-cu130", "lyrical-core-run-cuda-cu130", "lyrical-base-run-cuda-cu130", "lyrical-core-cuda-cu132", "lyrical-base-cuda-cu132", "lyrical-perception-cuda-cu132", "lyrical-desktop-cuda-cu132", "lyrical-desktop-full-cuda-cu132", "lyrical-core-run-cuda-cu132", "lyrical-base-run-cuda-cu132", "lyrical-core-cuda-cu121", "lyrical-base-cuda-cu121", "lyrical-perception-cuda-cu121", "lyrical-desktop-cuda-cu121", "lyrical-desktop-full-cuda-cu121", "lyrical-core-run-cuda-cu121", "lyrical-base-run-cuda-cu121", "lyrical-core-torch-cu128", "lyrical-base-torch-cu128", "lyrical-perception-torch-cu128", "lyrical-desktop-torch-cu128", "lyrical-desktop-full-torch-cu128", "lyrical-core-run-torch-cu128", "lyrical-base-run-torch-cu128", "lyrical-core-torch-cu130", "lyrical-base-torch-cu130", "lyrical-perception-torch-cu130", "lyrical-desktop-torch-cu130", "lyrical-desktop-full-torch-cu130", "lyrical-core-run-torch-cu130", "lyrical-base-run-torch-cu130", "lyrical-core-torch-cu132", "lyrical-base-torch-cu132", "lyrical-perception-torch-cu132", "lyrical-desktop-torch-cu132", "lyrical-desktop-full-torch-cu132", "lyrical-core-run-torch-cu132", "lyrical-base-run-torch-cu132",
+    "lyrical-core", "lyrical-base", "lyrical-perception", "lyrical-desktop", "lyrical-desktop-full", "lyrical-core-run", "lyrical-base-run", "lyrical-core-cuda-cu128", "lyrical-base-cuda-cu128", "lyrical-perception-cuda-cu128", "lyrical-desktop-cuda-cu128", "lyrical-desktop-full-cuda-cu128", "lyrical-core-run-cuda-cu128", "lyrical-base-run-cuda-cu128", "lyrical-core-cuda-cu130", "lyrical-base-cuda-cu130", "lyrical-perception-cuda-cu130", "lyrical-desktop-cuda-cu130", "lyrical-desktop-full-cuda-cu130", "lyrical-core-run-cuda-cu130", "lyrical-base-run-cuda-cu130", "lyrical-core-cuda-cu132", "lyrical-base-cuda-cu132", "lyrical-perception-cuda-cu132", "lyrical-desktop-cuda-cu132", "lyrical-desktop-full-cuda-cu132", "lyrical-core-run-cuda-cu132", "lyrical-base-run-cuda-cu132", "lyrical-core-cuda-cu121", "lyrical-base-cuda-cu121", "lyrical-perception-cuda-cu121", "lyrical-desktop-cuda-cu121", "lyrical-desktop-full-cuda-cu121", "lyrical-core-run-cuda-cu121", "lyrical-base-run-cuda-cu121", "lyrical-core-torch-cu128", "lyrical-base-torch-cu128", "lyrical-perception-torch-cu128", "lyrical-desktop-torch-cu128", "lyrical-desktop-full-torch-cu128", "lyrical-core-run-torch-cu128", "lyrical-base-run-torch-cu128", "lyrical-core-torch-cu130", "lyrical-base-torch-cu130", "lyrical-perception-torch-cu130", "lyrical-desktop-torch-cu130", "lyrical-desktop-full-torch-cu130", "lyrical-core-run-torch-cu130", "lyrical-base-run-torch-cu130", "lyrical-core-torch-cu132", "lyrical-base-torch-cu132", "lyrical-perception-torch-cu132", "lyrical-desktop-torch-cu132", "lyrical-desktop-full-torch-cu132", "lyrical-core-run-torch-cu132", "lyrical-base-run-torch-cu132", "lyrical-base-onnx-cu130",
   ]
 }
 
@@ -22180,7 +25594,7 @@ group "rolling" {
 
 group "ros1-bookworm" {
   targets = [
-    "ros1-bookworm-core", "ros1-bookworm-base", "ros1-bookworm-robot", "ros1-bookworm-perception", "ros1-bookworm-desktop", "ros1-bookworm-desktop-full", "ros1-bookworm-core-run", "ros1-bookworm-base-run", "ros1-bookworm-core-cuda-cu128", "ros1-bookworm-base-cuda-cu128", "ros1-bookworm-robot-cuda-cu128", "ros1-bookworm-perception-cuda-cu128", "ros1-bookworm-desktop-cuda-cu128", "ros1-bookworm-desktop-full-cuda-cu128", "ros1-bookworm-core-run-cuda-cu128", "ros1-bookworm-base-run-cuda-cu128", "ros1-bookworm-core-cuda-cu130", "ros1-bookworm-base-cuda-cu130", "ros1-bookworm-robot-cuda-cu130", "ros1-bookworm-perception-cuda-cu130", "ros1-bookworm-desktop-cuda-cu130", "ros1-bookworm-desktop-full-cuda-cu130", "ros1-bookworm-core-run-cuda-cu130", "ros1-bookworm-base-run-cuda-cu130", "ros1-bookworm-core-cuda-cu132", "ros1-bookworm-base-cuda-cu132", "ros1-bookworm-robot-cuda-cu132", "ros1-bookworm-perception-cuda-cu132", "ros1-bookworm-desktop-cuda-cu132", "ros1-bookworm-desktop-full-cuda-cu132", "ros1-bookworm-core-run-cuda-cu132", "ros1-bookworm-base-run-cuda-cu132", "ros1-bookworm-core-cuda-cu121", "ros1-bookworm-base-cuda-cu121", "ros1-bookworm-robot-cuda-cu121", "ros1-bookworm-perception-cuda-cu121", "ros1-bookworm-desktop-cuda-cu121", "ros1-bookworm-desktop-full-cuda-cu121", "ros1-bookworm-core-run-cuda-cu121", "ros1-bookworm-base-run-cuda-cu121", "ros1-bookworm-core-torch-cu128", "ros1-bookworm-base-torch-cu128", "ros1-bookworm-robot-torch-cu128", "ros1-bookworm-perception-torch-cu128", "ros1-bookworm-desktop-torch-cu128", "ros1-bookworm-desktop-full-torch-cu128", "ros1-bookworm-core-run-torch-cu128", "ros1-bookworm-base-run-torch-cu128", "ros1-bookworm-core-torch-cu130", "ros1-bookworm-base-torch-cu130", "ros1-bookworm-robot-torch-cu130", "ros1-bookworm-perception-torch-cu130", "ros1-bookworm-desktop-torch-cu130", "ros1-bookworm-desktop-full-torch-cu130", "ros1-bookworm-core-run-torch-cu130", "ros1-bookworm-base-run-torch-cu130", "ros1-bookworm-core-torch-cu132", "ros1-bookworm-base-torch-cu132", "ros1-bookworm-robot-torch-cu132", "ros1-bookworm-perception-torch-cu132", "ros1-bookworm-desktop-torch-cu132", "ros1-bookworm-desktop-full-torch-cu132", "ros1-bookworm-core-run-torch-cu132", "ros1-bookworm-base-run-torch-cu132", "ros1-bookworm-core-tensorflow-cu128", "ros1-bookworm-base-tensorflow-cu128", "ros1-bookworm-robot-tensorflow-cu128", "ros1-bookworm-perception-tensorflow-cu128", "ros1-bookworm-desktop-tensorflow-cu128", "ros1-bookworm-desktop-full-tensorflow-cu128", "ros1-bookworm-core-run-tensorflow-cu128", "ros1-bookworm-base-run-tensorflow-cu128", "ros1-bookworm-core-tensorflow-cpu", "ros1-bookworm-base-tensorflow-cpu", "ros1-bookworm-robot-tensorflow-cpu", "ros1-bookworm-perception-tensorflow-cpu", "ros1-bookworm-desktop-tensorflow-cpu", "ros1-bookworm-desktop-full-tensorflow-cpu", "ros1-bookworm-core-run-tensorflow-cpu", "ros1-bookworm-base-run-tensorflow-cpu", "ros1-bookworm-core-ml-cu128", "ros1-bookworm-base-ml-cu128", "ros1-bookworm-robot-ml-cu128", "ros1-bookworm-perception-ml-cu128", "ros1-bookworm-desktop-ml-cu128", "ros1-bookworm-desktop-full-ml-cu128", "ros1-bookworm-core-run-ml-cu128", "ros1-bookworm-base-run-ml-cu128",
+    "ros1-bookworm-core", "ros1-bookworm-base", "ros1-bookworm-robot", "ros1-bookworm-perception", "ros1-bookworm-desktop", "ros1-bookworm-desktop-full", "ros1-bookworm-core-run", "ros1-bookworm-base-run", "ros1-bookworm-core-cuda-cu128", "ros1-bookworm-base-cuda-cu128", "ros1-bookworm-robot-cuda-cu128", "ros1-bookworm-perception-cuda-cu128", "ros1-bookworm-desktop-cuda-cu128", "ros1-bookworm-desktop-full-cuda-cu128", "ros1-bookworm-core-run-cuda-cu128", "ros1-bookworm-base-run-cuda-cu128", "ros1-bookworm-core-cuda-cu130", "ros1-bookworm-base-cuda-cu130", "ros1-bookworm-robot-cuda-cu130", "ros1-bookworm-perception-cuda-cu130", "ros1-bookworm-desktop-cuda-cu130", "ros1-bookworm-desktop-full-cuda-cu130", "ros1-bookworm-core-run-cuda-cu130", "ros1-bookworm-base-run-cuda-cu130", "ros1-bookworm-core-cuda-cu132", "ros1-bookworm-base-cuda-cu132", "ros1-bookworm-robot-cuda-cu132", "ros1-bookworm-perception-cuda-cu132", "ros1-bookworm-desktop-cuda-cu132", "ros1-bookworm-desktop-full-cuda-cu132", "ros1-bookworm-core-run-cuda-cu132", "ros1-bookworm-base-run-cuda-cu132", "ros1-bookworm-core-cuda-cu121", "ros1-bookworm-base-cuda-cu121", "ros1-bookworm-robot-cuda-cu121", "ros1-bookworm-perception-cuda-cu121", "ros1-bookworm-desktop-cuda-cu121", "ros1-bookworm-desktop-full-cuda-cu121", "ros1-bookworm-core-run-cuda-cu121", "ros1-bookworm-base-run-cuda-cu121", "ros1-bookworm-core-torch-cu128", "ros1-bookworm-base-torch-cu128", "ros1-bookworm-robot-torch-cu128", "ros1-bookworm-perception-torch-cu128", "ros1-bookworm-desktop-torch-cu128", "ros1-bookworm-desktop-full-torch-cu128", "ros1-bookworm-core-run-torch-cu128", "ros1-bookworm-base-run-torch-cu128", "ros1-bookworm-core-torch-cu130", "ros1-bookworm-base-torch-cu130", "ros1-bookworm-robot-torch-cu130", "ros1-bookworm-perception-torch-cu130", "ros1-bookworm-desktop-torch-cu130", "ros1-bookworm-desktop-full-torch-cu130", "ros1-bookworm-core-run-torch-cu130", "ros1-bookworm-base-run-torch-cu130", "ros1-bookworm-core-torch-cu132", "ros1-bookworm-base-torch-cu132", "ros1-bookworm-robot-torch-cu132", "ros1-bookworm-perception-torch-cu132", "ros1-bookworm-desktop-torch-cu132", "ros1-bookworm-desktop-full-torch-cu132", "ros1-bookworm-core-run-torch-cu132", "ros1-bookworm-base-run-torch-cu132", "ros1-bookworm-core-tensorflow-cu128", "ros1-bookworm-base-tensorflow-cu128", "ros1-bookworm-robot-tensorflow-cu128", "ros1-bookworm-perception-tensorflow-cu128", "ros1-bookworm-desktop-tensorflow-cu128", "ros1-bookworm-desktop-full-tensorflow-cu128", "ros1-bookworm-core-run-tensorflow-cu128", "ros1-bookworm-base-run-tensorflow-cu128", "ros1-bookworm-core-tensorflow-cpu", "ros1-bookworm-base-tensorflow-cpu", "ros1-bookworm-robot-tensorflow-cpu", "ros1-bookworm-perception-tensorflow-cpu", "ros1-bookworm-desktop-tensorflow-cpu", "ros1-bookworm-desktop-full-tensorflow-cpu", "ros1-bookworm-core-run-tensorflow-cpu", "ros1-bookworm-base-run-tensorflow-cpu", "ros1-bookworm-core-ml-cu128", "ros1-bookworm-base-ml-cu128", "ros1-bookworm-robot-ml-cu128", "ros1-bookworm-perception-ml-cu128", "ros1-bookworm-desktop-ml-cu128", "ros1-bookworm-desktop-full-ml-cu128", "ros1-bookworm-core-run-ml-cu128", "ros1-bookworm-base-run-ml-cu128", "ros1-bookworm-base-onnx-cu128", "ros1-bookworm-base-onnx-cu130", "ros1-bookworm-base-onnx-cpu",
   ]
 }
 
@@ -22224,6 +25638,15 @@ group "base" {
     "rolling-base", "rolling-base-cuda-cu128", "rolling-base-cuda-cu130", "rolling-base-cuda-cu132", "rolling-base-cuda-cu121", "rolling-base-torch-cu128", "rolling-base-torch-cu130", "rolling-base-torch-cu132",
     "ros1-bookworm-base", "ros1-bookworm-base-cuda-cu128", "ros1-bookworm-base-cuda-cu130", "ros1-bookworm-base-cuda-cu132", "ros1-bookworm-base-cuda-cu121", "ros1-bookworm-base-torch-cu128", "ros1-bookworm-base-torch-cu130", "ros1-bookworm-base-torch-cu132", "ros1-bookworm-base-tensorflow-cu128", "ros1-bookworm-base-tensorflow-cpu", "ros1-bookworm-base-ml-cu128",
     "ros1-trixie-base", "ros1-trixie-base-cuda-cu128", "ros1-trixie-base-cuda-cu130", "ros1-trixie-base-cuda-cu132", "ros1-trixie-base-cuda-cu121", "ros1-trixie-base-torch-cu128", "ros1-trixie-base-torch-cu130", "ros1-trixie-base-torch-cu132", "ros1-trixie-base-torch-cpu", "ros1-trixie-base-tensorflow-cu128", "ros1-trixie-base-tensorflow-cpu", "ros1-trixie-base-ml-cu128", "ros1-trixie-base-ml-cpu",
+    "jazzy-base-onnx-cu128",
+    "humble-base-onnx-cu128",
+    "ros1-bookworm-base-onnx-cu128",
+    "lyrical-base-onnx-cu130",
+    "jazzy-base-onnx-cu130",
+    "ros1-bookworm-base-onnx-cu130",
+    "jazzy-base-onnx-cpu",
+    "humble-base-onnx-cpu",
+    "ros1-bookworm-base-onnx-cpu",
   ]
 }
 
@@ -22382,6 +25805,28 @@ group "ml" {
   ]
 }
 
+group "onnx" {
+  targets = [
+    "jazzy-core-onnx-cu128", "jazzy-base-onnx-cu128", "jazzy-core-torch-onnx-cu128", "jazzy-core-tensorflow-onnx-cu128",
+    "humble-core-onnx-cu128", "humble-base-onnx-cu128", "humble-core-torch-onnx-cu128", "humble-core-tensorflow-onnx-cu128",
+    "ros1-trixie-core-onnx-cu128", "ros1-trixie-core-torch-onnx-cu128", "ros1-trixie-core-tensorflow-onnx-cu128",
+    "ros1-bookworm-core-onnx-cu128", "ros1-bookworm-base-onnx-cu128", "ros1-bookworm-core-torch-onnx-cu128", "ros1-bookworm-core-tensorflow-onnx-cu128",
+    "lyrical-core-onnx-cu130", "lyrical-base-onnx-cu130", "lyrical-core-torch-onnx-cu130",
+    "jazzy-core-onnx-cu130", "jazzy-base-onnx-cu130", "jazzy-core-torch-onnx-cu130",
+    "ros1-trixie-core-onnx-cu130", "ros1-trixie-core-torch-onnx-cu130",
+    "ros1-bookworm-core-onnx-cu130", "ros1-bookworm-base-onnx-cu130", "ros1-bookworm-core-torch-onnx-cu130",
+    "lyrical-core-onnx-cu132", "lyrical-core-torch-onnx-cu132",
+    "jazzy-core-onnx-cu132", "jazzy-core-torch-onnx-cu132",
+    "ros1-trixie-core-onnx-cu132", "ros1-trixie-core-torch-onnx-cu132",
+    "ros1-bookworm-core-onnx-cu132", "ros1-bookworm-core-torch-onnx-cu132",
+    "noetic-core-onnx-cu121", "noetic-core-torch-onnx-cu121",
+    "jazzy-core-onnx-cpu", "jazzy-base-onnx-cpu", "jazzy-core-torch-onnx-cpu", "jazzy-core-tensorflow-onnx-cpu",
+    "humble-core-onnx-cpu", "humble-base-onnx-cpu", "humble-core-torch-onnx-cpu", "humble-core-tensorflow-onnx-cpu",
+    "ros1-trixie-core-onnx-cpu", "ros1-trixie-core-torch-onnx-cpu", "ros1-trixie-core-tensorflow-onnx-cpu",
+    "ros1-bookworm-core-onnx-cpu", "ros1-bookworm-base-onnx-cpu", "ros1-bookworm-core-tensorflow-onnx-cpu",
+  ]
+}
+
 group "devel" {
   targets = [
     "jazzy-core-devel-cu130", "jazzy-core-torch-devel-cu130",
@@ -22451,6 +25896,9 @@ group "cu128" {
     "ros1-bookworm-core-cuda-cu128", "ros1-bookworm-base-cuda-cu128", "ros1-bookworm-robot-cuda-cu128", "ros1-bookworm-perception-cuda-cu128", "ros1-bookworm-desktop-cuda-cu128", "ros1-bookworm-desktop-full-cuda-cu128", "ros1-bookworm-core-run-cuda-cu128", "ros1-bookworm-base-run-cuda-cu128", "ros1-bookworm-core-torch-cu128", "ros1-bookworm-base-torch-cu128", "ros1-bookworm-robot-torch-cu128", "ros1-bookworm-perception-torch-cu128", "ros1-bookworm-desktop-torch-cu128", "ros1-bookworm-desktop-full-torch-cu128", "ros1-bookworm-core-run-torch-cu128", "ros1-bookworm-base-run-torch-cu128", "ros1-bookworm-core-tensorflow-cu128", "ros1-bookworm-base-tensorflow-cu128", "ros1-bookworm-robot-tensorflow-cu128", "ros1-bookworm-perception-tensorflow-cu128", "ros1-bookworm-desktop-tensorflow-cu128", "ros1-bookworm-desktop-full-tensorflow-cu128", "ros1-bookworm-core-run-tensorflow-cu128", "ros1-bookworm-base-run-tensorflow-cu128", "ros1-bookworm-core-ml-cu128", "ros1-bookworm-base-ml-cu128", "ros1-bookworm-robot-ml-cu128", "ros1-bookworm-perception-ml-cu128", "ros1-bookworm-desktop-ml-cu128", "ros1-bookworm-desktop-full-ml-cu128", "ros1-bookworm-core-run-ml-cu128", "ros1-bookworm-base-run-ml-cu128",
     "ros1-trixie-core-cuda-cu128", "ros1-trixie-base-cuda-cu128", "ros1-trixie-robot-cuda-cu128", "ros1-trixie-perception-cuda-cu128", "ros1-trixie-desktop-cuda-cu128", "ros1-trixie-desktop-full-cuda-cu128", "ros1-trixie-core-run-cuda-cu128", "ros1-trixie-base-run-cuda-cu128", "ros1-trixie-core-torch-cu128", "ros1-trixie-base-torch-cu128", "ros1-trixie-robot-torch-cu128", "ros1-trixie-perception-torch-cu128", "ros1-trixie-desktop-torch-cu128", "ros1-trixie-desktop-full-torch-cu128", "ros1-trixie-core-run-torch-cu128", "ros1-trixie-base-run-torch-cu128", "ros1-trixie-core-tensorflow-cu128", "ros1-trixie-base-tensorflow-cu128", "ros1-trixie-robot-tensorflow-cu128", "ros1-trixie-perception-tensorflow-cu128", "ros1-trixie-desktop-tensorflow-cu128", "ros1-trixie-desktop-full-tensorflow-cu128", "ros1-trixie-core-run-tensorflow-cu128", "ros1-trixie-base-run-tensorflow-cu128", "ros1-trixie-core-ml-cu128", "ros1-trixie-base-ml-cu128", "ros1-trixie-robot-ml-cu128", "ros1-trixie-perception-ml-cu128", "ros1-trixie-desktop-ml-cu128", "ros1-trixie-desktop-full-ml-cu128", "ros1-trixie-core-run-ml-cu128", "ros1-trixie-base-run-ml-cu128",
     "jazzy-wheels-core-cuda-cu128", "jazzy-wheels-core-torch-cu128", "jazzy-wheels-core-tensorflow-cu128", "jazzy-wheels-core-ml-cu128",
+    "jazzy-base-onnx-cu128",
+    "humble-base-onnx-cu128",
+    "ros1-bookworm-base-onnx-cu128",
   ]
 }
 
@@ -22467,6 +25915,9 @@ group "cu130" {
     "ros1-bookworm-core-cuda-cu130", "ros1-bookworm-base-cuda-cu130", "ros1-bookworm-robot-cuda-cu130", "ros1-bookworm-perception-cuda-cu130", "ros1-bookworm-desktop-cuda-cu130", "ros1-bookworm-desktop-full-cuda-cu130", "ros1-bookworm-core-run-cuda-cu130", "ros1-bookworm-base-run-cuda-cu130", "ros1-bookworm-core-torch-cu130", "ros1-bookworm-base-torch-cu130", "ros1-bookworm-robot-torch-cu130", "ros1-bookworm-perception-torch-cu130", "ros1-bookworm-desktop-torch-cu130", "ros1-bookworm-desktop-full-torch-cu130", "ros1-bookworm-core-run-torch-cu130", "ros1-bookworm-base-run-torch-cu130",
     "ros1-trixie-core-cuda-cu130", "ros1-trixie-base-cuda-cu130", "ros1-trixie-robot-cuda-cu130", "ros1-trixie-perception-cuda-cu130", "ros1-trixie-desktop-cuda-cu130", "ros1-trixie-desktop-full-cuda-cu130", "ros1-trixie-core-run-cuda-cu130", "ros1-trixie-base-run-cuda-cu130", "ros1-trixie-core-torch-cu130", "ros1-trixie-base-torch-cu130", "ros1-trixie-robot-torch-cu130", "ros1-trixie-perception-torch-cu130", "ros1-trixie-desktop-torch-cu130", "ros1-trixie-desktop-full-torch-cu130", "ros1-trixie-core-run-torch-cu130", "ros1-trixie-base-run-torch-cu130",
     "jazzy-wheels-core-cuda-cu130", "jazzy-wheels-core-torch-cu130",
+    "lyrical-base-onnx-cu130",
+    "jazzy-base-onnx-cu130",
+    "ros1-bookworm-base-onnx-cu130",
   ]
 }
 
@@ -22511,6 +25962,9 @@ group "cpu" {
     "ros1-bookworm-core-tensorflow-cpu", "ros1-bookworm-base-tensorflow-cpu", "ros1-bookworm-robot-tensorflow-cpu", "ros1-bookworm-perception-tensorflow-cpu", "ros1-bookworm-desktop-tensorflow-cpu", "ros1-bookworm-desktop-full-tensorflow-cpu", "ros1-bookworm-core-run-tensorflow-cpu", "ros1-bookworm-base-run-tensorflow-cpu",
     "ros1-trixie-core-torch-cpu", "ros1-trixie-base-torch-cpu", "ros1-trixie-robot-torch-cpu", "ros1-trixie-perception-torch-cpu", "ros1-trixie-desktop-torch-cpu", "ros1-trixie-desktop-full-torch-cpu", "ros1-trixie-core-run-torch-cpu", "ros1-trixie-base-run-torch-cpu", "ros1-trixie-core-tensorflow-cpu", "ros1-trixie-base-tensorflow-cpu", "ros1-trixie-robot-tensorflow-cpu", "ros1-trixie-perception-tensorflow-cpu", "ros1-trixie-desktop-tensorflow-cpu", "ros1-trixie-desktop-full-tensorflow-cpu", "ros1-trixie-core-run-tensorflow-cpu", "ros1-trixie-base-run-tensorflow-cpu", "ros1-trixie-core-ml-cpu", "ros1-trixie-base-ml-cpu", "ros1-trixie-robot-ml-cpu", "ros1-trixie-perception-ml-cpu", "ros1-trixie-desktop-ml-cpu", "ros1-trixie-desktop-full-ml-cpu", "ros1-trixie-core-run-ml-cpu", "ros1-trixie-base-run-ml-cpu",
     "jazzy-wheels-core-tensorflow-cpu",
+    "jazzy-base-onnx-cpu",
+    "humble-base-onnx-cpu",
+    "ros1-bookworm-base-onnx-cpu",
   ]
 }
 
@@ -22534,11 +25988,20 @@ group "all" {
     "ros1-bookworm-core", "ros1-bookworm-base", "ros1-bookworm-robot", "ros1-bookworm-perception", "ros1-bookworm-desktop", "ros1-bookworm-desktop-full", "ros1-bookworm-core-run", "ros1-bookworm-base-run", "ros1-bookworm-core-cuda-cu128", "ros1-bookworm-base-cuda-cu128", "ros1-bookworm-robot-cuda-cu128", "ros1-bookworm-perception-cuda-cu128", "ros1-bookworm-desktop-cuda-cu128", "ros1-bookworm-desktop-full-cuda-cu128", "ros1-bookworm-core-run-cuda-cu128", "ros1-bookworm-base-run-cuda-cu128", "ros1-bookworm-core-cuda-cu130", "ros1-bookworm-base-cuda-cu130", "ros1-bookworm-robot-cuda-cu130", "ros1-bookworm-perception-cuda-cu130", "ros1-bookworm-desktop-cuda-cu130", "ros1-bookworm-desktop-full-cuda-cu130", "ros1-bookworm-core-run-cuda-cu130", "ros1-bookworm-base-run-cuda-cu130", "ros1-bookworm-core-cuda-cu132", "ros1-bookworm-base-cuda-cu132", "ros1-bookworm-robot-cuda-cu132", "ros1-bookworm-perception-cuda-cu132", "ros1-bookworm-desktop-cuda-cu132", "ros1-bookworm-desktop-full-cuda-cu132", "ros1-bookworm-core-run-cuda-cu132", "ros1-bookworm-base-run-cuda-cu132", "ros1-bookworm-core-cuda-cu121", "ros1-bookworm-base-cuda-cu121", "ros1-bookworm-robot-cuda-cu121", "ros1-bookworm-perception-cuda-cu121", "ros1-bookworm-desktop-cuda-cu121", "ros1-bookworm-desktop-full-cuda-cu121", "ros1-bookworm-core-run-cuda-cu121", "ros1-bookworm-base-run-cuda-cu121", "ros1-bookworm-core-torch-cu128", "ros1-bookworm-base-torch-cu128", "ros1-bookworm-robot-torch-cu128", "ros1-bookworm-perception-torch-cu128", "ros1-bookworm-desktop-torch-cu128", "ros1-bookworm-desktop-full-torch-cu128", "ros1-bookworm-core-run-torch-cu128", "ros1-bookworm-base-run-torch-cu128", "ros1-bookworm-core-torch-cu130", "ros1-bookworm-base-torch-cu130", "ros1-bookworm-robot-torch-cu130", "ros1-bookworm-perception-torch-cu130", "ros1-bookworm-desktop-torch-cu130", "ros1-bookworm-desktop-full-torch-cu130", "ros1-bookworm-core-run-torch-cu130", "ros1-bookworm-base-run-torch-cu130", "ros1-bookworm-core-torch-cu132", "ros1-bookworm-base-torch-cu132", "ros1-bookworm-robot-torch-cu132", "ros1-bookworm-perception-torch-cu132", "ros1-bookworm-desktop-torch-cu132", "ros1-bookworm-desktop-full-torch-cu132", "ros1-bookworm-core-run-torch-cu132", "ros1-bookworm-base-run-torch-cu132", "ros1-bookworm-core-tensorflow-cu128", "ros1-bookworm-base-tensorflow-cu128", "ros1-bookworm-robot-tensorflow-cu128", "ros1-bookworm-perception-tensorflow-cu128", "ros1-bookworm-desktop-tensorflow-cu128", "ros1-bookworm-desktop-full-tensorflow-cu128", "ros1-bookworm-core-run-tensorflow-cu128", "ros1-bookworm-base-run-tensorflow-cu128", "ros1-bookworm-core-tensorflow-cpu", "ros1-bookworm-base-tensorflow-cpu", "ros1-bookworm-robot-tensorflow-cpu", "ros1-bookworm-perception-tensorflow-cpu", "ros1-bookworm-desktop-tensorflow-cpu", "ros1-bookworm-desktop-full-tensorflow-cpu", "ros1-bookworm-core-run-tensorflow-cpu", "ros1-bookworm-base-run-tensorflow-cpu", "ros1-bookworm-core-ml-cu128", "ros1-bookworm-base-ml-cu128", "ros1-bookworm-robot-ml-cu128", "ros1-bookworm-perception-ml-cu128", "ros1-bookworm-desktop-ml-cu128", "ros1-bookworm-desktop-full-ml-cu128", "ros1-bookworm-core-run-ml-cu128", "ros1-bookworm-base-run-ml-cu128",
     "ros1-trixie-core", "ros1-trixie-base", "ros1-trixie-robot", "ros1-trixie-perception", "ros1-trixie-desktop", "ros1-trixie-desktop-full", "ros1-trixie-core-run", "ros1-trixie-base-run", "ros1-trixie-core-cuda-cu128", "ros1-trixie-base-cuda-cu128", "ros1-trixie-robot-cuda-cu128", "ros1-trixie-perception-cuda-cu128", "ros1-trixie-desktop-cuda-cu128", "ros1-trixie-desktop-full-cuda-cu128", "ros1-trixie-core-run-cuda-cu128", "ros1-trixie-base-run-cuda-cu128", "ros1-trixie-core-cuda-cu130", "ros1-trixie-base-cuda-cu130", "ros1-trixie-robot-cuda-cu130", "ros1-trixie-perception-cuda-cu130", "ros1-trixie-desktop-cuda-cu130", "ros1-trixie-desktop-full-cuda-cu130", "ros1-trixie-core-run-cuda-cu130", "ros1-trixie-base-run-cuda-cu130", "ros1-trixie-core-cuda-cu132", "ros1-trixie-base-cuda-cu132", "ros1-trixie-robot-cuda-cu132", "ros1-trixie-perception-cuda-cu132", "ros1-trixie-desktop-cuda-cu132", "ros1-trixie-desktop-full-cuda-cu132", "ros1-trixie-core-run-cuda-cu132", "ros1-trixie-base-run-cuda-cu132", "ros1-trixie-core-cuda-cu121", "ros1-trixie-base-cuda-cu121", "ros1-trixie-robot-cuda-cu121", "ros1-trixie-perception-cuda-cu121", "ros1-trixie-desktop-cuda-cu121", "ros1-trixie-desktop-full-cuda-cu121", "ros1-trixie-core-run-cuda-cu121", "ros1-trixie-base-run-cuda-cu121", "ros1-trixie-core-torch-cu128", "ros1-trixie-base-torch-cu128", "ros1-trixie-robot-torch-cu128", "ros1-trixie-perception-torch-cu128", "ros1-trixie-desktop-torch-cu128", "ros1-trixie-desktop-full-torch-cu128", "ros1-trixie-core-run-torch-cu128", "ros1-trixie-base-run-torch-cu128", "ros1-trixie-core-torch-cu130", "ros1-trixie-base-torch-cu130", "ros1-trixie-robot-torch-cu130", "ros1-trixie-perception-torch-cu130", "ros1-trixie-desktop-torch-cu130", "ros1-trixie-desktop-full-torch-cu130", "ros1-trixie-core-run-torch-cu130", "ros1-trixie-base-run-torch-cu130", "ros1-trixie-core-torch-cu132", "ros1-trixie-base-torch-cu132", "ros1-trixie-robot-torch-cu132", "ros1-trixie-perception-torch-cu132", "ros1-trixie-desktop-torch-cu132", "ros1-trixie-desktop-full-torch-cu132", "ros1-trixie-core-run-torch-cu132", "ros1-trixie-base-run-torch-cu132", "ros1-trixie-core-torch-cpu", "ros1-trixie-base-torch-cpu", "ros1-trixie-robot-torch-cpu", "ros1-trixie-perception-torch-cpu", "ros1-trixie-desktop-torch-cpu", "ros1-trixie-desktop-full-torch-cpu", "ros1-trixie-core-run-torch-cpu", "ros1-trixie-base-run-torch-cpu", "ros1-trixie-core-tensorflow-cu128", "ros1-trixie-base-tensorflow-cu128", "ros1-trixie-robot-tensorflow-cu128", "ros1-trixie-perception-tensorflow-cu128", "ros1-trixie-desktop-tensorflow-cu128", "ros1-trixie-desktop-full-tensorflow-cu128", "ros1-trixie-core-run-tensorflow-cu128", "ros1-trixie-base-run-tensorflow-cu128", "ros1-trixie-core-tensorflow-cpu", "ros1-trixie-base-tensorflow-cpu", "ros1-trixie-robot-tensorflow-cpu", "ros1-trixie-perception-tensorflow-cpu", "ros1-trixie-desktop-tensorflow-cpu", "ros1-trixie-desktop-full-tensorflow-cpu", "ros1-trixie-core-run-tensorflow-cpu", "ros1-trixie-base-run-tensorflow-cpu", "ros1-trixie-core-ml-cu128", "ros1-trixie-base-ml-cu128", "ros1-trixie-robot-ml-cu128", "ros1-trixie-perception-ml-cu128", "ros1-trixie-desktop-ml-cu128", "ros1-trixie-desktop-full-ml-cu128", "ros1-trixie-core-run-ml-cu128", "ros1-trixie-base-run-ml-cu128", "ros1-trixie-core-ml-cpu", "ros1-trixie-base-ml-cpu", "ros1-trixie-robot-ml-cpu", "ros1-trixie-perception-ml-cpu", "ros1-trixie-desktop-ml-cpu", "ros1-trixie-desktop-full-ml-cpu", "ros1-trixie-core-run-ml-cpu", "ros1-trixie-base-run-ml-cpu",
     "jazzy-wheels-core", "jazzy-wheels-core-cuda-cu128", "jazzy-wheels-core-cuda-cu130", "jazzy-wheels-core-cuda-cu132", "jazzy-wheels-core-cuda-cu121", "jazzy-wheels-core-torch-cu128", "jazzy-wheels-core-torch-cu130", "jazzy-wheels-core-torch-cu132", "jazzy-wheels-core-tensorflow-cu128", "jazzy-wheels-core-tensorflow-cpu", "jazzy-wheels-core-ml-cu128",
+    "jazzy-base-onnx-cu128",
+    "humble-base-onnx-cu128",
+    "ros1-bookworm-base-onnx-cu128",
+    "lyrical-base-onnx-cu130",
+    "jazzy-base-onnx-cu130",
+    "ros1-bookworm-base-onnx-cu130",
+    "jazzy-base-onnx-cpu",
+    "humble-base-onnx-cpu",
+    "ros1-bookworm-base-onnx-cpu",
   ]
 }
 
 group "parts" {
   targets = [
-    "part-cuda-cu128", "part-cuda-cu130", "part-devel-cu130", "part-cuda-cu132", "part-devel-cu132", "part-cuda-cu121", "part-common-cu121-py38", "part-torch-cu121-py38", "part-common-cpu38-py38", "part-grpc-cpu38-py38", "part-tensorflow-cc-cpu38", "part-tensorflow-cpu38-py38", "part-common-cu128-py310", "part-torch-cu128-py310", "part-grpc-cu128-py310", "part-tensorflow-cc-cu128", "part-tensorflow-cu128-py310", "part-tritonclient-cu128-py310", "part-common-cu130-py310", "part-torch-cu130-py310", "part-grpc-cu130-py310", "part-tritonclient-cu130-py310", "part-tensorrt-rtx-cc-cu130", "part-tensorrt-rtx-cu130-py310", "part-common-cu132-py310", "part-grpc-cu132-py310", "part-tritonclient-cu132-py310", "part-tensorrt-rtx-cc-cu132", "part-tensorrt-rtx-cu132-py310", "part-common-cpu-py310", "part-torch-cpu-py310", "part-grpc-cpu-py310", "part-tensorflow-cc-cpu", "part-tensorflow-cpu-py310", "part-tritonclient-cpu-py310", "part-common-cu128-py312", "part-torch-cu128-py312", "part-grpc-cu128-py312", "part-tensorflow-cu128-py312", "part-tritonclient-cu128-py312", "part-common-cu130-py312", "part-torch-cu130-py312", "part-grpc-cu130-py312", "part-tritonclient-cu130-py312", "part-tensorrt-rtx-cu130-py312", "part-common-cu132-py312", "part-torch-cu132-py312", "part-grpc-cu132-py312", "part-tritonclient-cu132-py312", "part-tensorrt-rtx-cu132-py312", "part-common-cpu-py312", "part-torch-cpu-py312", "part-grpc-cpu-py312", "part-tensorflow-cpu-py312", "part-tritonclient-cpu-py312", "part-common-cu128-py314", "part-torch-cu128-py314", "part-grpc-cu128-py314", "part-tritonclient-cu128-py314", "part-common-cu130-py314", "part-torch-cu130-py314", "part-grpc-cu130-py314", "part-tritonclient-cu130-py314", "part-tensorrt-rtx-cu130-py314", "part-common-cu132-py314", "part-torch-cu132-py314", "part-grpc-cu132-py314", "part-tritonclient-cu132-py314", "part-tensorrt-rtx-cu132-py314", "part-common-cpu-py314", "part-grpc-cpu-py314", "part-tritonclient-cpu-py314", "part-common-cu128-py311", "part-torch-cu128-py311", "part-grpc-cu128-py311", "part-tensorflow-cu128-py311", "part-tritonclient-cu128-py311", "part-common-cu130-py311", "part-torch-cu130-py311", "part-grpc-cu130-py311", "part-tritonclient-cu130-py311", "part-tensorrt-rtx-cu130-py311", "part-common-cu132-py311", "part-torch-cu132-py311", "part-grpc-cu132-py311", "part-tritonclient-cu132-py311", "part-tensorrt-rtx-cu132-py311", "part-common-cpu-py311", "part-grpc-cpu-py311", "part-tensorflow-cpu-py311", "part-tritonclient-cpu-py311", "part-common-cu128-py313", "part-torch-cu128-py313", "part-grpc-cu128-py313", "part-tensorflow-cu128-py313", "part-tritonclient-cu128-py313", "part-common-cu130-py313", "part-torch-cu130-py313", "part-grpc-cu130-py313", "part-tritonclient-cu130-py313", "part-tensorrt-rtx-cu130-py313", "part-common-cu132-py313", "part-torch-cu132-py313", "part-grpc-cu132-py313", "part-tritonclient-cu132-py313", "part-tensorrt-rtx-cu132-py313", "part-common-cpu-py313", "part-torch-cpu-py313", "part-grpc-cpu-py313", "part-tensorflow-cpu-py313", "part-tritonclient-cpu-py313",
+    "part-cuda-cu128", "part-cuda-cu130", "part-devel-cu130", "part-cuda-cu132", "part-devel-cu132", "part-cuda-cu121", "part-common-cu121-py38", "part-torch-cu121-py38", "part-grpc-cu121-py38", "part-onnxruntime-cc-cu121", "part-onnxruntime-cu121-py38", "part-common-cpu38-py38", "part-grpc-cpu38-py38", "part-tensorflow-cc-cpu38", "part-tensorflow-cpu38-py38", "part-common-cu128-py310", "part-torch-cu128-py310", "part-grpc-cu128-py310", "part-tensorflow-cc-cu128", "part-tensorflow-cu128-py310", "part-onnxruntime-cc-cu128", "part-onnxruntime-cu128-py310", "part-tritonclient-cu128-py310", "part-common-cu130-py310", "part-torch-cu130-py310", "part-grpc-cu130-py310", "part-tritonclient-cu130-py310", "part-tensorrt-rtx-cc-cu130", "part-tensorrt-rtx-cu130-py310", "part-common-cu132-py310", "part-grpc-cu132-py310", "part-tritonclient-cu132-py310", "part-tensorrt-rtx-cc-cu132", "part-tensorrt-rtx-cu132-py310", "part-common-cpu-py310", "part-torch-cpu-py310", "part-grpc-cpu-py310", "part-tensorflow-cc-cpu", "part-tensorflow-cpu-py310", "part-onnxruntime-cc-cpu", "part-onnxruntime-cpu-py310", "part-tritonclient-cpu-py310", "part-common-cu128-py312", "part-torch-cu128-py312", "part-grpc-cu128-py312", "part-tensorflow-cu128-py312", "part-onnxruntime-cu128-py312", "part-tritonclient-cu128-py312", "part-common-cu130-py312", "part-torch-cu130-py312", "part-grpc-cu130-py312", "part-onnxruntime-cc-cu130", "part-onnxruntime-cu130-py312", "part-tritonclient-cu130-py312", "part-tensorrt-rtx-cu130-py312", "part-common-cu132-py312", "part-torch-cu132-py312", "part-grpc-cu132-py312", "part-onnxruntime-cc-cu132", "part-onnxruntime-cu132-py312", "part-tritonclient-cu132-py312", "part-tensorrt-rtx-cu132-py312", "part-common-cpu-py312", "part-torch-cpu-py312", "part-grpc-cpu-py312", "part-tensorflow-cpu-py312", "part-onnxruntime-cpu-py312", "part-tritonclient-cpu-py312", "part-common-cu128-py314", "part-torch-cu128-py314", "part-grpc-cu128-py314", "part-tritonclient-cu128-py314", "part-common-cu130-py314", "part-torch-cu130-py314", "part-grpc-cu130-py314", "part-onnxruntime-cu130-py314", "part-tritonclient-cu130-py314", "part-tensorrt-rtx-cu130-py314", "part-common-cu132-py314", "part-torch-cu132-py314", "part-grpc-cu132-py314", "part-onnxruntime-cu132-py314", "part-tritonclient-cu132-py314", "part-tensorrt-rtx-cu132-py314", "part-common-cpu-py314", "part-grpc-cpu-py314", "part-tritonclient-cpu-py314", "part-common-cu128-py311", "part-torch-cu128-py311", "part-grpc-cu128-py311", "part-tensorflow-cu128-py311", "part-onnxruntime-cu128-py311", "part-tritonclient-cu128-py311", "part-common-cu130-py311", "part-torch-cu130-py311", "part-grpc-cu130-py311", "part-onnxruntime-cu130-py311", "part-tritonclient-cu130-py311", "part-tensorrt-rtx-cu130-py311", "part-common-cu132-py311", "part-torch-cu132-py311", "part-grpc-cu132-py311", "part-onnxruntime-cu132-py311", "part-tritonclient-cu132-py311", "part-tensorrt-rtx-cu132-py311", "part-common-cpu-py311", "part-grpc-cpu-py311", "part-tensorflow-cpu-py311", "part-onnxruntime-cpu-py311", "part-tritonclient-cpu-py311", "part-common-cu128-py313", "part-torch-cu128-py313", "part-grpc-cu128-py313", "part-tensorflow-cu128-py313", "part-onnxruntime-cu128-py313", "part-tritonclient-cu128-py313", "part-common-cu130-py313", "part-torch-cu130-py313", "part-grpc-cu130-py313", "part-onnxruntime-cu130-py313", "part-tritonclient-cu130-py313", "part-tensorrt-rtx-cu130-py313", "part-common-cu132-py313", "part-torch-cu132-py313", "part-grpc-cu132-py313", "part-onnxruntime-cu132-py313", "part-tritonclient-cu132-py313", "part-tensorrt-rtx-cu132-py313", "part-common-cpu-py313", "part-torch-cpu-py313", "part-grpc-cpu-py313", "part-tensorflow-cpu-py313", "part-onnxruntime-cpu-py313", "part-tritonclient-cpu-py313",
   ]
 }

@@ -20,7 +20,7 @@ target "noetic-core-test" {
   contexts  = { image = dependency("noetic-core", "ros", "noetic-core") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside ros1-core ros1-components ros1-workspace pip"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core"
   }
 }
 
@@ -30,7 +30,7 @@ target "noetic-base-test" {
   contexts  = { image = dependency("noetic-base", "ros", "noetic-base") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside ros1-base ros1-components"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base"
   }
 }
 
@@ -40,7 +40,7 @@ target "noetic-robot-test" {
   contexts  = { image = dependency("noetic-robot", "ros", "noetic-robot") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside ros1-robot ros1-components"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot"
   }
 }
 
@@ -50,7 +50,7 @@ target "noetic-perception-test" {
   contexts  = { image = dependency("noetic-perception", "ros", "noetic-perception") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside ros1-perception ros1-components"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception"
   }
 }
 
@@ -60,7 +60,7 @@ target "noetic-desktop-test" {
   contexts  = { image = dependency("noetic-desktop", "ros", "noetic-desktop") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside ros1-desktop ros1-components"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop"
   }
 }
 
@@ -70,7 +70,7 @@ target "noetic-desktop-full-test" {
   contexts  = { image = dependency("noetic-desktop-full", "ros", "noetic-desktop-full") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside ros1-desktop-full ros1-components"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full"
   }
 }
 
@@ -80,7 +80,7 @@ target "noetic-core-run-test" {
   contexts  = { image = dependency("noetic-core-run", "ros", "noetic-core-run") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -90,7 +90,7 @@ target "noetic-base-run-test" {
   contexts  = { image = dependency("noetic-base-run", "ros", "noetic-base-run") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -100,7 +100,7 @@ target "noetic-core-cuda-cu128-test" {
   contexts  = { image = dependency("noetic-core-cuda-cu128", "ros-cuda", "noetic-core-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda cuda-build ros1-workspace pip"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -110,7 +110,7 @@ target "noetic-base-cuda-cu128-test" {
   contexts  = { image = dependency("noetic-base-cuda-cu128", "ros-cuda", "noetic-base-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -120,7 +120,7 @@ target "noetic-robot-cuda-cu128-test" {
   contexts  = { image = dependency("noetic-robot-cuda-cu128", "ros-cuda", "noetic-robot-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -130,7 +130,7 @@ target "noetic-perception-cuda-cu128-test" {
   contexts  = { image = dependency("noetic-perception-cuda-cu128", "ros-cuda", "noetic-perception-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -140,7 +140,7 @@ target "noetic-desktop-cuda-cu128-test" {
   contexts  = { image = dependency("noetic-desktop-cuda-cu128", "ros-cuda", "noetic-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -150,7 +150,7 @@ target "noetic-desktop-full-cuda-cu128-test" {
   contexts  = { image = dependency("noetic-desktop-full-cuda-cu128", "ros-cuda", "noetic-desktop-full-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -160,7 +160,7 @@ target "noetic-core-run-cuda-cu128-test" {
   contexts  = { image = dependency("noetic-core-run-cuda-cu128", "ros-cuda", "noetic-core-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -170,7 +170,7 @@ target "noetic-base-run-cuda-cu128-test" {
   contexts  = { image = dependency("noetic-base-run-cuda-cu128", "ros-cuda", "noetic-base-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -180,7 +180,7 @@ target "noetic-core-cuda-cu130-test" {
   contexts  = { image = dependency("noetic-core-cuda-cu130", "ros-cuda", "noetic-core-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda cuda-build ros1-workspace pip"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -190,7 +190,7 @@ target "noetic-base-cuda-cu130-test" {
   contexts  = { image = dependency("noetic-base-cuda-cu130", "ros-cuda", "noetic-base-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -200,7 +200,7 @@ target "noetic-robot-cuda-cu130-test" {
   contexts  = { image = dependency("noetic-robot-cuda-cu130", "ros-cuda", "noetic-robot-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -210,7 +210,7 @@ target "noetic-perception-cuda-cu130-test" {
   contexts  = { image = dependency("noetic-perception-cuda-cu130", "ros-cuda", "noetic-perception-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -220,7 +220,7 @@ target "noetic-desktop-cuda-cu130-test" {
   contexts  = { image = dependency("noetic-desktop-cuda-cu130", "ros-cuda", "noetic-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -230,7 +230,7 @@ target "noetic-desktop-full-cuda-cu130-test" {
   contexts  = { image = dependency("noetic-desktop-full-cuda-cu130", "ros-cuda", "noetic-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -240,7 +240,7 @@ target "noetic-core-run-cuda-cu130-test" {
   contexts  = { image = dependency("noetic-core-run-cuda-cu130", "ros-cuda", "noetic-core-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -250,7 +250,7 @@ target "noetic-base-run-cuda-cu130-test" {
   contexts  = { image = dependency("noetic-base-run-cuda-cu130", "ros-cuda", "noetic-base-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -260,7 +260,7 @@ target "noetic-core-cuda-cu132-test" {
   contexts  = { image = dependency("noetic-core-cuda-cu132", "ros-cuda", "noetic-core-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda cuda-build ros1-workspace pip"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -270,7 +270,7 @@ target "noetic-base-cuda-cu132-test" {
   contexts  = { image = dependency("noetic-base-cuda-cu132", "ros-cuda", "noetic-base-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -280,7 +280,7 @@ target "noetic-robot-cuda-cu132-test" {
   contexts  = { image = dependency("noetic-robot-cuda-cu132", "ros-cuda", "noetic-robot-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -290,7 +290,7 @@ target "noetic-perception-cuda-cu132-test" {
   contexts  = { image = dependency("noetic-perception-cuda-cu132", "ros-cuda", "noetic-perception-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -300,7 +300,7 @@ target "noetic-desktop-cuda-cu132-test" {
   contexts  = { image = dependency("noetic-desktop-cuda-cu132", "ros-cuda", "noetic-desktop-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -310,7 +310,7 @@ target "noetic-desktop-full-cuda-cu132-test" {
   contexts  = { image = dependency("noetic-desktop-full-cuda-cu132", "ros-cuda", "noetic-desktop-full-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -320,7 +320,7 @@ target "noetic-core-run-cuda-cu132-test" {
   contexts  = { image = dependency("noetic-core-run-cuda-cu132", "ros-cuda", "noetic-core-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -330,7 +330,7 @@ target "noetic-base-run-cuda-cu132-test" {
   contexts  = { image = dependency("noetic-base-run-cuda-cu132", "ros-cuda", "noetic-base-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -340,7 +340,7 @@ target "noetic-core-cuda-cu121-test" {
   contexts  = { image = dependency("noetic-core-cuda-cu121", "ros-cuda", "noetic-core-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -350,7 +350,7 @@ target "noetic-base-cuda-cu121-test" {
   contexts  = { image = dependency("noetic-base-cuda-cu121", "ros-cuda", "noetic-base-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -360,7 +360,7 @@ target "noetic-robot-cuda-cu121-test" {
   contexts  = { image = dependency("noetic-robot-cuda-cu121", "ros-cuda", "noetic-robot-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -370,7 +370,7 @@ target "noetic-perception-cuda-cu121-test" {
   contexts  = { image = dependency("noetic-perception-cuda-cu121", "ros-cuda", "noetic-perception-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -380,7 +380,7 @@ target "noetic-desktop-cuda-cu121-test" {
   contexts  = { image = dependency("noetic-desktop-cuda-cu121", "ros-cuda", "noetic-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -390,7 +390,7 @@ target "noetic-desktop-full-cuda-cu121-test" {
   contexts  = { image = dependency("noetic-desktop-full-cuda-cu121", "ros-cuda", "noetic-desktop-full-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -400,7 +400,7 @@ target "noetic-core-run-cuda-cu121-test" {
   contexts  = { image = dependency("noetic-core-run-cuda-cu121", "ros-cuda", "noetic-core-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -410,7 +410,7 @@ target "noetic-base-run-cuda-cu121-test" {
   contexts  = { image = dependency("noetic-base-run-cuda-cu121", "ros-cuda", "noetic-base-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -420,7 +420,7 @@ target "noetic-core-torch-cu121-test" {
   contexts  = { image = dependency("noetic-core-torch-cu121", "ros-torch", "noetic-core-torch-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch cuda-build torch-build ros1-workspace pip"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
   }
 }
 
@@ -430,7 +430,7 @@ target "noetic-base-torch-cu121-test" {
   contexts  = { image = dependency("noetic-base-torch-cu121", "ros-torch", "noetic-base-torch-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
   }
 }
 
@@ -440,7 +440,7 @@ target "noetic-robot-torch-cu121-test" {
   contexts  = { image = dependency("noetic-robot-torch-cu121", "ros-torch", "noetic-robot-torch-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
   }
 }
 
@@ -450,7 +450,7 @@ target "noetic-perception-torch-cu121-test" {
   contexts  = { image = dependency("noetic-perception-torch-cu121", "ros-torch", "noetic-perception-torch-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
   }
 }
 
@@ -460,7 +460,7 @@ target "noetic-desktop-torch-cu121-test" {
   contexts  = { image = dependency("noetic-desktop-torch-cu121", "ros-torch", "noetic-desktop-torch-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
   }
 }
 
@@ -470,7 +470,7 @@ target "noetic-desktop-full-torch-cu121-test" {
   contexts  = { image = dependency("noetic-desktop-full-torch-cu121", "ros-torch", "noetic-desktop-full-torch-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
   }
 }
 
@@ -480,7 +480,7 @@ target "noetic-core-run-torch-cu121-test" {
   contexts  = { image = dependency("noetic-core-run-torch-cu121", "ros-torch", "noetic-core-run-torch-cu121") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
   }
 }
 
@@ -490,7 +490,7 @@ target "noetic-base-run-torch-cu121-test" {
   contexts  = { image = dependency("noetic-base-run-torch-cu121", "ros-torch", "noetic-base-run-torch-cu121") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
   }
 }
 
@@ -500,7 +500,7 @@ target "noetic-core-torch-cpu38-test" {
   contexts  = { image = dependency("noetic-core-torch-cpu38", "ros-torch", "noetic-core-torch-cpu38") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch torch-build ros1-workspace pip"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core torch=2.4.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core torch=2.4.1"
   }
 }
 
@@ -510,7 +510,7 @@ target "noetic-base-torch-cpu38-test" {
   contexts  = { image = dependency("noetic-base-torch-cpu38", "ros-torch", "noetic-base-torch-cpu38") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base torch=2.4.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base torch=2.4.1"
   }
 }
 
@@ -520,7 +520,7 @@ target "noetic-robot-torch-cpu38-test" {
   contexts  = { image = dependency("noetic-robot-torch-cpu38", "ros-torch", "noetic-robot-torch-cpu38") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot torch=2.4.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot torch=2.4.1"
   }
 }
 
@@ -530,7 +530,7 @@ target "noetic-perception-torch-cpu38-test" {
   contexts  = { image = dependency("noetic-perception-torch-cpu38", "ros-torch", "noetic-perception-torch-cpu38") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception torch=2.4.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception torch=2.4.1"
   }
 }
 
@@ -540,7 +540,7 @@ target "noetic-desktop-torch-cpu38-test" {
   contexts  = { image = dependency("noetic-desktop-torch-cpu38", "ros-torch", "noetic-desktop-torch-cpu38") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop torch=2.4.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop torch=2.4.1"
   }
 }
 
@@ -550,7 +550,7 @@ target "noetic-desktop-full-torch-cpu38-test" {
   contexts  = { image = dependency("noetic-desktop-full-torch-cpu38", "ros-torch", "noetic-desktop-full-torch-cpu38") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full torch=2.4.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full torch=2.4.1"
   }
 }
 
@@ -560,7 +560,7 @@ target "noetic-core-run-torch-cpu38-test" {
   contexts  = { image = dependency("noetic-core-run-torch-cpu38", "ros-torch", "noetic-core-run-torch-cpu38") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.4.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.4.1"
   }
 }
 
@@ -570,7 +570,7 @@ target "noetic-base-run-torch-cpu38-test" {
   contexts  = { image = dependency("noetic-base-run-torch-cpu38", "ros-torch", "noetic-base-run-torch-cpu38") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.4.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.4.1"
   }
 }
 
@@ -580,7 +580,7 @@ target "noetic-core-tensorflow-cpu38-test" {
   contexts  = { image = dependency("noetic-core-tensorflow-cpu38", "ros-tf", "noetic-core-tensorflow-cpu38") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tensorflow tensorflow-build ros1-workspace pip"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core tensorflow=2.13.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core tensorflow=2.13.1"
   }
 }
 
@@ -590,7 +590,7 @@ target "noetic-base-tensorflow-cpu38-test" {
   contexts  = { image = dependency("noetic-base-tensorflow-cpu38", "ros-tf", "noetic-base-tensorflow-cpu38") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tensorflow"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base tensorflow=2.13.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base tensorflow=2.13.1"
   }
 }
 
@@ -600,7 +600,7 @@ target "noetic-robot-tensorflow-cpu38-test" {
   contexts  = { image = dependency("noetic-robot-tensorflow-cpu38", "ros-tf", "noetic-robot-tensorflow-cpu38") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tensorflow"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot tensorflow=2.13.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot tensorflow=2.13.1"
   }
 }
 
@@ -610,7 +610,7 @@ target "noetic-perception-tensorflow-cpu38-test" {
   contexts  = { image = dependency("noetic-perception-tensorflow-cpu38", "ros-tf", "noetic-perception-tensorflow-cpu38") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tensorflow"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception tensorflow=2.13.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception tensorflow=2.13.1"
   }
 }
 
@@ -620,7 +620,7 @@ target "noetic-desktop-tensorflow-cpu38-test" {
   contexts  = { image = dependency("noetic-desktop-tensorflow-cpu38", "ros-tf", "noetic-desktop-tensorflow-cpu38") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tensorflow"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop tensorflow=2.13.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop tensorflow=2.13.1"
   }
 }
 
@@ -630,7 +630,7 @@ target "noetic-desktop-full-tensorflow-cpu38-test" {
   contexts  = { image = dependency("noetic-desktop-full-tensorflow-cpu38", "ros-tf", "noetic-desktop-full-tensorflow-cpu38") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tensorflow"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full tensorflow=2.13.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full tensorflow=2.13.1"
   }
 }
 
@@ -640,7 +640,7 @@ target "noetic-core-run-tensorflow-cpu38-test" {
   contexts  = { image = dependency("noetic-core-run-tensorflow-cpu38", "ros-tf", "noetic-core-run-tensorflow-cpu38") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside tensorflow"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.13.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.13.1"
   }
 }
 
@@ -650,7 +650,27 @@ target "noetic-base-run-tensorflow-cpu38-test" {
   contexts  = { image = dependency("noetic-base-run-tensorflow-cpu38", "ros-tf", "noetic-base-run-tensorflow-cpu38") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside tensorflow"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.13.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.13.1"
+  }
+}
+
+target "noetic-core-onnx-cu121-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("noetic-core-onnx-cu121", "ros-onnx", "noetic-core-onnx-cu121") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core onnxruntime=1.19.2 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+  }
+}
+
+target "noetic-core-torch-onnx-cu121-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("noetic-core-torch-onnx-cu121", "ros-torch-onnx", "noetic-core-torch-onnx-cu121") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda torch onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core torch=2.4.1 onnxruntime=1.19.2 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
   }
 }
 
@@ -660,7 +680,7 @@ target "noetic-core-devel-cu130-test" {
   contexts  = { image = dependency("noetic-core-devel-cu130", "ros-devel", "noetic-core-devel-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda devel devel-build pip"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -670,7 +690,7 @@ target "noetic-core-devel-cu132-test" {
   contexts  = { image = dependency("noetic-core-devel-cu132", "ros-devel", "noetic-core-devel-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda devel devel-build pip"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -682,7 +702,7 @@ target "foxy-core-test" {
   contexts  = { image = dependency("foxy-core", "ros", "foxy-core") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-core ros2-components ros2-workspace pip"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core"
   }
 }
 
@@ -692,7 +712,7 @@ target "foxy-base-test" {
   contexts  = { image = dependency("foxy-base", "ros", "foxy-base") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-base ros2-components"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base"
   }
 }
 
@@ -702,7 +722,7 @@ target "foxy-desktop-test" {
   contexts  = { image = dependency("foxy-desktop", "ros", "foxy-desktop") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-desktop ros2-components"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop"
   }
 }
 
@@ -712,7 +732,7 @@ target "foxy-core-run-test" {
   contexts  = { image = dependency("foxy-core-run", "ros", "foxy-core-run") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -722,7 +742,7 @@ target "foxy-base-run-test" {
   contexts  = { image = dependency("foxy-base-run", "ros", "foxy-base-run") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -732,7 +752,7 @@ target "foxy-core-cuda-cu128-test" {
   contexts  = { image = dependency("foxy-core-cuda-cu128", "ros-cuda", "foxy-core-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda cuda-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -742,7 +762,7 @@ target "foxy-base-cuda-cu128-test" {
   contexts  = { image = dependency("foxy-base-cuda-cu128", "ros-cuda", "foxy-base-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -752,7 +772,7 @@ target "foxy-desktop-cuda-cu128-test" {
   contexts  = { image = dependency("foxy-desktop-cuda-cu128", "ros-cuda", "foxy-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -762,7 +782,7 @@ target "foxy-core-run-cuda-cu128-test" {
   contexts  = { image = dependency("foxy-core-run-cuda-cu128", "ros-cuda", "foxy-core-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -772,7 +792,7 @@ target "foxy-base-run-cuda-cu128-test" {
   contexts  = { image = dependency("foxy-base-run-cuda-cu128", "ros-cuda", "foxy-base-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -782,7 +802,7 @@ target "foxy-core-cuda-cu130-test" {
   contexts  = { image = dependency("foxy-core-cuda-cu130", "ros-cuda", "foxy-core-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda cuda-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -792,7 +812,7 @@ target "foxy-base-cuda-cu130-test" {
   contexts  = { image = dependency("foxy-base-cuda-cu130", "ros-cuda", "foxy-base-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -802,7 +822,7 @@ target "foxy-desktop-cuda-cu130-test" {
   contexts  = { image = dependency("foxy-desktop-cuda-cu130", "ros-cuda", "foxy-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -812,7 +832,7 @@ target "foxy-core-run-cuda-cu130-test" {
   contexts  = { image = dependency("foxy-core-run-cuda-cu130", "ros-cuda", "foxy-core-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -822,7 +842,7 @@ target "foxy-base-run-cuda-cu130-test" {
   contexts  = { image = dependency("foxy-base-run-cuda-cu130", "ros-cuda", "foxy-base-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -832,7 +852,7 @@ target "foxy-core-cuda-cu132-test" {
   contexts  = { image = dependency("foxy-core-cuda-cu132", "ros-cuda", "foxy-core-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda cuda-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -842,7 +862,7 @@ target "foxy-base-cuda-cu132-test" {
   contexts  = { image = dependency("foxy-base-cuda-cu132", "ros-cuda", "foxy-base-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -852,7 +872,7 @@ target "foxy-desktop-cuda-cu132-test" {
   contexts  = { image = dependency("foxy-desktop-cuda-cu132", "ros-cuda", "foxy-desktop-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -862,7 +882,7 @@ target "foxy-core-run-cuda-cu132-test" {
   contexts  = { image = dependency("foxy-core-run-cuda-cu132", "ros-cuda", "foxy-core-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -872,7 +892,7 @@ target "foxy-base-run-cuda-cu132-test" {
   contexts  = { image = dependency("foxy-base-run-cuda-cu132", "ros-cuda", "foxy-base-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -882,7 +902,7 @@ target "foxy-core-cuda-cu121-test" {
   contexts  = { image = dependency("foxy-core-cuda-cu121", "ros-cuda", "foxy-core-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -892,7 +912,7 @@ target "foxy-base-cuda-cu121-test" {
   contexts  = { image = dependency("foxy-base-cuda-cu121", "ros-cuda", "foxy-base-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -902,7 +922,7 @@ target "foxy-desktop-cuda-cu121-test" {
   contexts  = { image = dependency("foxy-desktop-cuda-cu121", "ros-cuda", "foxy-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -912,7 +932,7 @@ target "foxy-core-run-cuda-cu121-test" {
   contexts  = { image = dependency("foxy-core-run-cuda-cu121", "ros-cuda", "foxy-core-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -922,7 +942,7 @@ target "foxy-base-run-cuda-cu121-test" {
   contexts  = { image = dependency("foxy-base-run-cuda-cu121", "ros-cuda", "foxy-base-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -932,7 +952,7 @@ target "foxy-core-torch-cu121-test" {
   contexts  = { image = dependency("foxy-core-torch-cu121", "ros-torch", "foxy-core-torch-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch cuda-build torch-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
   }
 }
 
@@ -942,7 +962,7 @@ target "foxy-base-torch-cu121-test" {
   contexts  = { image = dependency("foxy-base-torch-cu121", "ros-torch", "foxy-base-torch-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
   }
 }
 
@@ -952,7 +972,7 @@ target "foxy-desktop-torch-cu121-test" {
   contexts  = { image = dependency("foxy-desktop-torch-cu121", "ros-torch", "foxy-desktop-torch-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
   }
 }
 
@@ -962,7 +982,7 @@ target "foxy-core-run-torch-cu121-test" {
   contexts  = { image = dependency("foxy-core-run-torch-cu121", "ros-torch", "foxy-core-run-torch-cu121") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
   }
 }
 
@@ -972,7 +992,7 @@ target "foxy-base-run-torch-cu121-test" {
   contexts  = { image = dependency("foxy-base-run-torch-cu121", "ros-torch", "foxy-base-run-torch-cu121") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
   }
 }
 
@@ -982,7 +1002,7 @@ target "foxy-core-torch-cpu38-test" {
   contexts  = { image = dependency("foxy-core-torch-cpu38", "ros-torch", "foxy-core-torch-cpu38") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch torch-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core torch=2.4.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core torch=2.4.1"
   }
 }
 
@@ -992,7 +1012,7 @@ target "foxy-base-torch-cpu38-test" {
   contexts  = { image = dependency("foxy-base-torch-cpu38", "ros-torch", "foxy-base-torch-cpu38") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base torch=2.4.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base torch=2.4.1"
   }
 }
 
@@ -1002,7 +1022,7 @@ target "foxy-desktop-torch-cpu38-test" {
   contexts  = { image = dependency("foxy-desktop-torch-cpu38", "ros-torch", "foxy-desktop-torch-cpu38") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop torch=2.4.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop torch=2.4.1"
   }
 }
 
@@ -1012,7 +1032,7 @@ target "foxy-core-run-torch-cpu38-test" {
   contexts  = { image = dependency("foxy-core-run-torch-cpu38", "ros-torch", "foxy-core-run-torch-cpu38") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.4.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.4.1"
   }
 }
 
@@ -1022,7 +1042,7 @@ target "foxy-base-run-torch-cpu38-test" {
   contexts  = { image = dependency("foxy-base-run-torch-cpu38", "ros-torch", "foxy-base-run-torch-cpu38") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.4.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.4.1"
   }
 }
 
@@ -1032,7 +1052,7 @@ target "foxy-core-tensorflow-cpu38-test" {
   contexts  = { image = dependency("foxy-core-tensorflow-cpu38", "ros-tf", "foxy-core-tensorflow-cpu38") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow tensorflow-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core tensorflow=2.13.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core tensorflow=2.13.1"
   }
 }
 
@@ -1042,7 +1062,7 @@ target "foxy-base-tensorflow-cpu38-test" {
   contexts  = { image = dependency("foxy-base-tensorflow-cpu38", "ros-tf", "foxy-base-tensorflow-cpu38") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base tensorflow=2.13.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base tensorflow=2.13.1"
   }
 }
 
@@ -1052,7 +1072,7 @@ target "foxy-desktop-tensorflow-cpu38-test" {
   contexts  = { image = dependency("foxy-desktop-tensorflow-cpu38", "ros-tf", "foxy-desktop-tensorflow-cpu38") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop tensorflow=2.13.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop tensorflow=2.13.1"
   }
 }
 
@@ -1062,7 +1082,7 @@ target "foxy-core-run-tensorflow-cpu38-test" {
   contexts  = { image = dependency("foxy-core-run-tensorflow-cpu38", "ros-tf", "foxy-core-run-tensorflow-cpu38") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.13.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.13.1"
   }
 }
 
@@ -1072,7 +1092,7 @@ target "foxy-base-run-tensorflow-cpu38-test" {
   contexts  = { image = dependency("foxy-base-run-tensorflow-cpu38", "ros-tf", "foxy-base-run-tensorflow-cpu38") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.13.1"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.13.1"
   }
 }
 
@@ -1084,7 +1104,7 @@ target "humble-core-test" {
   contexts  = { image = dependency("humble-core", "ros", "humble-core") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-core ros2-components ros2-workspace pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core"
   }
 }
 
@@ -1094,7 +1114,7 @@ target "humble-base-test" {
   contexts  = { image = dependency("humble-base", "ros", "humble-base") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-base ros2-components"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base"
   }
 }
 
@@ -1104,7 +1124,7 @@ target "humble-perception-test" {
   contexts  = { image = dependency("humble-perception", "ros", "humble-perception") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-perception ros2-components"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception"
   }
 }
 
@@ -1114,7 +1134,7 @@ target "humble-desktop-test" {
   contexts  = { image = dependency("humble-desktop", "ros", "humble-desktop") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-desktop ros2-components"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop"
   }
 }
 
@@ -1124,7 +1144,7 @@ target "humble-desktop-full-test" {
   contexts  = { image = dependency("humble-desktop-full", "ros", "humble-desktop-full") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-desktop-full ros2-components"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full"
   }
 }
 
@@ -1134,7 +1154,7 @@ target "humble-core-run-test" {
   contexts  = { image = dependency("humble-core-run", "ros", "humble-core-run") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -1144,7 +1164,7 @@ target "humble-base-run-test" {
   contexts  = { image = dependency("humble-base-run", "ros", "humble-base-run") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -1154,7 +1174,7 @@ target "humble-core-cuda-cu128-test" {
   contexts  = { image = dependency("humble-core-cuda-cu128", "ros-cuda", "humble-core-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -1164,7 +1184,7 @@ target "humble-base-cuda-cu128-test" {
   contexts  = { image = dependency("humble-base-cuda-cu128", "ros-cuda", "humble-base-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -1174,7 +1194,7 @@ target "humble-perception-cuda-cu128-test" {
   contexts  = { image = dependency("humble-perception-cuda-cu128", "ros-cuda", "humble-perception-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -1184,7 +1204,7 @@ target "humble-desktop-cuda-cu128-test" {
   contexts  = { image = dependency("humble-desktop-cuda-cu128", "ros-cuda", "humble-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -1194,7 +1214,7 @@ target "humble-desktop-full-cuda-cu128-test" {
   contexts  = { image = dependency("humble-desktop-full-cuda-cu128", "ros-cuda", "humble-desktop-full-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -1204,7 +1224,7 @@ target "humble-core-run-cuda-cu128-test" {
   contexts  = { image = dependency("humble-core-run-cuda-cu128", "ros-cuda", "humble-core-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -1214,7 +1234,7 @@ target "humble-base-run-cuda-cu128-test" {
   contexts  = { image = dependency("humble-base-run-cuda-cu128", "ros-cuda", "humble-base-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -1224,7 +1244,7 @@ target "humble-core-cuda-cu130-test" {
   contexts  = { image = dependency("humble-core-cuda-cu130", "ros-cuda", "humble-core-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -1234,7 +1254,7 @@ target "humble-base-cuda-cu130-test" {
   contexts  = { image = dependency("humble-base-cuda-cu130", "ros-cuda", "humble-base-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -1244,7 +1264,7 @@ target "humble-perception-cuda-cu130-test" {
   contexts  = { image = dependency("humble-perception-cuda-cu130", "ros-cuda", "humble-perception-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -1254,7 +1274,7 @@ target "humble-desktop-cuda-cu130-test" {
   contexts  = { image = dependency("humble-desktop-cuda-cu130", "ros-cuda", "humble-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -1264,7 +1284,7 @@ target "humble-desktop-full-cuda-cu130-test" {
   contexts  = { image = dependency("humble-desktop-full-cuda-cu130", "ros-cuda", "humble-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -1274,7 +1294,7 @@ target "humble-core-run-cuda-cu130-test" {
   contexts  = { image = dependency("humble-core-run-cuda-cu130", "ros-cuda", "humble-core-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -1284,7 +1304,7 @@ target "humble-base-run-cuda-cu130-test" {
   contexts  = { image = dependency("humble-base-run-cuda-cu130", "ros-cuda", "humble-base-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -1294,7 +1314,7 @@ target "humble-core-cuda-cu132-test" {
   contexts  = { image = dependency("humble-core-cuda-cu132", "ros-cuda", "humble-core-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda cuda-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -1304,7 +1324,7 @@ target "humble-base-cuda-cu132-test" {
   contexts  = { image = dependency("humble-base-cuda-cu132", "ros-cuda", "humble-base-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -1314,7 +1334,7 @@ target "humble-perception-cuda-cu132-test" {
   contexts  = { image = dependency("humble-perception-cuda-cu132", "ros-cuda", "humble-perception-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -1324,7 +1344,7 @@ target "humble-desktop-cuda-cu132-test" {
   contexts  = { image = dependency("humble-desktop-cuda-cu132", "ros-cuda", "humble-desktop-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -1334,7 +1354,7 @@ target "humble-desktop-full-cuda-cu132-test" {
   contexts  = { image = dependency("humble-desktop-full-cuda-cu132", "ros-cuda", "humble-desktop-full-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -1344,7 +1364,7 @@ target "humble-core-run-cuda-cu132-test" {
   contexts  = { image = dependency("humble-core-run-cuda-cu132", "ros-cuda", "humble-core-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -1354,7 +1374,7 @@ target "humble-base-run-cuda-cu132-test" {
   contexts  = { image = dependency("humble-base-run-cuda-cu132", "ros-cuda", "humble-base-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -1364,7 +1384,7 @@ target "humble-core-cuda-cu121-test" {
   contexts  = { image = dependency("humble-core-cuda-cu121", "ros-cuda", "humble-core-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda cuda-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -1374,7 +1394,7 @@ target "humble-base-cuda-cu121-test" {
   contexts  = { image = dependency("humble-base-cuda-cu121", "ros-cuda", "humble-base-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -1384,7 +1404,7 @@ target "humble-perception-cuda-cu121-test" {
   contexts  = { image = dependency("humble-perception-cuda-cu121", "ros-cuda", "humble-perception-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -1394,7 +1414,7 @@ target "humble-desktop-cuda-cu121-test" {
   contexts  = { image = dependency("humble-desktop-cuda-cu121", "ros-cuda", "humble-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -1404,7 +1424,7 @@ target "humble-desktop-full-cuda-cu121-test" {
   contexts  = { image = dependency("humble-desktop-full-cuda-cu121", "ros-cuda", "humble-desktop-full-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -1414,7 +1434,7 @@ target "humble-core-run-cuda-cu121-test" {
   contexts  = { image = dependency("humble-core-run-cuda-cu121", "ros-cuda", "humble-core-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -1424,7 +1444,7 @@ target "humble-base-run-cuda-cu121-test" {
   contexts  = { image = dependency("humble-base-run-cuda-cu121", "ros-cuda", "humble-base-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -1434,7 +1454,7 @@ target "humble-core-torch-cu128-test" {
   contexts  = { image = dependency("humble-core-torch-cu128", "ros-torch", "humble-core-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -1444,7 +1464,7 @@ target "humble-base-torch-cu128-test" {
   contexts  = { image = dependency("humble-base-torch-cu128", "ros-torch", "humble-base-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -1454,7 +1474,7 @@ target "humble-perception-torch-cu128-test" {
   contexts  = { image = dependency("humble-perception-torch-cu128", "ros-torch", "humble-perception-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -1464,7 +1484,7 @@ target "humble-desktop-torch-cu128-test" {
   contexts  = { image = dependency("humble-desktop-torch-cu128", "ros-torch", "humble-desktop-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -1474,7 +1494,7 @@ target "humble-desktop-full-torch-cu128-test" {
   contexts  = { image = dependency("humble-desktop-full-torch-cu128", "ros-torch", "humble-desktop-full-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -1484,7 +1504,7 @@ target "humble-core-run-torch-cu128-test" {
   contexts  = { image = dependency("humble-core-run-torch-cu128", "ros-torch", "humble-core-run-torch-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -1494,7 +1514,7 @@ target "humble-base-run-torch-cu128-test" {
   contexts  = { image = dependency("humble-base-run-torch-cu128", "ros-torch", "humble-base-run-torch-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -1504,7 +1524,7 @@ target "humble-core-torch-cu130-test" {
   contexts  = { image = dependency("humble-core-torch-cu130", "ros-torch", "humble-core-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch cuda-build torch-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -1514,7 +1534,7 @@ target "humble-base-torch-cu130-test" {
   contexts  = { image = dependency("humble-base-torch-cu130", "ros-torch", "humble-base-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -1524,7 +1544,7 @@ target "humble-perception-torch-cu130-test" {
   contexts  = { image = dependency("humble-perception-torch-cu130", "ros-torch", "humble-perception-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -1534,7 +1554,7 @@ target "humble-desktop-torch-cu130-test" {
   contexts  = { image = dependency("humble-desktop-torch-cu130", "ros-torch", "humble-desktop-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -1544,7 +1564,7 @@ target "humble-desktop-full-torch-cu130-test" {
   contexts  = { image = dependency("humble-desktop-full-torch-cu130", "ros-torch", "humble-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -1554,7 +1574,7 @@ target "humble-core-run-torch-cu130-test" {
   contexts  = { image = dependency("humble-core-run-torch-cu130", "ros-torch", "humble-core-run-torch-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -1564,7 +1584,7 @@ target "humble-base-run-torch-cu130-test" {
   contexts  = { image = dependency("humble-base-run-torch-cu130", "ros-torch", "humble-base-run-torch-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -1574,7 +1594,7 @@ target "humble-core-torch-cpu-test" {
   contexts  = { image = dependency("humble-core-torch-cpu", "ros-torch", "humble-core-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core torch=2.10.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core torch=2.10.0"
   }
 }
 
@@ -1584,7 +1604,7 @@ target "humble-base-torch-cpu-test" {
   contexts  = { image = dependency("humble-base-torch-cpu", "ros-torch", "humble-base-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base torch=2.10.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base torch=2.10.0"
   }
 }
 
@@ -1594,7 +1614,7 @@ target "humble-perception-torch-cpu-test" {
   contexts  = { image = dependency("humble-perception-torch-cpu", "ros-torch", "humble-perception-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception torch=2.10.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception torch=2.10.0"
   }
 }
 
@@ -1604,7 +1624,7 @@ target "humble-desktop-torch-cpu-test" {
   contexts  = { image = dependency("humble-desktop-torch-cpu", "ros-torch", "humble-desktop-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop torch=2.10.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop torch=2.10.0"
   }
 }
 
@@ -1614,7 +1634,7 @@ target "humble-desktop-full-torch-cpu-test" {
   contexts  = { image = dependency("humble-desktop-full-torch-cpu", "ros-torch", "humble-desktop-full-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full torch=2.10.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full torch=2.10.0"
   }
 }
 
@@ -1624,7 +1644,7 @@ target "humble-core-run-torch-cpu-test" {
   contexts  = { image = dependency("humble-core-run-torch-cpu", "ros-torch", "humble-core-run-torch-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0"
   }
 }
 
@@ -1634,7 +1654,7 @@ target "humble-base-run-torch-cpu-test" {
   contexts  = { image = dependency("humble-base-run-torch-cpu", "ros-torch", "humble-base-run-torch-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0"
   }
 }
 
@@ -1644,7 +1664,7 @@ target "humble-core-tensorflow-cu128-test" {
   contexts  = { image = dependency("humble-core-tensorflow-cu128", "ros-tf", "humble-core-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -1654,7 +1674,7 @@ target "humble-base-tensorflow-cu128-test" {
   contexts  = { image = dependency("humble-base-tensorflow-cu128", "ros-tf", "humble-base-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -1664,7 +1684,7 @@ target "humble-perception-tensorflow-cu128-test" {
   contexts  = { image = dependency("humble-perception-tensorflow-cu128", "ros-tf", "humble-perception-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -1674,7 +1694,7 @@ target "humble-desktop-tensorflow-cu128-test" {
   contexts  = { image = dependency("humble-desktop-tensorflow-cu128", "ros-tf", "humble-desktop-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -1684,7 +1704,7 @@ target "humble-desktop-full-tensorflow-cu128-test" {
   contexts  = { image = dependency("humble-desktop-full-tensorflow-cu128", "ros-tf", "humble-desktop-full-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -1694,7 +1714,7 @@ target "humble-core-run-tensorflow-cu128-test" {
   contexts  = { image = dependency("humble-core-run-tensorflow-cu128", "ros-tf", "humble-core-run-tensorflow-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -1704,7 +1724,7 @@ target "humble-base-run-tensorflow-cu128-test" {
   contexts  = { image = dependency("humble-base-run-tensorflow-cu128", "ros-tf", "humble-base-run-tensorflow-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -1714,7 +1734,7 @@ target "humble-core-tensorflow-cpu-test" {
   contexts  = { image = dependency("humble-core-tensorflow-cpu", "ros-tf", "humble-core-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tensorflow=2.21.0"
   }
 }
 
@@ -1724,7 +1744,7 @@ target "humble-base-tensorflow-cpu-test" {
   contexts  = { image = dependency("humble-base-tensorflow-cpu", "ros-tf", "humble-base-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base tensorflow=2.21.0"
   }
 }
 
@@ -1734,7 +1754,7 @@ target "humble-perception-tensorflow-cpu-test" {
   contexts  = { image = dependency("humble-perception-tensorflow-cpu", "ros-tf", "humble-perception-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception tensorflow=2.21.0"
   }
 }
 
@@ -1744,7 +1764,7 @@ target "humble-desktop-tensorflow-cpu-test" {
   contexts  = { image = dependency("humble-desktop-tensorflow-cpu", "ros-tf", "humble-desktop-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop tensorflow=2.21.0"
   }
 }
 
@@ -1754,7 +1774,7 @@ target "humble-desktop-full-tensorflow-cpu-test" {
   contexts  = { image = dependency("humble-desktop-full-tensorflow-cpu", "ros-tf", "humble-desktop-full-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full tensorflow=2.21.0"
   }
 }
 
@@ -1764,7 +1784,7 @@ target "humble-core-run-tensorflow-cpu-test" {
   contexts  = { image = dependency("humble-core-run-tensorflow-cpu", "ros-tf", "humble-core-run-tensorflow-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.21.0"
   }
 }
 
@@ -1774,7 +1794,7 @@ target "humble-base-run-tensorflow-cpu-test" {
   contexts  = { image = dependency("humble-base-run-tensorflow-cpu", "ros-tf", "humble-base-run-tensorflow-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.21.0"
   }
 }
 
@@ -1784,7 +1804,7 @@ target "humble-core-ml-cu128-test" {
   contexts  = { image = dependency("humble-core-ml-cu128", "ros-ml", "humble-core-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow cuda-build torch-build tensorflow-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -1794,7 +1814,7 @@ target "humble-base-ml-cu128-test" {
   contexts  = { image = dependency("humble-base-ml-cu128", "ros-ml", "humble-base-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -1804,7 +1824,7 @@ target "humble-perception-ml-cu128-test" {
   contexts  = { image = dependency("humble-perception-ml-cu128", "ros-ml", "humble-perception-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -1814,7 +1834,7 @@ target "humble-desktop-ml-cu128-test" {
   contexts  = { image = dependency("humble-desktop-ml-cu128", "ros-ml", "humble-desktop-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -1824,7 +1844,7 @@ target "humble-desktop-full-ml-cu128-test" {
   contexts  = { image = dependency("humble-desktop-full-ml-cu128", "ros-ml", "humble-desktop-full-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -1834,7 +1854,7 @@ target "humble-core-run-ml-cu128-test" {
   contexts  = { image = dependency("humble-core-run-ml-cu128", "ros-ml", "humble-core-run-ml-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -1844,7 +1864,7 @@ target "humble-base-run-ml-cu128-test" {
   contexts  = { image = dependency("humble-base-run-ml-cu128", "ros-ml", "humble-base-run-ml-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -1854,7 +1874,7 @@ target "humble-core-ml-cpu-test" {
   contexts  = { image = dependency("humble-core-ml-cpu", "ros-ml", "humble-core-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow torch-build tensorflow-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -1864,7 +1884,7 @@ target "humble-base-ml-cpu-test" {
   contexts  = { image = dependency("humble-base-ml-cpu", "ros-ml", "humble-base-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -1874,7 +1894,7 @@ target "humble-perception-ml-cpu-test" {
   contexts  = { image = dependency("humble-perception-ml-cpu", "ros-ml", "humble-perception-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -1884,7 +1904,7 @@ target "humble-desktop-ml-cpu-test" {
   contexts  = { image = dependency("humble-desktop-ml-cpu", "ros-ml", "humble-desktop-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -1894,7 +1914,7 @@ target "humble-desktop-full-ml-cpu-test" {
   contexts  = { image = dependency("humble-desktop-full-ml-cpu", "ros-ml", "humble-desktop-full-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -1904,7 +1924,7 @@ target "humble-core-run-ml-cpu-test" {
   contexts  = { image = dependency("humble-core-run-ml-cpu", "ros-ml", "humble-core-run-ml-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -1914,7 +1934,87 @@ target "humble-base-run-ml-cpu-test" {
   contexts  = { image = dependency("humble-base-run-ml-cpu", "ros-ml", "humble-base-run-ml-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
+  }
+}
+
+target "humble-core-onnx-cu128-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("humble-core-onnx-cu128", "ros-onnx", "humble-core-onnx-cu128") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+  }
+}
+
+target "humble-base-onnx-cu128-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("humble-base-onnx-cu128", "ros-onnx", "humble-base-onnx-cu128") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+  }
+}
+
+target "humble-core-torch-onnx-cu128-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("humble-core-torch-onnx-cu128", "ros-torch-onnx", "humble-core-torch-onnx-cu128") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda torch onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core torch=2.10.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+  }
+}
+
+target "humble-core-tensorflow-onnx-cu128-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("humble-core-tensorflow-onnx-cu128", "ros-tf-onnx", "humble-core-tensorflow-onnx-cu128") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda tensorflow onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tensorflow=2.20.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+  }
+}
+
+target "humble-core-onnx-cpu-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("humble-core-onnx-cpu", "ros-onnx", "humble-core-onnx-cpu") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core onnxruntime=1.23.2"
+  }
+}
+
+target "humble-base-onnx-cpu-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("humble-base-onnx-cpu", "ros-onnx", "humble-base-onnx-cpu") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside onnxruntime"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base onnxruntime=1.23.2"
+  }
+}
+
+target "humble-core-torch-onnx-cpu-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("humble-core-torch-onnx-cpu", "ros-torch-onnx", "humble-core-torch-onnx-cpu") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside torch onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core torch=2.10.0 onnxruntime=1.23.2"
+  }
+}
+
+target "humble-core-tensorflow-onnx-cpu-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("humble-core-tensorflow-onnx-cpu", "ros-tf-onnx", "humble-core-tensorflow-onnx-cpu") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside tensorflow onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tensorflow=2.21.0 onnxruntime=1.23.2"
   }
 }
 
@@ -1924,7 +2024,7 @@ target "humble-core-devel-cu130-test" {
   contexts  = { image = dependency("humble-core-devel-cu130", "ros-devel", "humble-core-devel-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda devel devel-build pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -1934,7 +2034,7 @@ target "humble-core-torch-devel-cu130-test" {
   contexts  = { image = dependency("humble-core-torch-devel-cu130", "ros-torch-devel", "humble-core-torch-devel-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch devel devel-build pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -1944,7 +2044,7 @@ target "humble-core-devel-cu132-test" {
   contexts  = { image = dependency("humble-core-devel-cu132", "ros-devel", "humble-core-devel-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda devel devel-build pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -1954,7 +2054,7 @@ target "humble-core-triton-cu128-test" {
   contexts  = { image = dependency("humble-core-triton-cu128", "ros-triton", "humble-core-triton-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tritonclient pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tritonclient=2.73.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tritonclient=2.73.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -1964,7 +2064,7 @@ target "humble-core-triton-cu130-test" {
   contexts  = { image = dependency("humble-core-triton-cu130", "ros-triton", "humble-core-triton-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tritonclient pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tritonclient=2.73.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tritonclient=2.73.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -1974,7 +2074,7 @@ target "humble-core-triton-cu132-test" {
   contexts  = { image = dependency("humble-core-triton-cu132", "ros-triton", "humble-core-triton-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tritonclient pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tritonclient=2.73.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tritonclient=2.73.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -1984,7 +2084,7 @@ target "humble-core-triton-cpu-test" {
   contexts  = { image = dependency("humble-core-triton-cpu", "ros-triton", "humble-core-triton-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tritonclient pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tritonclient=2.73.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tritonclient=2.73.0"
   }
 }
 
@@ -1994,7 +2094,7 @@ target "humble-core-tensorrt-rtx-cu130-test" {
   contexts  = { image = dependency("humble-core-tensorrt-rtx-cu130", "ros-tensorrt-rtx", "humble-core-tensorrt-rtx-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorrt-rtx pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tensorrt-rtx=1.7.1.116 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tensorrt-rtx=1.7.1.116 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
   }
 }
 
@@ -2004,7 +2104,7 @@ target "humble-core-tensorrt-rtx-cu132-test" {
   contexts  = { image = dependency("humble-core-tensorrt-rtx-cu132", "ros-tensorrt-rtx", "humble-core-tensorrt-rtx-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorrt-rtx pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tensorrt-rtx=1.7.1.116 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tensorrt-rtx=1.7.1.116 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
   }
 }
 
@@ -2016,7 +2116,7 @@ target "iron-core-test" {
   contexts  = { image = dependency("iron-core", "ros", "iron-core") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-core ros2-components ros2-workspace pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core"
   }
 }
 
@@ -2026,7 +2126,7 @@ target "iron-base-test" {
   contexts  = { image = dependency("iron-base", "ros", "iron-base") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-base ros2-components"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base"
   }
 }
 
@@ -2036,7 +2136,7 @@ target "iron-perception-test" {
   contexts  = { image = dependency("iron-perception", "ros", "iron-perception") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-perception ros2-components"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception"
   }
 }
 
@@ -2046,7 +2146,7 @@ target "iron-desktop-test" {
   contexts  = { image = dependency("iron-desktop", "ros", "iron-desktop") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-desktop ros2-components"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop"
   }
 }
 
@@ -2056,7 +2156,7 @@ target "iron-desktop-full-test" {
   contexts  = { image = dependency("iron-desktop-full", "ros", "iron-desktop-full") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-desktop-full ros2-components"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full"
   }
 }
 
@@ -2066,7 +2166,7 @@ target "iron-core-run-test" {
   contexts  = { image = dependency("iron-core-run", "ros", "iron-core-run") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -2076,7 +2176,7 @@ target "iron-base-run-test" {
   contexts  = { image = dependency("iron-base-run", "ros", "iron-base-run") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -2086,7 +2186,7 @@ target "iron-core-cuda-cu128-test" {
   contexts  = { image = dependency("iron-core-cuda-cu128", "ros-cuda", "iron-core-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -2096,7 +2196,7 @@ target "iron-base-cuda-cu128-test" {
   contexts  = { image = dependency("iron-base-cuda-cu128", "ros-cuda", "iron-base-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -2106,7 +2206,7 @@ target "iron-perception-cuda-cu128-test" {
   contexts  = { image = dependency("iron-perception-cuda-cu128", "ros-cuda", "iron-perception-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -2116,7 +2216,7 @@ target "iron-desktop-cuda-cu128-test" {
   contexts  = { image = dependency("iron-desktop-cuda-cu128", "ros-cuda", "iron-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -2126,7 +2226,7 @@ target "iron-desktop-full-cuda-cu128-test" {
   contexts  = { image = dependency("iron-desktop-full-cuda-cu128", "ros-cuda", "iron-desktop-full-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -2136,7 +2236,7 @@ target "iron-core-run-cuda-cu128-test" {
   contexts  = { image = dependency("iron-core-run-cuda-cu128", "ros-cuda", "iron-core-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -2146,7 +2246,7 @@ target "iron-base-run-cuda-cu128-test" {
   contexts  = { image = dependency("iron-base-run-cuda-cu128", "ros-cuda", "iron-base-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -2156,7 +2256,7 @@ target "iron-core-cuda-cu130-test" {
   contexts  = { image = dependency("iron-core-cuda-cu130", "ros-cuda", "iron-core-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -2166,7 +2266,7 @@ target "iron-base-cuda-cu130-test" {
   contexts  = { image = dependency("iron-base-cuda-cu130", "ros-cuda", "iron-base-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -2176,7 +2276,7 @@ target "iron-perception-cuda-cu130-test" {
   contexts  = { image = dependency("iron-perception-cuda-cu130", "ros-cuda", "iron-perception-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -2186,7 +2286,7 @@ target "iron-desktop-cuda-cu130-test" {
   contexts  = { image = dependency("iron-desktop-cuda-cu130", "ros-cuda", "iron-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -2196,7 +2296,7 @@ target "iron-desktop-full-cuda-cu130-test" {
   contexts  = { image = dependency("iron-desktop-full-cuda-cu130", "ros-cuda", "iron-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -2206,7 +2306,7 @@ target "iron-core-run-cuda-cu130-test" {
   contexts  = { image = dependency("iron-core-run-cuda-cu130", "ros-cuda", "iron-core-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -2216,7 +2316,7 @@ target "iron-base-run-cuda-cu130-test" {
   contexts  = { image = dependency("iron-base-run-cuda-cu130", "ros-cuda", "iron-base-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -2226,7 +2326,7 @@ target "iron-core-cuda-cu132-test" {
   contexts  = { image = dependency("iron-core-cuda-cu132", "ros-cuda", "iron-core-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda cuda-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -2236,7 +2336,7 @@ target "iron-base-cuda-cu132-test" {
   contexts  = { image = dependency("iron-base-cuda-cu132", "ros-cuda", "iron-base-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -2246,7 +2346,7 @@ target "iron-perception-cuda-cu132-test" {
   contexts  = { image = dependency("iron-perception-cuda-cu132", "ros-cuda", "iron-perception-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -2256,7 +2356,7 @@ target "iron-desktop-cuda-cu132-test" {
   contexts  = { image = dependency("iron-desktop-cuda-cu132", "ros-cuda", "iron-desktop-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -2266,7 +2366,7 @@ target "iron-desktop-full-cuda-cu132-test" {
   contexts  = { image = dependency("iron-desktop-full-cuda-cu132", "ros-cuda", "iron-desktop-full-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -2276,7 +2376,7 @@ target "iron-core-run-cuda-cu132-test" {
   contexts  = { image = dependency("iron-core-run-cuda-cu132", "ros-cuda", "iron-core-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -2286,7 +2386,7 @@ target "iron-base-run-cuda-cu132-test" {
   contexts  = { image = dependency("iron-base-run-cuda-cu132", "ros-cuda", "iron-base-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -2296,7 +2396,7 @@ target "iron-core-cuda-cu121-test" {
   contexts  = { image = dependency("iron-core-cuda-cu121", "ros-cuda", "iron-core-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda cuda-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -2306,7 +2406,7 @@ target "iron-base-cuda-cu121-test" {
   contexts  = { image = dependency("iron-base-cuda-cu121", "ros-cuda", "iron-base-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -2316,7 +2416,7 @@ target "iron-perception-cuda-cu121-test" {
   contexts  = { image = dependency("iron-perception-cuda-cu121", "ros-cuda", "iron-perception-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -2326,7 +2426,7 @@ target "iron-desktop-cuda-cu121-test" {
   contexts  = { image = dependency("iron-desktop-cuda-cu121", "ros-cuda", "iron-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -2336,7 +2436,7 @@ target "iron-desktop-full-cuda-cu121-test" {
   contexts  = { image = dependency("iron-desktop-full-cuda-cu121", "ros-cuda", "iron-desktop-full-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -2346,7 +2446,7 @@ target "iron-core-run-cuda-cu121-test" {
   contexts  = { image = dependency("iron-core-run-cuda-cu121", "ros-cuda", "iron-core-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -2356,7 +2456,7 @@ target "iron-base-run-cuda-cu121-test" {
   contexts  = { image = dependency("iron-base-run-cuda-cu121", "ros-cuda", "iron-base-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -2366,7 +2466,7 @@ target "iron-core-torch-cu128-test" {
   contexts  = { image = dependency("iron-core-torch-cu128", "ros-torch", "iron-core-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -2376,7 +2476,7 @@ target "iron-base-torch-cu128-test" {
   contexts  = { image = dependency("iron-base-torch-cu128", "ros-torch", "iron-base-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -2386,7 +2486,7 @@ target "iron-perception-torch-cu128-test" {
   contexts  = { image = dependency("iron-perception-torch-cu128", "ros-torch", "iron-perception-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -2396,7 +2496,7 @@ target "iron-desktop-torch-cu128-test" {
   contexts  = { image = dependency("iron-desktop-torch-cu128", "ros-torch", "iron-desktop-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -2406,7 +2506,7 @@ target "iron-desktop-full-torch-cu128-test" {
   contexts  = { image = dependency("iron-desktop-full-torch-cu128", "ros-torch", "iron-desktop-full-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -2416,7 +2516,7 @@ target "iron-core-run-torch-cu128-test" {
   contexts  = { image = dependency("iron-core-run-torch-cu128", "ros-torch", "iron-core-run-torch-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -2426,7 +2526,7 @@ target "iron-base-run-torch-cu128-test" {
   contexts  = { image = dependency("iron-base-run-torch-cu128", "ros-torch", "iron-base-run-torch-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -2436,7 +2536,7 @@ target "iron-core-torch-cu130-test" {
   contexts  = { image = dependency("iron-core-torch-cu130", "ros-torch", "iron-core-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch cuda-build torch-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -2446,7 +2546,7 @@ target "iron-base-torch-cu130-test" {
   contexts  = { image = dependency("iron-base-torch-cu130", "ros-torch", "iron-base-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -2456,7 +2556,7 @@ target "iron-perception-torch-cu130-test" {
   contexts  = { image = dependency("iron-perception-torch-cu130", "ros-torch", "iron-perception-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -2466,7 +2566,7 @@ target "iron-desktop-torch-cu130-test" {
   contexts  = { image = dependency("iron-desktop-torch-cu130", "ros-torch", "iron-desktop-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -2476,7 +2576,7 @@ target "iron-desktop-full-torch-cu130-test" {
   contexts  = { image = dependency("iron-desktop-full-torch-cu130", "ros-torch", "iron-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -2486,7 +2586,7 @@ target "iron-core-run-torch-cu130-test" {
   contexts  = { image = dependency("iron-core-run-torch-cu130", "ros-torch", "iron-core-run-torch-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -2496,7 +2596,7 @@ target "iron-base-run-torch-cu130-test" {
   contexts  = { image = dependency("iron-base-run-torch-cu130", "ros-torch", "iron-base-run-torch-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -2506,7 +2606,7 @@ target "iron-core-torch-cpu-test" {
   contexts  = { image = dependency("iron-core-torch-cpu", "ros-torch", "iron-core-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core torch=2.10.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core torch=2.10.0"
   }
 }
 
@@ -2516,7 +2616,7 @@ target "iron-base-torch-cpu-test" {
   contexts  = { image = dependency("iron-base-torch-cpu", "ros-torch", "iron-base-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base torch=2.10.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base torch=2.10.0"
   }
 }
 
@@ -2526,7 +2626,7 @@ target "iron-perception-torch-cpu-test" {
   contexts  = { image = dependency("iron-perception-torch-cpu", "ros-torch", "iron-perception-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception torch=2.10.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception torch=2.10.0"
   }
 }
 
@@ -2536,7 +2636,7 @@ target "iron-desktop-torch-cpu-test" {
   contexts  = { image = dependency("iron-desktop-torch-cpu", "ros-torch", "iron-desktop-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop torch=2.10.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop torch=2.10.0"
   }
 }
 
@@ -2546,7 +2646,7 @@ target "iron-desktop-full-torch-cpu-test" {
   contexts  = { image = dependency("iron-desktop-full-torch-cpu", "ros-torch", "iron-desktop-full-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full torch=2.10.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full torch=2.10.0"
   }
 }
 
@@ -2556,7 +2656,7 @@ target "iron-core-run-torch-cpu-test" {
   contexts  = { image = dependency("iron-core-run-torch-cpu", "ros-torch", "iron-core-run-torch-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0"
   }
 }
 
@@ -2566,7 +2666,7 @@ target "iron-base-run-torch-cpu-test" {
   contexts  = { image = dependency("iron-base-run-torch-cpu", "ros-torch", "iron-base-run-torch-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0"
   }
 }
 
@@ -2576,7 +2676,7 @@ target "iron-core-tensorflow-cu128-test" {
   contexts  = { image = dependency("iron-core-tensorflow-cu128", "ros-tf", "iron-core-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -2586,7 +2686,7 @@ target "iron-base-tensorflow-cu128-test" {
   contexts  = { image = dependency("iron-base-tensorflow-cu128", "ros-tf", "iron-base-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -2596,7 +2696,7 @@ target "iron-perception-tensorflow-cu128-test" {
   contexts  = { image = dependency("iron-perception-tensorflow-cu128", "ros-tf", "iron-perception-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -2606,7 +2706,7 @@ target "iron-desktop-tensorflow-cu128-test" {
   contexts  = { image = dependency("iron-desktop-tensorflow-cu128", "ros-tf", "iron-desktop-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -2616,7 +2716,7 @@ target "iron-desktop-full-tensorflow-cu128-test" {
   contexts  = { image = dependency("iron-desktop-full-tensorflow-cu128", "ros-tf", "iron-desktop-full-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -2626,7 +2726,7 @@ target "iron-core-run-tensorflow-cu128-test" {
   contexts  = { image = dependency("iron-core-run-tensorflow-cu128", "ros-tf", "iron-core-run-tensorflow-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -2636,7 +2736,7 @@ target "iron-base-run-tensorflow-cu128-test" {
   contexts  = { image = dependency("iron-base-run-tensorflow-cu128", "ros-tf", "iron-base-run-tensorflow-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -2646,7 +2746,7 @@ target "iron-core-tensorflow-cpu-test" {
   contexts  = { image = dependency("iron-core-tensorflow-cpu", "ros-tf", "iron-core-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core tensorflow=2.21.0"
   }
 }
 
@@ -2656,7 +2756,7 @@ target "iron-base-tensorflow-cpu-test" {
   contexts  = { image = dependency("iron-base-tensorflow-cpu", "ros-tf", "iron-base-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base tensorflow=2.21.0"
   }
 }
 
@@ -2666,7 +2766,7 @@ target "iron-perception-tensorflow-cpu-test" {
   contexts  = { image = dependency("iron-perception-tensorflow-cpu", "ros-tf", "iron-perception-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception tensorflow=2.21.0"
   }
 }
 
@@ -2676,7 +2776,7 @@ target "iron-desktop-tensorflow-cpu-test" {
   contexts  = { image = dependency("iron-desktop-tensorflow-cpu", "ros-tf", "iron-desktop-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop tensorflow=2.21.0"
   }
 }
 
@@ -2686,7 +2786,7 @@ target "iron-desktop-full-tensorflow-cpu-test" {
   contexts  = { image = dependency("iron-desktop-full-tensorflow-cpu", "ros-tf", "iron-desktop-full-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full tensorflow=2.21.0"
   }
 }
 
@@ -2696,7 +2796,7 @@ target "iron-core-run-tensorflow-cpu-test" {
   contexts  = { image = dependency("iron-core-run-tensorflow-cpu", "ros-tf", "iron-core-run-tensorflow-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.21.0"
   }
 }
 
@@ -2706,7 +2806,7 @@ target "iron-base-run-tensorflow-cpu-test" {
   contexts  = { image = dependency("iron-base-run-tensorflow-cpu", "ros-tf", "iron-base-run-tensorflow-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.21.0"
   }
 }
 
@@ -2716,7 +2816,7 @@ target "iron-core-ml-cu128-test" {
   contexts  = { image = dependency("iron-core-ml-cu128", "ros-ml", "iron-core-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow cuda-build torch-build tensorflow-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -2726,7 +2826,7 @@ target "iron-base-ml-cu128-test" {
   contexts  = { image = dependency("iron-base-ml-cu128", "ros-ml", "iron-base-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -2736,7 +2836,7 @@ target "iron-perception-ml-cu128-test" {
   contexts  = { image = dependency("iron-perception-ml-cu128", "ros-ml", "iron-perception-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -2746,7 +2846,7 @@ target "iron-desktop-ml-cu128-test" {
   contexts  = { image = dependency("iron-desktop-ml-cu128", "ros-ml", "iron-desktop-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -2756,7 +2856,7 @@ target "iron-desktop-full-ml-cu128-test" {
   contexts  = { image = dependency("iron-desktop-full-ml-cu128", "ros-ml", "iron-desktop-full-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -2766,7 +2866,7 @@ target "iron-core-run-ml-cu128-test" {
   contexts  = { image = dependency("iron-core-run-ml-cu128", "ros-ml", "iron-core-run-ml-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -2776,7 +2876,7 @@ target "iron-base-run-ml-cu128-test" {
   contexts  = { image = dependency("iron-base-run-ml-cu128", "ros-ml", "iron-base-run-ml-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -2786,7 +2886,7 @@ target "iron-core-ml-cpu-test" {
   contexts  = { image = dependency("iron-core-ml-cpu", "ros-ml", "iron-core-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow torch-build tensorflow-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -2796,7 +2896,7 @@ target "iron-base-ml-cpu-test" {
   contexts  = { image = dependency("iron-base-ml-cpu", "ros-ml", "iron-base-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -2806,7 +2906,7 @@ target "iron-perception-ml-cpu-test" {
   contexts  = { image = dependency("iron-perception-ml-cpu", "ros-ml", "iron-perception-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -2816,7 +2916,7 @@ target "iron-desktop-ml-cpu-test" {
   contexts  = { image = dependency("iron-desktop-ml-cpu", "ros-ml", "iron-desktop-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -2826,7 +2926,7 @@ target "iron-desktop-full-ml-cpu-test" {
   contexts  = { image = dependency("iron-desktop-full-ml-cpu", "ros-ml", "iron-desktop-full-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -2836,7 +2936,7 @@ target "iron-core-run-ml-cpu-test" {
   contexts  = { image = dependency("iron-core-run-ml-cpu", "ros-ml", "iron-core-run-ml-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -2846,7 +2946,7 @@ target "iron-base-run-ml-cpu-test" {
   contexts  = { image = dependency("iron-base-run-ml-cpu", "ros-ml", "iron-base-run-ml-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -2858,7 +2958,7 @@ target "jazzy-core-test" {
   contexts  = { image = dependency("jazzy-core", "ros", "jazzy-core") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-core ros2-components ros2-workspace pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core"
   }
 }
 
@@ -2868,7 +2968,7 @@ target "jazzy-base-test" {
   contexts  = { image = dependency("jazzy-base", "ros", "jazzy-base") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-base ros2-components"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base"
   }
 }
 
@@ -2878,7 +2978,7 @@ target "jazzy-perception-test" {
   contexts  = { image = dependency("jazzy-perception", "ros", "jazzy-perception") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-perception ros2-components"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception"
   }
 }
 
@@ -2888,7 +2988,7 @@ target "jazzy-desktop-test" {
   contexts  = { image = dependency("jazzy-desktop", "ros", "jazzy-desktop") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-desktop ros2-components"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop"
   }
 }
 
@@ -2898,7 +2998,7 @@ target "jazzy-desktop-full-test" {
   contexts  = { image = dependency("jazzy-desktop-full", "ros", "jazzy-desktop-full") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-desktop-full ros2-components"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full"
   }
 }
 
@@ -2908,7 +3008,7 @@ target "jazzy-core-run-test" {
   contexts  = { image = dependency("jazzy-core-run", "ros", "jazzy-core-run") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -2918,7 +3018,7 @@ target "jazzy-base-run-test" {
   contexts  = { image = dependency("jazzy-base-run", "ros", "jazzy-base-run") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -2928,7 +3028,7 @@ target "jazzy-core-cuda-cu128-test" {
   contexts  = { image = dependency("jazzy-core-cuda-cu128", "ros-cuda", "jazzy-core-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -2938,7 +3038,7 @@ target "jazzy-base-cuda-cu128-test" {
   contexts  = { image = dependency("jazzy-base-cuda-cu128", "ros-cuda", "jazzy-base-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -2948,7 +3048,7 @@ target "jazzy-perception-cuda-cu128-test" {
   contexts  = { image = dependency("jazzy-perception-cuda-cu128", "ros-cuda", "jazzy-perception-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -2958,7 +3058,7 @@ target "jazzy-desktop-cuda-cu128-test" {
   contexts  = { image = dependency("jazzy-desktop-cuda-cu128", "ros-cuda", "jazzy-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -2968,7 +3068,7 @@ target "jazzy-desktop-full-cuda-cu128-test" {
   contexts  = { image = dependency("jazzy-desktop-full-cuda-cu128", "ros-cuda", "jazzy-desktop-full-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -2978,7 +3078,7 @@ target "jazzy-core-run-cuda-cu128-test" {
   contexts  = { image = dependency("jazzy-core-run-cuda-cu128", "ros-cuda", "jazzy-core-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -2988,7 +3088,7 @@ target "jazzy-base-run-cuda-cu128-test" {
   contexts  = { image = dependency("jazzy-base-run-cuda-cu128", "ros-cuda", "jazzy-base-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -2998,7 +3098,7 @@ target "jazzy-core-cuda-cu130-test" {
   contexts  = { image = dependency("jazzy-core-cuda-cu130", "ros-cuda", "jazzy-core-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -3008,7 +3108,7 @@ target "jazzy-base-cuda-cu130-test" {
   contexts  = { image = dependency("jazzy-base-cuda-cu130", "ros-cuda", "jazzy-base-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -3018,7 +3118,7 @@ target "jazzy-perception-cuda-cu130-test" {
   contexts  = { image = dependency("jazzy-perception-cuda-cu130", "ros-cuda", "jazzy-perception-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -3028,7 +3128,7 @@ target "jazzy-desktop-cuda-cu130-test" {
   contexts  = { image = dependency("jazzy-desktop-cuda-cu130", "ros-cuda", "jazzy-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -3038,7 +3138,7 @@ target "jazzy-desktop-full-cuda-cu130-test" {
   contexts  = { image = dependency("jazzy-desktop-full-cuda-cu130", "ros-cuda", "jazzy-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -3048,7 +3148,7 @@ target "jazzy-core-run-cuda-cu130-test" {
   contexts  = { image = dependency("jazzy-core-run-cuda-cu130", "ros-cuda", "jazzy-core-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -3058,7 +3158,7 @@ target "jazzy-base-run-cuda-cu130-test" {
   contexts  = { image = dependency("jazzy-base-run-cuda-cu130", "ros-cuda", "jazzy-base-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -3068,7 +3168,7 @@ target "jazzy-core-cuda-cu132-test" {
   contexts  = { image = dependency("jazzy-core-cuda-cu132", "ros-cuda", "jazzy-core-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -3078,7 +3178,7 @@ target "jazzy-base-cuda-cu132-test" {
   contexts  = { image = dependency("jazzy-base-cuda-cu132", "ros-cuda", "jazzy-base-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -3088,7 +3188,7 @@ target "jazzy-perception-cuda-cu132-test" {
   contexts  = { image = dependency("jazzy-perception-cuda-cu132", "ros-cuda", "jazzy-perception-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -3098,7 +3198,7 @@ target "jazzy-desktop-cuda-cu132-test" {
   contexts  = { image = dependency("jazzy-desktop-cuda-cu132", "ros-cuda", "jazzy-desktop-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -3108,7 +3208,7 @@ target "jazzy-desktop-full-cuda-cu132-test" {
   contexts  = { image = dependency("jazzy-desktop-full-cuda-cu132", "ros-cuda", "jazzy-desktop-full-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -3118,7 +3218,7 @@ target "jazzy-core-run-cuda-cu132-test" {
   contexts  = { image = dependency("jazzy-core-run-cuda-cu132", "ros-cuda", "jazzy-core-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -3128,7 +3228,7 @@ target "jazzy-base-run-cuda-cu132-test" {
   contexts  = { image = dependency("jazzy-base-run-cuda-cu132", "ros-cuda", "jazzy-base-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -3138,7 +3238,7 @@ target "jazzy-core-cuda-cu121-test" {
   contexts  = { image = dependency("jazzy-core-cuda-cu121", "ros-cuda", "jazzy-core-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda cuda-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -3148,7 +3248,7 @@ target "jazzy-base-cuda-cu121-test" {
   contexts  = { image = dependency("jazzy-base-cuda-cu121", "ros-cuda", "jazzy-base-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -3158,7 +3258,7 @@ target "jazzy-perception-cuda-cu121-test" {
   contexts  = { image = dependency("jazzy-perception-cuda-cu121", "ros-cuda", "jazzy-perception-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -3168,7 +3268,7 @@ target "jazzy-desktop-cuda-cu121-test" {
   contexts  = { image = dependency("jazzy-desktop-cuda-cu121", "ros-cuda", "jazzy-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -3178,7 +3278,7 @@ target "jazzy-desktop-full-cuda-cu121-test" {
   contexts  = { image = dependency("jazzy-desktop-full-cuda-cu121", "ros-cuda", "jazzy-desktop-full-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -3188,7 +3288,7 @@ target "jazzy-core-run-cuda-cu121-test" {
   contexts  = { image = dependency("jazzy-core-run-cuda-cu121", "ros-cuda", "jazzy-core-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -3198,7 +3298,7 @@ target "jazzy-base-run-cuda-cu121-test" {
   contexts  = { image = dependency("jazzy-base-run-cuda-cu121", "ros-cuda", "jazzy-base-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -3208,7 +3308,7 @@ target "jazzy-core-torch-cu128-test" {
   contexts  = { image = dependency("jazzy-core-torch-cu128", "ros-torch", "jazzy-core-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -3218,7 +3318,7 @@ target "jazzy-base-torch-cu128-test" {
   contexts  = { image = dependency("jazzy-base-torch-cu128", "ros-torch", "jazzy-base-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -3228,7 +3328,7 @@ target "jazzy-perception-torch-cu128-test" {
   contexts  = { image = dependency("jazzy-perception-torch-cu128", "ros-torch", "jazzy-perception-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -3238,7 +3338,7 @@ target "jazzy-desktop-torch-cu128-test" {
   contexts  = { image = dependency("jazzy-desktop-torch-cu128", "ros-torch", "jazzy-desktop-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -3248,7 +3348,7 @@ target "jazzy-desktop-full-torch-cu128-test" {
   contexts  = { image = dependency("jazzy-desktop-full-torch-cu128", "ros-torch", "jazzy-desktop-full-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -3258,7 +3358,7 @@ target "jazzy-core-run-torch-cu128-test" {
   contexts  = { image = dependency("jazzy-core-run-torch-cu128", "ros-torch", "jazzy-core-run-torch-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -3268,7 +3368,7 @@ target "jazzy-base-run-torch-cu128-test" {
   contexts  = { image = dependency("jazzy-base-run-torch-cu128", "ros-torch", "jazzy-base-run-torch-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -3278,7 +3378,7 @@ target "jazzy-core-torch-cu130-test" {
   contexts  = { image = dependency("jazzy-core-torch-cu130", "ros-torch", "jazzy-core-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch cuda-build torch-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -3288,7 +3388,7 @@ target "jazzy-base-torch-cu130-test" {
   contexts  = { image = dependency("jazzy-base-torch-cu130", "ros-torch", "jazzy-base-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -3298,7 +3398,7 @@ target "jazzy-perception-torch-cu130-test" {
   contexts  = { image = dependency("jazzy-perception-torch-cu130", "ros-torch", "jazzy-perception-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -3308,7 +3408,7 @@ target "jazzy-desktop-torch-cu130-test" {
   contexts  = { image = dependency("jazzy-desktop-torch-cu130", "ros-torch", "jazzy-desktop-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -3318,7 +3418,7 @@ target "jazzy-desktop-full-torch-cu130-test" {
   contexts  = { image = dependency("jazzy-desktop-full-torch-cu130", "ros-torch", "jazzy-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -3328,7 +3428,7 @@ target "jazzy-core-run-torch-cu130-test" {
   contexts  = { image = dependency("jazzy-core-run-torch-cu130", "ros-torch", "jazzy-core-run-torch-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -3338,7 +3438,7 @@ target "jazzy-base-run-torch-cu130-test" {
   contexts  = { image = dependency("jazzy-base-run-torch-cu130", "ros-torch", "jazzy-base-run-torch-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -3348,7 +3448,7 @@ target "jazzy-core-torch-cu132-test" {
   contexts  = { image = dependency("jazzy-core-torch-cu132", "ros-torch", "jazzy-core-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch cuda-build torch-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -3358,7 +3458,7 @@ target "jazzy-base-torch-cu132-test" {
   contexts  = { image = dependency("jazzy-base-torch-cu132", "ros-torch", "jazzy-base-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -3368,7 +3468,7 @@ target "jazzy-perception-torch-cu132-test" {
   contexts  = { image = dependency("jazzy-perception-torch-cu132", "ros-torch", "jazzy-perception-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -3378,7 +3478,7 @@ target "jazzy-desktop-torch-cu132-test" {
   contexts  = { image = dependency("jazzy-desktop-torch-cu132", "ros-torch", "jazzy-desktop-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -3388,7 +3488,7 @@ target "jazzy-desktop-full-torch-cu132-test" {
   contexts  = { image = dependency("jazzy-desktop-full-torch-cu132", "ros-torch", "jazzy-desktop-full-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -3398,7 +3498,7 @@ target "jazzy-core-run-torch-cu132-test" {
   contexts  = { image = dependency("jazzy-core-run-torch-cu132", "ros-torch", "jazzy-core-run-torch-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -3408,7 +3508,7 @@ target "jazzy-base-run-torch-cu132-test" {
   contexts  = { image = dependency("jazzy-base-run-torch-cu132", "ros-torch", "jazzy-base-run-torch-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -3418,7 +3518,7 @@ target "jazzy-core-torch-cpu-test" {
   contexts  = { image = dependency("jazzy-core-torch-cpu", "ros-torch", "jazzy-core-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.10.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.10.0"
   }
 }
 
@@ -3428,7 +3528,7 @@ target "jazzy-base-torch-cpu-test" {
   contexts  = { image = dependency("jazzy-base-torch-cpu", "ros-torch", "jazzy-base-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base torch=2.10.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base torch=2.10.0"
   }
 }
 
@@ -3438,7 +3538,7 @@ target "jazzy-perception-torch-cpu-test" {
   contexts  = { image = dependency("jazzy-perception-torch-cpu", "ros-torch", "jazzy-perception-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception torch=2.10.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception torch=2.10.0"
   }
 }
 
@@ -3448,7 +3548,7 @@ target "jazzy-desktop-torch-cpu-test" {
   contexts  = { image = dependency("jazzy-desktop-torch-cpu", "ros-torch", "jazzy-desktop-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop torch=2.10.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop torch=2.10.0"
   }
 }
 
@@ -3458,7 +3558,7 @@ target "jazzy-desktop-full-torch-cpu-test" {
   contexts  = { image = dependency("jazzy-desktop-full-torch-cpu", "ros-torch", "jazzy-desktop-full-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full torch=2.10.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full torch=2.10.0"
   }
 }
 
@@ -3468,7 +3568,7 @@ target "jazzy-core-run-torch-cpu-test" {
   contexts  = { image = dependency("jazzy-core-run-torch-cpu", "ros-torch", "jazzy-core-run-torch-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0"
   }
 }
 
@@ -3478,7 +3578,7 @@ target "jazzy-base-run-torch-cpu-test" {
   contexts  = { image = dependency("jazzy-base-run-torch-cpu", "ros-torch", "jazzy-base-run-torch-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0"
   }
 }
 
@@ -3488,7 +3588,7 @@ target "jazzy-core-tensorflow-cu128-test" {
   contexts  = { image = dependency("jazzy-core-tensorflow-cu128", "ros-tf", "jazzy-core-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -3498,7 +3598,7 @@ target "jazzy-base-tensorflow-cu128-test" {
   contexts  = { image = dependency("jazzy-base-tensorflow-cu128", "ros-tf", "jazzy-base-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -3508,7 +3608,7 @@ target "jazzy-perception-tensorflow-cu128-test" {
   contexts  = { image = dependency("jazzy-perception-tensorflow-cu128", "ros-tf", "jazzy-perception-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -3518,7 +3618,7 @@ target "jazzy-desktop-tensorflow-cu128-test" {
   contexts  = { image = dependency("jazzy-desktop-tensorflow-cu128", "ros-tf", "jazzy-desktop-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -3528,7 +3628,7 @@ target "jazzy-desktop-full-tensorflow-cu128-test" {
   contexts  = { image = dependency("jazzy-desktop-full-tensorflow-cu128", "ros-tf", "jazzy-desktop-full-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -3538,7 +3638,7 @@ target "jazzy-core-run-tensorflow-cu128-test" {
   contexts  = { image = dependency("jazzy-core-run-tensorflow-cu128", "ros-tf", "jazzy-core-run-tensorflow-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -3548,7 +3648,7 @@ target "jazzy-base-run-tensorflow-cu128-test" {
   contexts  = { image = dependency("jazzy-base-run-tensorflow-cu128", "ros-tf", "jazzy-base-run-tensorflow-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -3558,7 +3658,7 @@ target "jazzy-core-tensorflow-cpu-test" {
   contexts  = { image = dependency("jazzy-core-tensorflow-cpu", "ros-tf", "jazzy-core-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tensorflow=2.21.0"
   }
 }
 
@@ -3568,7 +3668,7 @@ target "jazzy-base-tensorflow-cpu-test" {
   contexts  = { image = dependency("jazzy-base-tensorflow-cpu", "ros-tf", "jazzy-base-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base tensorflow=2.21.0"
   }
 }
 
@@ -3578,7 +3678,7 @@ target "jazzy-perception-tensorflow-cpu-test" {
   contexts  = { image = dependency("jazzy-perception-tensorflow-cpu", "ros-tf", "jazzy-perception-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception tensorflow=2.21.0"
   }
 }
 
@@ -3588,7 +3688,7 @@ target "jazzy-desktop-tensorflow-cpu-test" {
   contexts  = { image = dependency("jazzy-desktop-tensorflow-cpu", "ros-tf", "jazzy-desktop-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop tensorflow=2.21.0"
   }
 }
 
@@ -3598,7 +3698,7 @@ target "jazzy-desktop-full-tensorflow-cpu-test" {
   contexts  = { image = dependency("jazzy-desktop-full-tensorflow-cpu", "ros-tf", "jazzy-desktop-full-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full tensorflow=2.21.0"
   }
 }
 
@@ -3608,7 +3708,7 @@ target "jazzy-core-run-tensorflow-cpu-test" {
   contexts  = { image = dependency("jazzy-core-run-tensorflow-cpu", "ros-tf", "jazzy-core-run-tensorflow-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.21.0"
   }
 }
 
@@ -3618,7 +3718,7 @@ target "jazzy-base-run-tensorflow-cpu-test" {
   contexts  = { image = dependency("jazzy-base-run-tensorflow-cpu", "ros-tf", "jazzy-base-run-tensorflow-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.21.0"
   }
 }
 
@@ -3628,7 +3728,7 @@ target "jazzy-core-ml-cu128-test" {
   contexts  = { image = dependency("jazzy-core-ml-cu128", "ros-ml", "jazzy-core-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow cuda-build torch-build tensorflow-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -3638,7 +3738,7 @@ target "jazzy-base-ml-cu128-test" {
   contexts  = { image = dependency("jazzy-base-ml-cu128", "ros-ml", "jazzy-base-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -3648,7 +3748,7 @@ target "jazzy-perception-ml-cu128-test" {
   contexts  = { image = dependency("jazzy-perception-ml-cu128", "ros-ml", "jazzy-perception-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -3658,7 +3758,7 @@ target "jazzy-desktop-ml-cu128-test" {
   contexts  = { image = dependency("jazzy-desktop-ml-cu128", "ros-ml", "jazzy-desktop-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -3668,7 +3768,7 @@ target "jazzy-desktop-full-ml-cu128-test" {
   contexts  = { image = dependency("jazzy-desktop-full-ml-cu128", "ros-ml", "jazzy-desktop-full-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -3678,7 +3778,7 @@ target "jazzy-core-run-ml-cu128-test" {
   contexts  = { image = dependency("jazzy-core-run-ml-cu128", "ros-ml", "jazzy-core-run-ml-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -3688,7 +3788,7 @@ target "jazzy-base-run-ml-cu128-test" {
   contexts  = { image = dependency("jazzy-base-run-ml-cu128", "ros-ml", "jazzy-base-run-ml-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -3698,7 +3798,7 @@ target "jazzy-core-ml-cpu-test" {
   contexts  = { image = dependency("jazzy-core-ml-cpu", "ros-ml", "jazzy-core-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow torch-build tensorflow-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -3708,7 +3808,7 @@ target "jazzy-base-ml-cpu-test" {
   contexts  = { image = dependency("jazzy-base-ml-cpu", "ros-ml", "jazzy-base-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -3718,7 +3818,7 @@ target "jazzy-perception-ml-cpu-test" {
   contexts  = { image = dependency("jazzy-perception-ml-cpu", "ros-ml", "jazzy-perception-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -3728,7 +3828,7 @@ target "jazzy-desktop-ml-cpu-test" {
   contexts  = { image = dependency("jazzy-desktop-ml-cpu", "ros-ml", "jazzy-desktop-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -3738,7 +3838,7 @@ target "jazzy-desktop-full-ml-cpu-test" {
   contexts  = { image = dependency("jazzy-desktop-full-ml-cpu", "ros-ml", "jazzy-desktop-full-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -3748,7 +3848,7 @@ target "jazzy-core-run-ml-cpu-test" {
   contexts  = { image = dependency("jazzy-core-run-ml-cpu", "ros-ml", "jazzy-core-run-ml-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -3758,7 +3858,137 @@ target "jazzy-base-run-ml-cpu-test" {
   contexts  = { image = dependency("jazzy-base-run-ml-cpu", "ros-ml", "jazzy-base-run-ml-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
+  }
+}
+
+target "jazzy-core-onnx-cu128-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("jazzy-core-onnx-cu128", "ros-onnx", "jazzy-core-onnx-cu128") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+  }
+}
+
+target "jazzy-base-onnx-cu128-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("jazzy-base-onnx-cu128", "ros-onnx", "jazzy-base-onnx-cu128") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+  }
+}
+
+target "jazzy-core-torch-onnx-cu128-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("jazzy-core-torch-onnx-cu128", "ros-torch-onnx", "jazzy-core-torch-onnx-cu128") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda torch onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.10.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+  }
+}
+
+target "jazzy-core-tensorflow-onnx-cu128-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("jazzy-core-tensorflow-onnx-cu128", "ros-tf-onnx", "jazzy-core-tensorflow-onnx-cu128") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda tensorflow onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tensorflow=2.20.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+  }
+}
+
+target "jazzy-core-onnx-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("jazzy-core-onnx-cu130", "ros-onnx", "jazzy-core-onnx-cu130") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "jazzy-base-onnx-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("jazzy-base-onnx-cu130", "ros-onnx", "jazzy-base-onnx-cu130") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "jazzy-core-torch-onnx-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("jazzy-core-torch-onnx-cu130", "ros-torch-onnx", "jazzy-core-torch-onnx-cu130") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda torch onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.14.1 onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+  }
+}
+
+target "jazzy-core-onnx-cu132-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("jazzy-core-onnx-cu132", "ros-onnx", "jazzy-core-onnx-cu132") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core onnxruntime=1.28.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "jazzy-core-torch-onnx-cu132-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("jazzy-core-torch-onnx-cu132", "ros-torch-onnx", "jazzy-core-torch-onnx-cu132") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda torch onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.15.0 onnxruntime=1.28.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+  }
+}
+
+target "jazzy-core-onnx-cpu-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("jazzy-core-onnx-cpu", "ros-onnx", "jazzy-core-onnx-cpu") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core onnxruntime=1.23.2"
+  }
+}
+
+target "jazzy-base-onnx-cpu-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("jazzy-base-onnx-cpu", "ros-onnx", "jazzy-base-onnx-cpu") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside onnxruntime"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base onnxruntime=1.23.2"
+  }
+}
+
+target "jazzy-core-torch-onnx-cpu-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("jazzy-core-torch-onnx-cpu", "ros-torch-onnx", "jazzy-core-torch-onnx-cpu") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside torch onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.10.0 onnxruntime=1.23.2"
+  }
+}
+
+target "jazzy-core-tensorflow-onnx-cpu-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("jazzy-core-tensorflow-onnx-cpu", "ros-tf-onnx", "jazzy-core-tensorflow-onnx-cpu") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside tensorflow onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tensorflow=2.21.0 onnxruntime=1.23.2"
   }
 }
 
@@ -3768,7 +3998,7 @@ target "jazzy-core-devel-cu130-test" {
   contexts  = { image = dependency("jazzy-core-devel-cu130", "ros-devel", "jazzy-core-devel-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda devel devel-build pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -3778,7 +4008,7 @@ target "jazzy-core-torch-devel-cu130-test" {
   contexts  = { image = dependency("jazzy-core-torch-devel-cu130", "ros-torch-devel", "jazzy-core-torch-devel-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch devel devel-build pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -3788,7 +4018,7 @@ target "jazzy-core-devel-cu132-test" {
   contexts  = { image = dependency("jazzy-core-devel-cu132", "ros-devel", "jazzy-core-devel-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda devel devel-build pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -3798,7 +4028,7 @@ target "jazzy-core-torch-devel-cu132-test" {
   contexts  = { image = dependency("jazzy-core-torch-devel-cu132", "ros-torch-devel", "jazzy-core-torch-devel-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch devel devel-build pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -3808,7 +4038,7 @@ target "jazzy-core-triton-cu128-test" {
   contexts  = { image = dependency("jazzy-core-triton-cu128", "ros-triton", "jazzy-core-triton-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tritonclient pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tritonclient=2.73.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tritonclient=2.73.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -3818,7 +4048,7 @@ target "jazzy-core-triton-cu130-test" {
   contexts  = { image = dependency("jazzy-core-triton-cu130", "ros-triton", "jazzy-core-triton-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tritonclient pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tritonclient=2.73.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tritonclient=2.73.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -3828,7 +4058,7 @@ target "jazzy-core-triton-cu132-test" {
   contexts  = { image = dependency("jazzy-core-triton-cu132", "ros-triton", "jazzy-core-triton-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tritonclient pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tritonclient=2.73.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tritonclient=2.73.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -3838,7 +4068,7 @@ target "jazzy-core-triton-cpu-test" {
   contexts  = { image = dependency("jazzy-core-triton-cpu", "ros-triton", "jazzy-core-triton-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tritonclient pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tritonclient=2.73.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tritonclient=2.73.0"
   }
 }
 
@@ -3848,7 +4078,7 @@ target "jazzy-core-tensorrt-rtx-cu130-test" {
   contexts  = { image = dependency("jazzy-core-tensorrt-rtx-cu130", "ros-tensorrt-rtx", "jazzy-core-tensorrt-rtx-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorrt-rtx pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tensorrt-rtx=1.7.1.116 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tensorrt-rtx=1.7.1.116 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
   }
 }
 
@@ -3858,7 +4088,7 @@ target "jazzy-core-tensorrt-rtx-cu132-test" {
   contexts  = { image = dependency("jazzy-core-tensorrt-rtx-cu132", "ros-tensorrt-rtx", "jazzy-core-tensorrt-rtx-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorrt-rtx pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tensorrt-rtx=1.7.1.116 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tensorrt-rtx=1.7.1.116 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
   }
 }
 
@@ -3870,7 +4100,7 @@ target "kilted-core-test" {
   contexts  = { image = dependency("kilted-core", "ros", "kilted-core") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-core ros2-components ros2-workspace pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core"
   }
 }
 
@@ -3880,7 +4110,7 @@ target "kilted-base-test" {
   contexts  = { image = dependency("kilted-base", "ros", "kilted-base") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-base ros2-components"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base"
   }
 }
 
@@ -3890,7 +4120,7 @@ target "kilted-perception-test" {
   contexts  = { image = dependency("kilted-perception", "ros", "kilted-perception") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-perception ros2-components"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception"
   }
 }
 
@@ -3900,7 +4130,7 @@ target "kilted-desktop-test" {
   contexts  = { image = dependency("kilted-desktop", "ros", "kilted-desktop") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-desktop ros2-components"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop"
   }
 }
 
@@ -3910,7 +4140,7 @@ target "kilted-desktop-full-test" {
   contexts  = { image = dependency("kilted-desktop-full", "ros", "kilted-desktop-full") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-desktop-full ros2-components"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full"
   }
 }
 
@@ -3920,7 +4150,7 @@ target "kilted-core-run-test" {
   contexts  = { image = dependency("kilted-core-run", "ros", "kilted-core-run") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -3930,7 +4160,7 @@ target "kilted-base-run-test" {
   contexts  = { image = dependency("kilted-base-run", "ros", "kilted-base-run") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -3940,7 +4170,7 @@ target "kilted-core-cuda-cu128-test" {
   contexts  = { image = dependency("kilted-core-cuda-cu128", "ros-cuda", "kilted-core-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -3950,7 +4180,7 @@ target "kilted-base-cuda-cu128-test" {
   contexts  = { image = dependency("kilted-base-cuda-cu128", "ros-cuda", "kilted-base-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -3960,7 +4190,7 @@ target "kilted-perception-cuda-cu128-test" {
   contexts  = { image = dependency("kilted-perception-cuda-cu128", "ros-cuda", "kilted-perception-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -3970,7 +4200,7 @@ target "kilted-desktop-cuda-cu128-test" {
   contexts  = { image = dependency("kilted-desktop-cuda-cu128", "ros-cuda", "kilted-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -3980,7 +4210,7 @@ target "kilted-desktop-full-cuda-cu128-test" {
   contexts  = { image = dependency("kilted-desktop-full-cuda-cu128", "ros-cuda", "kilted-desktop-full-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -3990,7 +4220,7 @@ target "kilted-core-run-cuda-cu128-test" {
   contexts  = { image = dependency("kilted-core-run-cuda-cu128", "ros-cuda", "kilted-core-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -4000,7 +4230,7 @@ target "kilted-base-run-cuda-cu128-test" {
   contexts  = { image = dependency("kilted-base-run-cuda-cu128", "ros-cuda", "kilted-base-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -4010,7 +4240,7 @@ target "kilted-core-cuda-cu130-test" {
   contexts  = { image = dependency("kilted-core-cuda-cu130", "ros-cuda", "kilted-core-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4020,7 +4250,7 @@ target "kilted-base-cuda-cu130-test" {
   contexts  = { image = dependency("kilted-base-cuda-cu130", "ros-cuda", "kilted-base-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4030,7 +4260,7 @@ target "kilted-perception-cuda-cu130-test" {
   contexts  = { image = dependency("kilted-perception-cuda-cu130", "ros-cuda", "kilted-perception-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4040,7 +4270,7 @@ target "kilted-desktop-cuda-cu130-test" {
   contexts  = { image = dependency("kilted-desktop-cuda-cu130", "ros-cuda", "kilted-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4050,7 +4280,7 @@ target "kilted-desktop-full-cuda-cu130-test" {
   contexts  = { image = dependency("kilted-desktop-full-cuda-cu130", "ros-cuda", "kilted-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4060,7 +4290,7 @@ target "kilted-core-run-cuda-cu130-test" {
   contexts  = { image = dependency("kilted-core-run-cuda-cu130", "ros-cuda", "kilted-core-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4070,7 +4300,7 @@ target "kilted-base-run-cuda-cu130-test" {
   contexts  = { image = dependency("kilted-base-run-cuda-cu130", "ros-cuda", "kilted-base-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4080,7 +4310,7 @@ target "kilted-core-cuda-cu132-test" {
   contexts  = { image = dependency("kilted-core-cuda-cu132", "ros-cuda", "kilted-core-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4090,7 +4320,7 @@ target "kilted-base-cuda-cu132-test" {
   contexts  = { image = dependency("kilted-base-cuda-cu132", "ros-cuda", "kilted-base-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4100,7 +4330,7 @@ target "kilted-perception-cuda-cu132-test" {
   contexts  = { image = dependency("kilted-perception-cuda-cu132", "ros-cuda", "kilted-perception-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4110,7 +4340,7 @@ target "kilted-desktop-cuda-cu132-test" {
   contexts  = { image = dependency("kilted-desktop-cuda-cu132", "ros-cuda", "kilted-desktop-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4120,7 +4350,7 @@ target "kilted-desktop-full-cuda-cu132-test" {
   contexts  = { image = dependency("kilted-desktop-full-cuda-cu132", "ros-cuda", "kilted-desktop-full-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4130,7 +4360,7 @@ target "kilted-core-run-cuda-cu132-test" {
   contexts  = { image = dependency("kilted-core-run-cuda-cu132", "ros-cuda", "kilted-core-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4140,7 +4370,7 @@ target "kilted-base-run-cuda-cu132-test" {
   contexts  = { image = dependency("kilted-base-run-cuda-cu132", "ros-cuda", "kilted-base-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4150,7 +4380,7 @@ target "kilted-core-cuda-cu121-test" {
   contexts  = { image = dependency("kilted-core-cuda-cu121", "ros-cuda", "kilted-core-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda cuda-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -4160,7 +4390,7 @@ target "kilted-base-cuda-cu121-test" {
   contexts  = { image = dependency("kilted-base-cuda-cu121", "ros-cuda", "kilted-base-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -4170,7 +4400,7 @@ target "kilted-perception-cuda-cu121-test" {
   contexts  = { image = dependency("kilted-perception-cuda-cu121", "ros-cuda", "kilted-perception-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -4180,7 +4410,7 @@ target "kilted-desktop-cuda-cu121-test" {
   contexts  = { image = dependency("kilted-desktop-cuda-cu121", "ros-cuda", "kilted-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -4190,7 +4420,7 @@ target "kilted-desktop-full-cuda-cu121-test" {
   contexts  = { image = dependency("kilted-desktop-full-cuda-cu121", "ros-cuda", "kilted-desktop-full-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -4200,7 +4430,7 @@ target "kilted-core-run-cuda-cu121-test" {
   contexts  = { image = dependency("kilted-core-run-cuda-cu121", "ros-cuda", "kilted-core-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -4210,7 +4440,7 @@ target "kilted-base-run-cuda-cu121-test" {
   contexts  = { image = dependency("kilted-base-run-cuda-cu121", "ros-cuda", "kilted-base-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -4220,7 +4450,7 @@ target "kilted-core-torch-cu128-test" {
   contexts  = { image = dependency("kilted-core-torch-cu128", "ros-torch", "kilted-core-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -4230,7 +4460,7 @@ target "kilted-base-torch-cu128-test" {
   contexts  = { image = dependency("kilted-base-torch-cu128", "ros-torch", "kilted-base-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -4240,7 +4470,7 @@ target "kilted-perception-torch-cu128-test" {
   contexts  = { image = dependency("kilted-perception-torch-cu128", "ros-torch", "kilted-perception-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -4250,7 +4480,7 @@ target "kilted-desktop-torch-cu128-test" {
   contexts  = { image = dependency("kilted-desktop-torch-cu128", "ros-torch", "kilted-desktop-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -4260,7 +4490,7 @@ target "kilted-desktop-full-torch-cu128-test" {
   contexts  = { image = dependency("kilted-desktop-full-torch-cu128", "ros-torch", "kilted-desktop-full-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -4270,7 +4500,7 @@ target "kilted-core-run-torch-cu128-test" {
   contexts  = { image = dependency("kilted-core-run-torch-cu128", "ros-torch", "kilted-core-run-torch-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -4280,7 +4510,7 @@ target "kilted-base-run-torch-cu128-test" {
   contexts  = { image = dependency("kilted-base-run-torch-cu128", "ros-torch", "kilted-base-run-torch-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -4290,7 +4520,7 @@ target "kilted-core-torch-cu130-test" {
   contexts  = { image = dependency("kilted-core-torch-cu130", "ros-torch", "kilted-core-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch cuda-build torch-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -4300,7 +4530,7 @@ target "kilted-base-torch-cu130-test" {
   contexts  = { image = dependency("kilted-base-torch-cu130", "ros-torch", "kilted-base-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -4310,7 +4540,7 @@ target "kilted-perception-torch-cu130-test" {
   contexts  = { image = dependency("kilted-perception-torch-cu130", "ros-torch", "kilted-perception-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -4320,7 +4550,7 @@ target "kilted-desktop-torch-cu130-test" {
   contexts  = { image = dependency("kilted-desktop-torch-cu130", "ros-torch", "kilted-desktop-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -4330,7 +4560,7 @@ target "kilted-desktop-full-torch-cu130-test" {
   contexts  = { image = dependency("kilted-desktop-full-torch-cu130", "ros-torch", "kilted-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -4340,7 +4570,7 @@ target "kilted-core-run-torch-cu130-test" {
   contexts  = { image = dependency("kilted-core-run-torch-cu130", "ros-torch", "kilted-core-run-torch-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -4350,7 +4580,7 @@ target "kilted-base-run-torch-cu130-test" {
   contexts  = { image = dependency("kilted-base-run-torch-cu130", "ros-torch", "kilted-base-run-torch-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -4360,7 +4590,7 @@ target "kilted-core-torch-cu132-test" {
   contexts  = { image = dependency("kilted-core-torch-cu132", "ros-torch", "kilted-core-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch cuda-build torch-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -4370,7 +4600,7 @@ target "kilted-base-torch-cu132-test" {
   contexts  = { image = dependency("kilted-base-torch-cu132", "ros-torch", "kilted-base-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -4380,7 +4610,7 @@ target "kilted-perception-torch-cu132-test" {
   contexts  = { image = dependency("kilted-perception-torch-cu132", "ros-torch", "kilted-perception-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -4390,7 +4620,7 @@ target "kilted-desktop-torch-cu132-test" {
   contexts  = { image = dependency("kilted-desktop-torch-cu132", "ros-torch", "kilted-desktop-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -4400,7 +4630,7 @@ target "kilted-desktop-full-torch-cu132-test" {
   contexts  = { image = dependency("kilted-desktop-full-torch-cu132", "ros-torch", "kilted-desktop-full-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -4410,7 +4640,7 @@ target "kilted-core-run-torch-cu132-test" {
   contexts  = { image = dependency("kilted-core-run-torch-cu132", "ros-torch", "kilted-core-run-torch-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -4420,7 +4650,7 @@ target "kilted-base-run-torch-cu132-test" {
   contexts  = { image = dependency("kilted-base-run-torch-cu132", "ros-torch", "kilted-base-run-torch-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -4430,7 +4660,7 @@ target "kilted-core-torch-cpu-test" {
   contexts  = { image = dependency("kilted-core-torch-cpu", "ros-torch", "kilted-core-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core torch=2.10.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core torch=2.10.0"
   }
 }
 
@@ -4440,7 +4670,7 @@ target "kilted-base-torch-cpu-test" {
   contexts  = { image = dependency("kilted-base-torch-cpu", "ros-torch", "kilted-base-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base torch=2.10.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base torch=2.10.0"
   }
 }
 
@@ -4450,7 +4680,7 @@ target "kilted-perception-torch-cpu-test" {
   contexts  = { image = dependency("kilted-perception-torch-cpu", "ros-torch", "kilted-perception-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception torch=2.10.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception torch=2.10.0"
   }
 }
 
@@ -4460,7 +4690,7 @@ target "kilted-desktop-torch-cpu-test" {
   contexts  = { image = dependency("kilted-desktop-torch-cpu", "ros-torch", "kilted-desktop-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop torch=2.10.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop torch=2.10.0"
   }
 }
 
@@ -4470,7 +4700,7 @@ target "kilted-desktop-full-torch-cpu-test" {
   contexts  = { image = dependency("kilted-desktop-full-torch-cpu", "ros-torch", "kilted-desktop-full-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full torch=2.10.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full torch=2.10.0"
   }
 }
 
@@ -4480,7 +4710,7 @@ target "kilted-core-run-torch-cpu-test" {
   contexts  = { image = dependency("kilted-core-run-torch-cpu", "ros-torch", "kilted-core-run-torch-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0"
   }
 }
 
@@ -4490,7 +4720,7 @@ target "kilted-base-run-torch-cpu-test" {
   contexts  = { image = dependency("kilted-base-run-torch-cpu", "ros-torch", "kilted-base-run-torch-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0"
   }
 }
 
@@ -4500,7 +4730,7 @@ target "kilted-core-tensorflow-cu128-test" {
   contexts  = { image = dependency("kilted-core-tensorflow-cu128", "ros-tf", "kilted-core-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -4510,7 +4740,7 @@ target "kilted-base-tensorflow-cu128-test" {
   contexts  = { image = dependency("kilted-base-tensorflow-cu128", "ros-tf", "kilted-base-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -4520,7 +4750,7 @@ target "kilted-perception-tensorflow-cu128-test" {
   contexts  = { image = dependency("kilted-perception-tensorflow-cu128", "ros-tf", "kilted-perception-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -4530,7 +4760,7 @@ target "kilted-desktop-tensorflow-cu128-test" {
   contexts  = { image = dependency("kilted-desktop-tensorflow-cu128", "ros-tf", "kilted-desktop-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -4540,7 +4770,7 @@ target "kilted-desktop-full-tensorflow-cu128-test" {
   contexts  = { image = dependency("kilted-desktop-full-tensorflow-cu128", "ros-tf", "kilted-desktop-full-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -4550,7 +4780,7 @@ target "kilted-core-run-tensorflow-cu128-test" {
   contexts  = { image = dependency("kilted-core-run-tensorflow-cu128", "ros-tf", "kilted-core-run-tensorflow-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -4560,7 +4790,7 @@ target "kilted-base-run-tensorflow-cu128-test" {
   contexts  = { image = dependency("kilted-base-run-tensorflow-cu128", "ros-tf", "kilted-base-run-tensorflow-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -4570,7 +4800,7 @@ target "kilted-core-tensorflow-cpu-test" {
   contexts  = { image = dependency("kilted-core-tensorflow-cpu", "ros-tf", "kilted-core-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core tensorflow=2.21.0"
   }
 }
 
@@ -4580,7 +4810,7 @@ target "kilted-base-tensorflow-cpu-test" {
   contexts  = { image = dependency("kilted-base-tensorflow-cpu", "ros-tf", "kilted-base-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base tensorflow=2.21.0"
   }
 }
 
@@ -4590,7 +4820,7 @@ target "kilted-perception-tensorflow-cpu-test" {
   contexts  = { image = dependency("kilted-perception-tensorflow-cpu", "ros-tf", "kilted-perception-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception tensorflow=2.21.0"
   }
 }
 
@@ -4600,7 +4830,7 @@ target "kilted-desktop-tensorflow-cpu-test" {
   contexts  = { image = dependency("kilted-desktop-tensorflow-cpu", "ros-tf", "kilted-desktop-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop tensorflow=2.21.0"
   }
 }
 
@@ -4610,7 +4840,7 @@ target "kilted-desktop-full-tensorflow-cpu-test" {
   contexts  = { image = dependency("kilted-desktop-full-tensorflow-cpu", "ros-tf", "kilted-desktop-full-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full tensorflow=2.21.0"
   }
 }
 
@@ -4620,7 +4850,7 @@ target "kilted-core-run-tensorflow-cpu-test" {
   contexts  = { image = dependency("kilted-core-run-tensorflow-cpu", "ros-tf", "kilted-core-run-tensorflow-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.21.0"
   }
 }
 
@@ -4630,7 +4860,7 @@ target "kilted-base-run-tensorflow-cpu-test" {
   contexts  = { image = dependency("kilted-base-run-tensorflow-cpu", "ros-tf", "kilted-base-run-tensorflow-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.21.0"
   }
 }
 
@@ -4640,7 +4870,7 @@ target "kilted-core-ml-cu128-test" {
   contexts  = { image = dependency("kilted-core-ml-cu128", "ros-ml", "kilted-core-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow cuda-build torch-build tensorflow-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -4650,7 +4880,7 @@ target "kilted-base-ml-cu128-test" {
   contexts  = { image = dependency("kilted-base-ml-cu128", "ros-ml", "kilted-base-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -4660,7 +4890,7 @@ target "kilted-perception-ml-cu128-test" {
   contexts  = { image = dependency("kilted-perception-ml-cu128", "ros-ml", "kilted-perception-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -4670,7 +4900,7 @@ target "kilted-desktop-ml-cu128-test" {
   contexts  = { image = dependency("kilted-desktop-ml-cu128", "ros-ml", "kilted-desktop-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -4680,7 +4910,7 @@ target "kilted-desktop-full-ml-cu128-test" {
   contexts  = { image = dependency("kilted-desktop-full-ml-cu128", "ros-ml", "kilted-desktop-full-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -4690,7 +4920,7 @@ target "kilted-core-run-ml-cu128-test" {
   contexts  = { image = dependency("kilted-core-run-ml-cu128", "ros-ml", "kilted-core-run-ml-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -4700,7 +4930,7 @@ target "kilted-base-run-ml-cu128-test" {
   contexts  = { image = dependency("kilted-base-run-ml-cu128", "ros-ml", "kilted-base-run-ml-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -4710,7 +4940,7 @@ target "kilted-core-ml-cpu-test" {
   contexts  = { image = dependency("kilted-core-ml-cpu", "ros-ml", "kilted-core-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow torch-build tensorflow-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -4720,7 +4950,7 @@ target "kilted-base-ml-cpu-test" {
   contexts  = { image = dependency("kilted-base-ml-cpu", "ros-ml", "kilted-base-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -4730,7 +4960,7 @@ target "kilted-perception-ml-cpu-test" {
   contexts  = { image = dependency("kilted-perception-ml-cpu", "ros-ml", "kilted-perception-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -4740,7 +4970,7 @@ target "kilted-desktop-ml-cpu-test" {
   contexts  = { image = dependency("kilted-desktop-ml-cpu", "ros-ml", "kilted-desktop-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -4750,7 +4980,7 @@ target "kilted-desktop-full-ml-cpu-test" {
   contexts  = { image = dependency("kilted-desktop-full-ml-cpu", "ros-ml", "kilted-desktop-full-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -4760,7 +4990,7 @@ target "kilted-core-run-ml-cpu-test" {
   contexts  = { image = dependency("kilted-core-run-ml-cpu", "ros-ml", "kilted-core-run-ml-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -4770,7 +5000,7 @@ target "kilted-base-run-ml-cpu-test" {
   contexts  = { image = dependency("kilted-base-run-ml-cpu", "ros-ml", "kilted-base-run-ml-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch tensorflow"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -4782,7 +5012,7 @@ target "lyrical-core-test" {
   contexts  = { image = dependency("lyrical-core", "ros", "lyrical-core") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-core ros2-components ros2-workspace pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core"
   }
 }
 
@@ -4792,7 +5022,7 @@ target "lyrical-base-test" {
   contexts  = { image = dependency("lyrical-base", "ros", "lyrical-base") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-base ros2-components"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base"
   }
 }
 
@@ -4802,7 +5032,7 @@ target "lyrical-perception-test" {
   contexts  = { image = dependency("lyrical-perception", "ros", "lyrical-perception") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-perception ros2-components"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception"
   }
 }
 
@@ -4812,7 +5042,7 @@ target "lyrical-desktop-test" {
   contexts  = { image = dependency("lyrical-desktop", "ros", "lyrical-desktop") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-desktop ros2-components"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop"
   }
 }
 
@@ -4822,7 +5052,7 @@ target "lyrical-desktop-full-test" {
   contexts  = { image = dependency("lyrical-desktop-full", "ros", "lyrical-desktop-full") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-desktop-full ros2-components"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full"
   }
 }
 
@@ -4832,7 +5062,7 @@ target "lyrical-core-run-test" {
   contexts  = { image = dependency("lyrical-core-run", "ros", "lyrical-core-run") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -4842,7 +5072,7 @@ target "lyrical-base-run-test" {
   contexts  = { image = dependency("lyrical-base-run", "ros", "lyrical-base-run") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -4852,7 +5082,7 @@ target "lyrical-core-cuda-cu128-test" {
   contexts  = { image = dependency("lyrical-core-cuda-cu128", "ros-cuda", "lyrical-core-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -4862,7 +5092,7 @@ target "lyrical-base-cuda-cu128-test" {
   contexts  = { image = dependency("lyrical-base-cuda-cu128", "ros-cuda", "lyrical-base-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -4872,7 +5102,7 @@ target "lyrical-perception-cuda-cu128-test" {
   contexts  = { image = dependency("lyrical-perception-cuda-cu128", "ros-cuda", "lyrical-perception-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -4882,7 +5112,7 @@ target "lyrical-desktop-cuda-cu128-test" {
   contexts  = { image = dependency("lyrical-desktop-cuda-cu128", "ros-cuda", "lyrical-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -4892,7 +5122,7 @@ target "lyrical-desktop-full-cuda-cu128-test" {
   contexts  = { image = dependency("lyrical-desktop-full-cuda-cu128", "ros-cuda", "lyrical-desktop-full-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -4902,7 +5132,7 @@ target "lyrical-core-run-cuda-cu128-test" {
   contexts  = { image = dependency("lyrical-core-run-cuda-cu128", "ros-cuda", "lyrical-core-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -4912,7 +5142,7 @@ target "lyrical-base-run-cuda-cu128-test" {
   contexts  = { image = dependency("lyrical-base-run-cuda-cu128", "ros-cuda", "lyrical-base-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -4922,7 +5152,7 @@ target "lyrical-core-cuda-cu130-test" {
   contexts  = { image = dependency("lyrical-core-cuda-cu130", "ros-cuda", "lyrical-core-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4932,7 +5162,7 @@ target "lyrical-base-cuda-cu130-test" {
   contexts  = { image = dependency("lyrical-base-cuda-cu130", "ros-cuda", "lyrical-base-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4942,7 +5172,7 @@ target "lyrical-perception-cuda-cu130-test" {
   contexts  = { image = dependency("lyrical-perception-cuda-cu130", "ros-cuda", "lyrical-perception-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4952,7 +5182,7 @@ target "lyrical-desktop-cuda-cu130-test" {
   contexts  = { image = dependency("lyrical-desktop-cuda-cu130", "ros-cuda", "lyrical-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4962,7 +5192,7 @@ target "lyrical-desktop-full-cuda-cu130-test" {
   contexts  = { image = dependency("lyrical-desktop-full-cuda-cu130", "ros-cuda", "lyrical-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4972,7 +5202,7 @@ target "lyrical-core-run-cuda-cu130-test" {
   contexts  = { image = dependency("lyrical-core-run-cuda-cu130", "ros-cuda", "lyrical-core-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4982,7 +5212,7 @@ target "lyrical-base-run-cuda-cu130-test" {
   contexts  = { image = dependency("lyrical-base-run-cuda-cu130", "ros-cuda", "lyrical-base-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -4992,7 +5222,7 @@ target "lyrical-core-cuda-cu132-test" {
   contexts  = { image = dependency("lyrical-core-cuda-cu132", "ros-cuda", "lyrical-core-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5002,7 +5232,7 @@ target "lyrical-base-cuda-cu132-test" {
   contexts  = { image = dependency("lyrical-base-cuda-cu132", "ros-cuda", "lyrical-base-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5012,7 +5242,7 @@ target "lyrical-perception-cuda-cu132-test" {
   contexts  = { image = dependency("lyrical-perception-cuda-cu132", "ros-cuda", "lyrical-perception-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5022,7 +5252,7 @@ target "lyrical-desktop-cuda-cu132-test" {
   contexts  = { image = dependency("lyrical-desktop-cuda-cu132", "ros-cuda", "lyrical-desktop-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5032,7 +5262,7 @@ target "lyrical-desktop-full-cuda-cu132-test" {
   contexts  = { image = dependency("lyrical-desktop-full-cuda-cu132", "ros-cuda", "lyrical-desktop-full-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5042,7 +5272,7 @@ target "lyrical-core-run-cuda-cu132-test" {
   contexts  = { image = dependency("lyrical-core-run-cuda-cu132", "ros-cuda", "lyrical-core-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5052,7 +5282,7 @@ target "lyrical-base-run-cuda-cu132-test" {
   contexts  = { image = dependency("lyrical-base-run-cuda-cu132", "ros-cuda", "lyrical-base-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5062,7 +5292,7 @@ target "lyrical-core-cuda-cu121-test" {
   contexts  = { image = dependency("lyrical-core-cuda-cu121", "ros-cuda", "lyrical-core-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda cuda-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -5072,7 +5302,7 @@ target "lyrical-base-cuda-cu121-test" {
   contexts  = { image = dependency("lyrical-base-cuda-cu121", "ros-cuda", "lyrical-base-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -5082,7 +5312,7 @@ target "lyrical-perception-cuda-cu121-test" {
   contexts  = { image = dependency("lyrical-perception-cuda-cu121", "ros-cuda", "lyrical-perception-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -5092,7 +5322,7 @@ target "lyrical-desktop-cuda-cu121-test" {
   contexts  = { image = dependency("lyrical-desktop-cuda-cu121", "ros-cuda", "lyrical-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -5102,7 +5332,7 @@ target "lyrical-desktop-full-cuda-cu121-test" {
   contexts  = { image = dependency("lyrical-desktop-full-cuda-cu121", "ros-cuda", "lyrical-desktop-full-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -5112,7 +5342,7 @@ target "lyrical-core-run-cuda-cu121-test" {
   contexts  = { image = dependency("lyrical-core-run-cuda-cu121", "ros-cuda", "lyrical-core-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -5122,7 +5352,7 @@ target "lyrical-base-run-cuda-cu121-test" {
   contexts  = { image = dependency("lyrical-base-run-cuda-cu121", "ros-cuda", "lyrical-base-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -5132,7 +5362,7 @@ target "lyrical-core-torch-cu128-test" {
   contexts  = { image = dependency("lyrical-core-torch-cu128", "ros-torch", "lyrical-core-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch cuda-build torch-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -5142,7 +5372,7 @@ target "lyrical-base-torch-cu128-test" {
   contexts  = { image = dependency("lyrical-base-torch-cu128", "ros-torch", "lyrical-base-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -5152,7 +5382,7 @@ target "lyrical-perception-torch-cu128-test" {
   contexts  = { image = dependency("lyrical-perception-torch-cu128", "ros-torch", "lyrical-perception-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -5162,7 +5392,7 @@ target "lyrical-desktop-torch-cu128-test" {
   contexts  = { image = dependency("lyrical-desktop-torch-cu128", "ros-torch", "lyrical-desktop-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -5172,7 +5402,7 @@ target "lyrical-desktop-full-torch-cu128-test" {
   contexts  = { image = dependency("lyrical-desktop-full-torch-cu128", "ros-torch", "lyrical-desktop-full-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -5182,7 +5412,7 @@ target "lyrical-core-run-torch-cu128-test" {
   contexts  = { image = dependency("lyrical-core-run-torch-cu128", "ros-torch", "lyrical-core-run-torch-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -5192,7 +5422,7 @@ target "lyrical-base-run-torch-cu128-test" {
   contexts  = { image = dependency("lyrical-base-run-torch-cu128", "ros-torch", "lyrical-base-run-torch-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -5202,7 +5432,7 @@ target "lyrical-core-torch-cu130-test" {
   contexts  = { image = dependency("lyrical-core-torch-cu130", "ros-torch", "lyrical-core-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch cuda-build torch-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5212,7 +5442,7 @@ target "lyrical-base-torch-cu130-test" {
   contexts  = { image = dependency("lyrical-base-torch-cu130", "ros-torch", "lyrical-base-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5222,7 +5452,7 @@ target "lyrical-perception-torch-cu130-test" {
   contexts  = { image = dependency("lyrical-perception-torch-cu130", "ros-torch", "lyrical-perception-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5232,7 +5462,7 @@ target "lyrical-desktop-torch-cu130-test" {
   contexts  = { image = dependency("lyrical-desktop-torch-cu130", "ros-torch", "lyrical-desktop-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5242,7 +5472,7 @@ target "lyrical-desktop-full-torch-cu130-test" {
   contexts  = { image = dependency("lyrical-desktop-full-torch-cu130", "ros-torch", "lyrical-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5252,7 +5482,7 @@ target "lyrical-core-run-torch-cu130-test" {
   contexts  = { image = dependency("lyrical-core-run-torch-cu130", "ros-torch", "lyrical-core-run-torch-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5262,7 +5492,7 @@ target "lyrical-base-run-torch-cu130-test" {
   contexts  = { image = dependency("lyrical-base-run-torch-cu130", "ros-torch", "lyrical-base-run-torch-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5272,7 +5502,7 @@ target "lyrical-core-torch-cu132-test" {
   contexts  = { image = dependency("lyrical-core-torch-cu132", "ros-torch", "lyrical-core-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch cuda-build torch-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5282,7 +5512,7 @@ target "lyrical-base-torch-cu132-test" {
   contexts  = { image = dependency("lyrical-base-torch-cu132", "ros-torch", "lyrical-base-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5292,7 +5522,7 @@ target "lyrical-perception-torch-cu132-test" {
   contexts  = { image = dependency("lyrical-perception-torch-cu132", "ros-torch", "lyrical-perception-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5302,7 +5532,7 @@ target "lyrical-desktop-torch-cu132-test" {
   contexts  = { image = dependency("lyrical-desktop-torch-cu132", "ros-torch", "lyrical-desktop-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5312,7 +5542,7 @@ target "lyrical-desktop-full-torch-cu132-test" {
   contexts  = { image = dependency("lyrical-desktop-full-torch-cu132", "ros-torch", "lyrical-desktop-full-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5322,7 +5552,7 @@ target "lyrical-core-run-torch-cu132-test" {
   contexts  = { image = dependency("lyrical-core-run-torch-cu132", "ros-torch", "lyrical-core-run-torch-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5332,7 +5562,7 @@ target "lyrical-base-run-torch-cu132-test" {
   contexts  = { image = dependency("lyrical-base-run-torch-cu132", "ros-torch", "lyrical-base-run-torch-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5342,7 +5572,7 @@ target "lyrical-core-torch-cpu-test" {
   contexts  = { image = dependency("lyrical-core-torch-cpu", "ros-torch", "lyrical-core-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch torch-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.10.0"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.10.0"
   }
 }
 
@@ -5352,7 +5582,7 @@ target "lyrical-base-torch-cpu-test" {
   contexts  = { image = dependency("lyrical-base-torch-cpu", "ros-torch", "lyrical-base-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base torch=2.10.0"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base torch=2.10.0"
   }
 }
 
@@ -5362,7 +5592,7 @@ target "lyrical-perception-torch-cpu-test" {
   contexts  = { image = dependency("lyrical-perception-torch-cpu", "ros-torch", "lyrical-perception-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception torch=2.10.0"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception torch=2.10.0"
   }
 }
 
@@ -5372,7 +5602,7 @@ target "lyrical-desktop-torch-cpu-test" {
   contexts  = { image = dependency("lyrical-desktop-torch-cpu", "ros-torch", "lyrical-desktop-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop torch=2.10.0"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop torch=2.10.0"
   }
 }
 
@@ -5382,7 +5612,7 @@ target "lyrical-desktop-full-torch-cpu-test" {
   contexts  = { image = dependency("lyrical-desktop-full-torch-cpu", "ros-torch", "lyrical-desktop-full-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full torch=2.10.0"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full torch=2.10.0"
   }
 }
 
@@ -5392,7 +5622,7 @@ target "lyrical-core-run-torch-cpu-test" {
   contexts  = { image = dependency("lyrical-core-run-torch-cpu", "ros-torch", "lyrical-core-run-torch-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0"
   }
 }
 
@@ -5402,7 +5632,57 @@ target "lyrical-base-run-torch-cpu-test" {
   contexts  = { image = dependency("lyrical-base-run-torch-cpu", "ros-torch", "lyrical-base-run-torch-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0"
+  }
+}
+
+target "lyrical-core-onnx-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("lyrical-core-onnx-cu130", "ros-onnx", "lyrical-core-onnx-cu130") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "lyrical-base-onnx-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("lyrical-base-onnx-cu130", "ros-onnx", "lyrical-base-onnx-cu130") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "lyrical-core-torch-onnx-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("lyrical-core-torch-onnx-cu130", "ros-torch-onnx", "lyrical-core-torch-onnx-cu130") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda torch onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.14.1 onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+  }
+}
+
+target "lyrical-core-onnx-cu132-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("lyrical-core-onnx-cu132", "ros-onnx", "lyrical-core-onnx-cu132") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core onnxruntime=1.28.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "lyrical-core-torch-onnx-cu132-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("lyrical-core-torch-onnx-cu132", "ros-torch-onnx", "lyrical-core-torch-onnx-cu132") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside cuda torch onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.15.0 onnxruntime=1.28.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5412,7 +5692,7 @@ target "lyrical-core-devel-cu132-test" {
   contexts  = { image = dependency("lyrical-core-devel-cu132", "ros-devel", "lyrical-core-devel-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda devel devel-build pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5422,7 +5702,7 @@ target "lyrical-core-torch-devel-cu132-test" {
   contexts  = { image = dependency("lyrical-core-torch-devel-cu132", "ros-torch-devel", "lyrical-core-torch-devel-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch devel devel-build pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5432,7 +5712,7 @@ target "lyrical-core-triton-cu128-test" {
   contexts  = { image = dependency("lyrical-core-triton-cu128", "ros-triton", "lyrical-core-triton-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tritonclient pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core tritonclient=2.73.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core tritonclient=2.73.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -5442,7 +5722,7 @@ target "lyrical-core-triton-cu130-test" {
   contexts  = { image = dependency("lyrical-core-triton-cu130", "ros-triton", "lyrical-core-triton-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tritonclient pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core tritonclient=2.73.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core tritonclient=2.73.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5452,7 +5732,7 @@ target "lyrical-core-triton-cu132-test" {
   contexts  = { image = dependency("lyrical-core-triton-cu132", "ros-triton", "lyrical-core-triton-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tritonclient pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core tritonclient=2.73.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core tritonclient=2.73.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5462,7 +5742,7 @@ target "lyrical-core-triton-cpu-test" {
   contexts  = { image = dependency("lyrical-core-triton-cpu", "ros-triton", "lyrical-core-triton-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside tritonclient pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core tritonclient=2.73.0"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core tritonclient=2.73.0"
   }
 }
 
@@ -5472,7 +5752,7 @@ target "lyrical-core-tensorrt-rtx-cu130-test" {
   contexts  = { image = dependency("lyrical-core-tensorrt-rtx-cu130", "ros-tensorrt-rtx", "lyrical-core-tensorrt-rtx-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorrt-rtx pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core tensorrt-rtx=1.7.1.116 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core tensorrt-rtx=1.7.1.116 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
   }
 }
 
@@ -5482,7 +5762,7 @@ target "lyrical-core-tensorrt-rtx-cu132-test" {
   contexts  = { image = dependency("lyrical-core-tensorrt-rtx-cu132", "ros-tensorrt-rtx", "lyrical-core-tensorrt-rtx-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorrt-rtx pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core tensorrt-rtx=1.7.1.116 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core tensorrt-rtx=1.7.1.116 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
   }
 }
 
@@ -5494,7 +5774,7 @@ target "rolling-core-test" {
   contexts  = { image = dependency("rolling-core", "ros", "rolling-core") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-core ros2-components ros2-workspace pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core"
   }
 }
 
@@ -5504,7 +5784,7 @@ target "rolling-base-test" {
   contexts  = { image = dependency("rolling-base", "ros", "rolling-base") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-base ros2-components"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base"
   }
 }
 
@@ -5514,7 +5794,7 @@ target "rolling-perception-test" {
   contexts  = { image = dependency("rolling-perception", "ros", "rolling-perception") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-perception ros2-components"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception"
   }
 }
 
@@ -5524,7 +5804,7 @@ target "rolling-desktop-test" {
   contexts  = { image = dependency("rolling-desktop", "ros", "rolling-desktop") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-desktop ros2-components"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop"
   }
 }
 
@@ -5534,7 +5814,7 @@ target "rolling-desktop-full-test" {
   contexts  = { image = dependency("rolling-desktop-full", "ros", "rolling-desktop-full") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside ros2-desktop-full ros2-components"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full"
   }
 }
 
@@ -5544,7 +5824,7 @@ target "rolling-core-run-test" {
   contexts  = { image = dependency("rolling-core-run", "ros", "rolling-core-run") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -5554,7 +5834,7 @@ target "rolling-base-run-test" {
   contexts  = { image = dependency("rolling-base-run", "ros", "rolling-base-run") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -5564,7 +5844,7 @@ target "rolling-core-cuda-cu128-test" {
   contexts  = { image = dependency("rolling-core-cuda-cu128", "ros-cuda", "rolling-core-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -5574,7 +5854,7 @@ target "rolling-base-cuda-cu128-test" {
   contexts  = { image = dependency("rolling-base-cuda-cu128", "ros-cuda", "rolling-base-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -5584,7 +5864,7 @@ target "rolling-perception-cuda-cu128-test" {
   contexts  = { image = dependency("rolling-perception-cuda-cu128", "ros-cuda", "rolling-perception-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -5594,7 +5874,7 @@ target "rolling-desktop-cuda-cu128-test" {
   contexts  = { image = dependency("rolling-desktop-cuda-cu128", "ros-cuda", "rolling-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -5604,7 +5884,7 @@ target "rolling-desktop-full-cuda-cu128-test" {
   contexts  = { image = dependency("rolling-desktop-full-cuda-cu128", "ros-cuda", "rolling-desktop-full-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -5614,7 +5894,7 @@ target "rolling-core-run-cuda-cu128-test" {
   contexts  = { image = dependency("rolling-core-run-cuda-cu128", "ros-cuda", "rolling-core-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -5624,7 +5904,7 @@ target "rolling-base-run-cuda-cu128-test" {
   contexts  = { image = dependency("rolling-base-run-cuda-cu128", "ros-cuda", "rolling-base-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -5634,7 +5914,7 @@ target "rolling-core-cuda-cu130-test" {
   contexts  = { image = dependency("rolling-core-cuda-cu130", "ros-cuda", "rolling-core-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5644,7 +5924,7 @@ target "rolling-base-cuda-cu130-test" {
   contexts  = { image = dependency("rolling-base-cuda-cu130", "ros-cuda", "rolling-base-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5654,7 +5934,7 @@ target "rolling-perception-cuda-cu130-test" {
   contexts  = { image = dependency("rolling-perception-cuda-cu130", "ros-cuda", "rolling-perception-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5664,7 +5944,7 @@ target "rolling-desktop-cuda-cu130-test" {
   contexts  = { image = dependency("rolling-desktop-cuda-cu130", "ros-cuda", "rolling-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5674,7 +5954,7 @@ target "rolling-desktop-full-cuda-cu130-test" {
   contexts  = { image = dependency("rolling-desktop-full-cuda-cu130", "ros-cuda", "rolling-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5684,7 +5964,7 @@ target "rolling-core-run-cuda-cu130-test" {
   contexts  = { image = dependency("rolling-core-run-cuda-cu130", "ros-cuda", "rolling-core-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5694,7 +5974,7 @@ target "rolling-base-run-cuda-cu130-test" {
   contexts  = { image = dependency("rolling-base-run-cuda-cu130", "ros-cuda", "rolling-base-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5704,7 +5984,7 @@ target "rolling-core-cuda-cu132-test" {
   contexts  = { image = dependency("rolling-core-cuda-cu132", "ros-cuda", "rolling-core-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5714,7 +5994,7 @@ target "rolling-base-cuda-cu132-test" {
   contexts  = { image = dependency("rolling-base-cuda-cu132", "ros-cuda", "rolling-base-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5724,7 +6004,7 @@ target "rolling-perception-cuda-cu132-test" {
   contexts  = { image = dependency("rolling-perception-cuda-cu132", "ros-cuda", "rolling-perception-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5734,7 +6014,7 @@ target "rolling-desktop-cuda-cu132-test" {
   contexts  = { image = dependency("rolling-desktop-cuda-cu132", "ros-cuda", "rolling-desktop-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5744,7 +6024,7 @@ target "rolling-desktop-full-cuda-cu132-test" {
   contexts  = { image = dependency("rolling-desktop-full-cuda-cu132", "ros-cuda", "rolling-desktop-full-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5754,7 +6034,7 @@ target "rolling-core-run-cuda-cu132-test" {
   contexts  = { image = dependency("rolling-core-run-cuda-cu132", "ros-cuda", "rolling-core-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5764,7 +6044,7 @@ target "rolling-base-run-cuda-cu132-test" {
   contexts  = { image = dependency("rolling-base-run-cuda-cu132", "ros-cuda", "rolling-base-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -5774,7 +6054,7 @@ target "rolling-core-cuda-cu121-test" {
   contexts  = { image = dependency("rolling-core-cuda-cu121", "ros-cuda", "rolling-core-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda cuda-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -5784,7 +6064,7 @@ target "rolling-base-cuda-cu121-test" {
   contexts  = { image = dependency("rolling-base-cuda-cu121", "ros-cuda", "rolling-base-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -5794,7 +6074,7 @@ target "rolling-perception-cuda-cu121-test" {
   contexts  = { image = dependency("rolling-perception-cuda-cu121", "ros-cuda", "rolling-perception-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -5804,7 +6084,7 @@ target "rolling-desktop-cuda-cu121-test" {
   contexts  = { image = dependency("rolling-desktop-cuda-cu121", "ros-cuda", "rolling-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -5814,7 +6094,7 @@ target "rolling-desktop-full-cuda-cu121-test" {
   contexts  = { image = dependency("rolling-desktop-full-cuda-cu121", "ros-cuda", "rolling-desktop-full-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -5824,7 +6104,7 @@ target "rolling-core-run-cuda-cu121-test" {
   contexts  = { image = dependency("rolling-core-run-cuda-cu121", "ros-cuda", "rolling-core-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -5834,7 +6114,7 @@ target "rolling-base-run-cuda-cu121-test" {
   contexts  = { image = dependency("rolling-base-run-cuda-cu121", "ros-cuda", "rolling-base-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -5844,7 +6124,7 @@ target "rolling-core-torch-cu128-test" {
   contexts  = { image = dependency("rolling-core-torch-cu128", "ros-torch", "rolling-core-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch cuda-build torch-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -5854,7 +6134,7 @@ target "rolling-base-torch-cu128-test" {
   contexts  = { image = dependency("rolling-base-torch-cu128", "ros-torch", "rolling-base-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -5864,7 +6144,7 @@ target "rolling-perception-torch-cu128-test" {
   contexts  = { image = dependency("rolling-perception-torch-cu128", "ros-torch", "rolling-perception-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -5874,7 +6154,7 @@ target "rolling-desktop-torch-cu128-test" {
   contexts  = { image = dependency("rolling-desktop-torch-cu128", "ros-torch", "rolling-desktop-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -5884,7 +6164,7 @@ target "rolling-desktop-full-torch-cu128-test" {
   contexts  = { image = dependency("rolling-desktop-full-torch-cu128", "ros-torch", "rolling-desktop-full-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -5894,7 +6174,7 @@ target "rolling-core-run-torch-cu128-test" {
   contexts  = { image = dependency("rolling-core-run-torch-cu128", "ros-torch", "rolling-core-run-torch-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -5904,7 +6184,7 @@ target "rolling-base-run-torch-cu128-test" {
   contexts  = { image = dependency("rolling-base-run-torch-cu128", "ros-torch", "rolling-base-run-torch-cu128") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -5914,7 +6194,7 @@ target "rolling-core-torch-cu130-test" {
   contexts  = { image = dependency("rolling-core-torch-cu130", "ros-torch", "rolling-core-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch cuda-build torch-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5924,7 +6204,7 @@ target "rolling-base-torch-cu130-test" {
   contexts  = { image = dependency("rolling-base-torch-cu130", "ros-torch", "rolling-base-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5934,7 +6214,7 @@ target "rolling-perception-torch-cu130-test" {
   contexts  = { image = dependency("rolling-perception-torch-cu130", "ros-torch", "rolling-perception-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5944,7 +6224,7 @@ target "rolling-desktop-torch-cu130-test" {
   contexts  = { image = dependency("rolling-desktop-torch-cu130", "ros-torch", "rolling-desktop-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5954,7 +6234,7 @@ target "rolling-desktop-full-torch-cu130-test" {
   contexts  = { image = dependency("rolling-desktop-full-torch-cu130", "ros-torch", "rolling-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5964,7 +6244,7 @@ target "rolling-core-run-torch-cu130-test" {
   contexts  = { image = dependency("rolling-core-run-torch-cu130", "ros-torch", "rolling-core-run-torch-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5974,7 +6254,7 @@ target "rolling-base-run-torch-cu130-test" {
   contexts  = { image = dependency("rolling-base-run-torch-cu130", "ros-torch", "rolling-base-run-torch-cu130") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5984,7 +6264,7 @@ target "rolling-core-torch-cu132-test" {
   contexts  = { image = dependency("rolling-core-torch-cu132", "ros-torch", "rolling-core-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch cuda-build torch-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5994,7 +6274,7 @@ target "rolling-base-torch-cu132-test" {
   contexts  = { image = dependency("rolling-base-torch-cu132", "ros-torch", "rolling-base-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6004,7 +6284,7 @@ target "rolling-perception-torch-cu132-test" {
   contexts  = { image = dependency("rolling-perception-torch-cu132", "ros-torch", "rolling-perception-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6014,7 +6294,7 @@ target "rolling-desktop-torch-cu132-test" {
   contexts  = { image = dependency("rolling-desktop-torch-cu132", "ros-torch", "rolling-desktop-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6024,7 +6304,7 @@ target "rolling-desktop-full-torch-cu132-test" {
   contexts  = { image = dependency("rolling-desktop-full-torch-cu132", "ros-torch", "rolling-desktop-full-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6034,7 +6314,7 @@ target "rolling-core-run-torch-cu132-test" {
   contexts  = { image = dependency("rolling-core-run-torch-cu132", "ros-torch", "rolling-core-run-torch-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6044,7 +6324,7 @@ target "rolling-base-run-torch-cu132-test" {
   contexts  = { image = dependency("rolling-base-run-torch-cu132", "ros-torch", "rolling-base-run-torch-cu132") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6054,7 +6334,7 @@ target "rolling-core-torch-cpu-test" {
   contexts  = { image = dependency("rolling-core-torch-cpu", "ros-torch", "rolling-core-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch torch-build ros2-workspace pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core torch=2.10.0"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core torch=2.10.0"
   }
 }
 
@@ -6064,7 +6344,7 @@ target "rolling-base-torch-cpu-test" {
   contexts  = { image = dependency("rolling-base-torch-cpu", "ros-torch", "rolling-base-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base torch=2.10.0"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base torch=2.10.0"
   }
 }
 
@@ -6074,7 +6354,7 @@ target "rolling-perception-torch-cpu-test" {
   contexts  = { image = dependency("rolling-perception-torch-cpu", "ros-torch", "rolling-perception-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception torch=2.10.0"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception torch=2.10.0"
   }
 }
 
@@ -6084,7 +6364,7 @@ target "rolling-desktop-torch-cpu-test" {
   contexts  = { image = dependency("rolling-desktop-torch-cpu", "ros-torch", "rolling-desktop-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop torch=2.10.0"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop torch=2.10.0"
   }
 }
 
@@ -6094,7 +6374,7 @@ target "rolling-desktop-full-torch-cpu-test" {
   contexts  = { image = dependency("rolling-desktop-full-torch-cpu", "ros-torch", "rolling-desktop-full-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full torch=2.10.0"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full torch=2.10.0"
   }
 }
 
@@ -6104,7 +6384,7 @@ target "rolling-core-run-torch-cpu-test" {
   contexts  = { image = dependency("rolling-core-run-torch-cpu", "ros-torch", "rolling-core-run-torch-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0"
   }
 }
 
@@ -6114,7 +6394,7 @@ target "rolling-base-run-torch-cpu-test" {
   contexts  = { image = dependency("rolling-base-run-torch-cpu", "ros-torch", "rolling-base-run-torch-cpu") }
   args = {
     TESTS  = "contract runtime ros2 ros2-beside torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0"
   }
 }
 
@@ -6126,7 +6406,7 @@ target "ros1-bookworm-core-test" {
   contexts  = { image = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside ros1-core ros1-components ros1-workspace pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev"
   }
 }
 
@@ -6136,7 +6416,7 @@ target "ros1-bookworm-base-test" {
   contexts  = { image = dependency("ros1-bookworm-base", "ros", "ros1-bookworm-base") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside ros1-base ros1-components"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev"
   }
 }
 
@@ -6146,7 +6426,7 @@ target "ros1-bookworm-robot-test" {
   contexts  = { image = dependency("ros1-bookworm-robot", "ros", "ros1-bookworm-robot") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside ros1-robot ros1-components"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev"
   }
 }
 
@@ -6156,7 +6436,7 @@ target "ros1-bookworm-perception-test" {
   contexts  = { image = dependency("ros1-bookworm-perception", "ros", "ros1-bookworm-perception") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside ros1-perception ros1-components"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev"
   }
 }
 
@@ -6166,7 +6446,7 @@ target "ros1-bookworm-desktop-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop", "ros", "ros1-bookworm-desktop") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside ros1-desktop ros1-components"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev"
   }
 }
 
@@ -6176,7 +6456,7 @@ target "ros1-bookworm-desktop-full-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-full", "ros", "ros1-bookworm-desktop-full") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside ros1-desktop-full ros1-components"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev"
   }
 }
 
@@ -6186,7 +6466,7 @@ target "ros1-bookworm-core-run-test" {
   contexts  = { image = dependency("ros1-bookworm-core-run", "ros", "ros1-bookworm-core-run") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -6196,7 +6476,7 @@ target "ros1-bookworm-base-run-test" {
   contexts  = { image = dependency("ros1-bookworm-base-run", "ros", "ros1-bookworm-base-run") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -6206,7 +6486,7 @@ target "ros1-bookworm-core-cuda-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-core-cuda-cu128", "ros-cuda", "ros1-bookworm-core-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -6216,7 +6496,7 @@ target "ros1-bookworm-base-cuda-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-base-cuda-cu128", "ros-cuda", "ros1-bookworm-base-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -6226,7 +6506,7 @@ target "ros1-bookworm-robot-cuda-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-robot-cuda-cu128", "ros-cuda", "ros1-bookworm-robot-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -6236,7 +6516,7 @@ target "ros1-bookworm-perception-cuda-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-perception-cuda-cu128", "ros-cuda", "ros1-bookworm-perception-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -6246,7 +6526,7 @@ target "ros1-bookworm-desktop-cuda-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-cuda-cu128", "ros-cuda", "ros1-bookworm-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -6256,7 +6536,7 @@ target "ros1-bookworm-desktop-full-cuda-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-full-cuda-cu128", "ros-cuda", "ros1-bookworm-desktop-full-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -6266,7 +6546,7 @@ target "ros1-bookworm-core-run-cuda-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-core-run-cuda-cu128", "ros-cuda", "ros1-bookworm-core-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -6276,7 +6556,7 @@ target "ros1-bookworm-base-run-cuda-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-base-run-cuda-cu128", "ros-cuda", "ros1-bookworm-base-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -6286,7 +6566,7 @@ target "ros1-bookworm-core-cuda-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-core-cuda-cu130", "ros-cuda", "ros1-bookworm-core-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -6296,7 +6576,7 @@ target "ros1-bookworm-base-cuda-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-base-cuda-cu130", "ros-cuda", "ros1-bookworm-base-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -6306,7 +6586,7 @@ target "ros1-bookworm-robot-cuda-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-robot-cuda-cu130", "ros-cuda", "ros1-bookworm-robot-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -6316,7 +6596,7 @@ target "ros1-bookworm-perception-cuda-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-perception-cuda-cu130", "ros-cuda", "ros1-bookworm-perception-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -6326,7 +6606,7 @@ target "ros1-bookworm-desktop-cuda-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-cuda-cu130", "ros-cuda", "ros1-bookworm-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -6336,7 +6616,7 @@ target "ros1-bookworm-desktop-full-cuda-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-full-cuda-cu130", "ros-cuda", "ros1-bookworm-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -6346,7 +6626,7 @@ target "ros1-bookworm-core-run-cuda-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-core-run-cuda-cu130", "ros-cuda", "ros1-bookworm-core-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -6356,7 +6636,7 @@ target "ros1-bookworm-base-run-cuda-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-base-run-cuda-cu130", "ros-cuda", "ros1-bookworm-base-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -6366,7 +6646,7 @@ target "ros1-bookworm-core-cuda-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-core-cuda-cu132", "ros-cuda", "ros1-bookworm-core-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -6376,7 +6656,7 @@ target "ros1-bookworm-base-cuda-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-base-cuda-cu132", "ros-cuda", "ros1-bookworm-base-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -6386,7 +6666,7 @@ target "ros1-bookworm-robot-cuda-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-robot-cuda-cu132", "ros-cuda", "ros1-bookworm-robot-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -6396,7 +6676,7 @@ target "ros1-bookworm-perception-cuda-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-perception-cuda-cu132", "ros-cuda", "ros1-bookworm-perception-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -6406,7 +6686,7 @@ target "ros1-bookworm-desktop-cuda-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-cuda-cu132", "ros-cuda", "ros1-bookworm-desktop-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -6416,7 +6696,7 @@ target "ros1-bookworm-desktop-full-cuda-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-full-cuda-cu132", "ros-cuda", "ros1-bookworm-desktop-full-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -6426,7 +6706,7 @@ target "ros1-bookworm-core-run-cuda-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-core-run-cuda-cu132", "ros-cuda", "ros1-bookworm-core-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -6436,7 +6716,7 @@ target "ros1-bookworm-base-run-cuda-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-base-run-cuda-cu132", "ros-cuda", "ros1-bookworm-base-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -6446,7 +6726,7 @@ target "ros1-bookworm-core-cuda-cu121-test" {
   contexts  = { image = dependency("ros1-bookworm-core-cuda-cu121", "ros-cuda", "ros1-bookworm-core-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda cuda-build ros1-workspace pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -6456,7 +6736,7 @@ target "ros1-bookworm-base-cuda-cu121-test" {
   contexts  = { image = dependency("ros1-bookworm-base-cuda-cu121", "ros-cuda", "ros1-bookworm-base-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -6466,7 +6746,7 @@ target "ros1-bookworm-robot-cuda-cu121-test" {
   contexts  = { image = dependency("ros1-bookworm-robot-cuda-cu121", "ros-cuda", "ros1-bookworm-robot-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -6476,7 +6756,7 @@ target "ros1-bookworm-perception-cuda-cu121-test" {
   contexts  = { image = dependency("ros1-bookworm-perception-cuda-cu121", "ros-cuda", "ros1-bookworm-perception-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -6486,7 +6766,7 @@ target "ros1-bookworm-desktop-cuda-cu121-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-cuda-cu121", "ros-cuda", "ros1-bookworm-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -6496,7 +6776,7 @@ target "ros1-bookworm-desktop-full-cuda-cu121-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-full-cuda-cu121", "ros-cuda", "ros1-bookworm-desktop-full-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -6506,7 +6786,7 @@ target "ros1-bookworm-core-run-cuda-cu121-test" {
   contexts  = { image = dependency("ros1-bookworm-core-run-cuda-cu121", "ros-cuda", "ros1-bookworm-core-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -6516,7 +6796,7 @@ target "ros1-bookworm-base-run-cuda-cu121-test" {
   contexts  = { image = dependency("ros1-bookworm-base-run-cuda-cu121", "ros-cuda", "ros1-bookworm-base-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -6526,7 +6806,7 @@ target "ros1-bookworm-core-torch-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-core-torch-cu128", "ros-torch", "ros1-bookworm-core-torch-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -6536,7 +6816,7 @@ target "ros1-bookworm-base-torch-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-base-torch-cu128", "ros-torch", "ros1-bookworm-base-torch-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -6546,7 +6826,7 @@ target "ros1-bookworm-robot-torch-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-robot-torch-cu128", "ros-torch", "ros1-bookworm-robot-torch-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -6556,7 +6836,7 @@ target "ros1-bookworm-perception-torch-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-perception-torch-cu128", "ros-torch", "ros1-bookworm-perception-torch-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -6566,7 +6846,7 @@ target "ros1-bookworm-desktop-torch-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-torch-cu128", "ros-torch", "ros1-bookworm-desktop-torch-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -6576,7 +6856,7 @@ target "ros1-bookworm-desktop-full-torch-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-full-torch-cu128", "ros-torch", "ros1-bookworm-desktop-full-torch-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -6586,7 +6866,7 @@ target "ros1-bookworm-core-run-torch-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-core-run-torch-cu128", "ros-torch", "ros1-bookworm-core-run-torch-cu128") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -6596,7 +6876,7 @@ target "ros1-bookworm-base-run-torch-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-base-run-torch-cu128", "ros-torch", "ros1-bookworm-base-run-torch-cu128") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -6606,7 +6886,7 @@ target "ros1-bookworm-core-torch-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-core-torch-cu130", "ros-torch", "ros1-bookworm-core-torch-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch cuda-build torch-build ros1-workspace pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6616,7 +6896,7 @@ target "ros1-bookworm-base-torch-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-base-torch-cu130", "ros-torch", "ros1-bookworm-base-torch-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6626,7 +6906,7 @@ target "ros1-bookworm-robot-torch-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-robot-torch-cu130", "ros-torch", "ros1-bookworm-robot-torch-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6636,7 +6916,7 @@ target "ros1-bookworm-perception-torch-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-perception-torch-cu130", "ros-torch", "ros1-bookworm-perception-torch-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6646,7 +6926,7 @@ target "ros1-bookworm-desktop-torch-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-torch-cu130", "ros-torch", "ros1-bookworm-desktop-torch-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6656,7 +6936,7 @@ target "ros1-bookworm-desktop-full-torch-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-full-torch-cu130", "ros-torch", "ros1-bookworm-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6666,7 +6946,7 @@ target "ros1-bookworm-core-run-torch-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-core-run-torch-cu130", "ros-torch", "ros1-bookworm-core-run-torch-cu130") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6676,7 +6956,7 @@ target "ros1-bookworm-base-run-torch-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-base-run-torch-cu130", "ros-torch", "ros1-bookworm-base-run-torch-cu130") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6686,7 +6966,7 @@ target "ros1-bookworm-core-torch-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-core-torch-cu132", "ros-torch", "ros1-bookworm-core-torch-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch cuda-build torch-build ros1-workspace pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6696,7 +6976,7 @@ target "ros1-bookworm-base-torch-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-base-torch-cu132", "ros-torch", "ros1-bookworm-base-torch-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6706,7 +6986,7 @@ target "ros1-bookworm-robot-torch-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-robot-torch-cu132", "ros-torch", "ros1-bookworm-robot-torch-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6716,7 +6996,7 @@ target "ros1-bookworm-perception-torch-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-perception-torch-cu132", "ros-torch", "ros1-bookworm-perception-torch-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6726,7 +7006,7 @@ target "ros1-bookworm-desktop-torch-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-torch-cu132", "ros-torch", "ros1-bookworm-desktop-torch-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6736,7 +7016,7 @@ target "ros1-bookworm-desktop-full-torch-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-full-torch-cu132", "ros-torch", "ros1-bookworm-desktop-full-torch-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6746,7 +7026,7 @@ target "ros1-bookworm-core-run-torch-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-core-run-torch-cu132", "ros-torch", "ros1-bookworm-core-run-torch-cu132") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6756,7 +7036,7 @@ target "ros1-bookworm-base-run-torch-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-base-run-torch-cu132", "ros-torch", "ros1-bookworm-base-run-torch-cu132") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -6766,7 +7046,7 @@ target "ros1-bookworm-core-torch-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-core-torch-cpu", "ros-torch", "ros1-bookworm-core-torch-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0"
   }
 }
 
@@ -6776,7 +7056,7 @@ target "ros1-bookworm-base-torch-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-base-torch-cpu", "ros-torch", "ros1-bookworm-base-torch-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0"
   }
 }
 
@@ -6786,7 +7066,7 @@ target "ros1-bookworm-robot-torch-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-robot-torch-cpu", "ros-torch", "ros1-bookworm-robot-torch-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0"
   }
 }
 
@@ -6796,7 +7076,7 @@ target "ros1-bookworm-perception-torch-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-perception-torch-cpu", "ros-torch", "ros1-bookworm-perception-torch-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0"
   }
 }
 
@@ -6806,7 +7086,7 @@ target "ros1-bookworm-desktop-torch-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-torch-cpu", "ros-torch", "ros1-bookworm-desktop-torch-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0"
   }
 }
 
@@ -6816,7 +7096,7 @@ target "ros1-bookworm-desktop-full-torch-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-full-torch-cpu", "ros-torch", "ros1-bookworm-desktop-full-torch-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0"
   }
 }
 
@@ -6826,7 +7106,7 @@ target "ros1-bookworm-core-run-torch-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-core-run-torch-cpu", "ros-torch", "ros1-bookworm-core-run-torch-cpu") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0"
   }
 }
 
@@ -6836,7 +7116,7 @@ target "ros1-bookworm-base-run-torch-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-base-run-torch-cpu", "ros-torch", "ros1-bookworm-base-run-torch-cpu") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0"
   }
 }
 
@@ -6846,7 +7126,7 @@ target "ros1-bookworm-core-tensorflow-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-core-tensorflow-cu128", "ros-tf", "ros1-bookworm-core-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -6856,7 +7136,7 @@ target "ros1-bookworm-base-tensorflow-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-base-tensorflow-cu128", "ros-tf", "ros1-bookworm-base-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -6866,7 +7146,7 @@ target "ros1-bookworm-robot-tensorflow-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-robot-tensorflow-cu128", "ros-tf", "ros1-bookworm-robot-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -6876,7 +7156,7 @@ target "ros1-bookworm-perception-tensorflow-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-perception-tensorflow-cu128", "ros-tf", "ros1-bookworm-perception-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -6886,7 +7166,7 @@ target "ros1-bookworm-desktop-tensorflow-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-tensorflow-cu128", "ros-tf", "ros1-bookworm-desktop-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -6896,7 +7176,7 @@ target "ros1-bookworm-desktop-full-tensorflow-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-full-tensorflow-cu128", "ros-tf", "ros1-bookworm-desktop-full-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -6906,7 +7186,7 @@ target "ros1-bookworm-core-run-tensorflow-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-core-run-tensorflow-cu128", "ros-tf", "ros1-bookworm-core-run-tensorflow-cu128") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -6916,7 +7196,7 @@ target "ros1-bookworm-base-run-tensorflow-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-base-run-tensorflow-cu128", "ros-tf", "ros1-bookworm-base-run-tensorflow-cu128") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -6926,7 +7206,7 @@ target "ros1-bookworm-core-tensorflow-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-core-tensorflow-cpu", "ros-tf", "ros1-bookworm-core-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tensorflow tensorflow-build ros1-workspace pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.21.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.21.0"
   }
 }
 
@@ -6936,7 +7216,7 @@ target "ros1-bookworm-base-tensorflow-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-base-tensorflow-cpu", "ros-tf", "ros1-bookworm-base-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev tensorflow=2.21.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev tensorflow=2.21.0"
   }
 }
 
@@ -6946,7 +7226,7 @@ target "ros1-bookworm-robot-tensorflow-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-robot-tensorflow-cpu", "ros-tf", "ros1-bookworm-robot-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev tensorflow=2.21.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev tensorflow=2.21.0"
   }
 }
 
@@ -6956,7 +7236,7 @@ target "ros1-bookworm-perception-tensorflow-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-perception-tensorflow-cpu", "ros-tf", "ros1-bookworm-perception-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev tensorflow=2.21.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev tensorflow=2.21.0"
   }
 }
 
@@ -6966,7 +7246,7 @@ target "ros1-bookworm-desktop-tensorflow-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-tensorflow-cpu", "ros-tf", "ros1-bookworm-desktop-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev tensorflow=2.21.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev tensorflow=2.21.0"
   }
 }
 
@@ -6976,7 +7256,7 @@ target "ros1-bookworm-desktop-full-tensorflow-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-full-tensorflow-cpu", "ros-tf", "ros1-bookworm-desktop-full-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev tensorflow=2.21.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev tensorflow=2.21.0"
   }
 }
 
@@ -6986,7 +7266,7 @@ target "ros1-bookworm-core-run-tensorflow-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-core-run-tensorflow-cpu", "ros-tf", "ros1-bookworm-core-run-tensorflow-cpu") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.21.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.21.0"
   }
 }
 
@@ -6996,7 +7276,7 @@ target "ros1-bookworm-base-run-tensorflow-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-base-run-tensorflow-cpu", "ros-tf", "ros1-bookworm-base-run-tensorflow-cpu") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.21.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.21.0"
   }
 }
 
@@ -7006,7 +7286,7 @@ target "ros1-bookworm-core-ml-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-core-ml-cu128", "ros-ml", "ros1-bookworm-core-ml-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch tensorflow cuda-build torch-build tensorflow-build ros1-workspace pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -7016,7 +7296,7 @@ target "ros1-bookworm-base-ml-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-base-ml-cu128", "ros-ml", "ros1-bookworm-base-ml-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -7026,7 +7306,7 @@ target "ros1-bookworm-robot-ml-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-robot-ml-cu128", "ros-ml", "ros1-bookworm-robot-ml-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -7036,7 +7316,7 @@ target "ros1-bookworm-perception-ml-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-perception-ml-cu128", "ros-ml", "ros1-bookworm-perception-ml-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -7046,7 +7326,7 @@ target "ros1-bookworm-desktop-ml-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-ml-cu128", "ros-ml", "ros1-bookworm-desktop-ml-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -7056,7 +7336,7 @@ target "ros1-bookworm-desktop-full-ml-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-full-ml-cu128", "ros-ml", "ros1-bookworm-desktop-full-ml-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -7066,7 +7346,7 @@ target "ros1-bookworm-core-run-ml-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-core-run-ml-cu128", "ros-ml", "ros1-bookworm-core-run-ml-cu128") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda torch tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -7076,7 +7356,7 @@ target "ros1-bookworm-base-run-ml-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-base-run-ml-cu128", "ros-ml", "ros1-bookworm-base-run-ml-cu128") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda torch tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -7086,7 +7366,7 @@ target "ros1-bookworm-core-ml-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-core-ml-cpu", "ros-ml", "ros1-bookworm-core-ml-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch tensorflow torch-build tensorflow-build ros1-workspace pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -7096,7 +7376,7 @@ target "ros1-bookworm-base-ml-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-base-ml-cpu", "ros-ml", "ros1-bookworm-base-ml-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -7106,7 +7386,7 @@ target "ros1-bookworm-robot-ml-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-robot-ml-cpu", "ros-ml", "ros1-bookworm-robot-ml-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -7116,7 +7396,7 @@ target "ros1-bookworm-perception-ml-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-perception-ml-cpu", "ros-ml", "ros1-bookworm-perception-ml-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -7126,7 +7406,7 @@ target "ros1-bookworm-desktop-ml-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-ml-cpu", "ros-ml", "ros1-bookworm-desktop-ml-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -7136,7 +7416,7 @@ target "ros1-bookworm-desktop-full-ml-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-desktop-full-ml-cpu", "ros-ml", "ros1-bookworm-desktop-full-ml-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -7146,7 +7426,7 @@ target "ros1-bookworm-core-run-ml-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-core-run-ml-cpu", "ros-ml", "ros1-bookworm-core-run-ml-cpu") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside torch tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -7156,7 +7436,137 @@ target "ros1-bookworm-base-run-ml-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-base-run-ml-cpu", "ros-ml", "ros1-bookworm-base-run-ml-cpu") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside torch tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
+  }
+}
+
+target "ros1-bookworm-core-onnx-cu128-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-bookworm-core-onnx-cu128", "ros-onnx", "ros1-bookworm-core-onnx-cu128") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime onnxruntime-build pip"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+  }
+}
+
+target "ros1-bookworm-base-onnx-cu128-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-bookworm-base-onnx-cu128", "ros-onnx", "ros1-bookworm-base-onnx-cu128") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+  }
+}
+
+target "ros1-bookworm-core-torch-onnx-cu128-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-bookworm-core-torch-onnx-cu128", "ros-torch-onnx", "ros1-bookworm-core-torch-onnx-cu128") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda torch onnxruntime onnxruntime-build pip"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+  }
+}
+
+target "ros1-bookworm-core-tensorflow-onnx-cu128-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-bookworm-core-tensorflow-onnx-cu128", "ros-tf-onnx", "ros1-bookworm-core-tensorflow-onnx-cu128") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda tensorflow onnxruntime onnxruntime-build pip"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.20.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+  }
+}
+
+target "ros1-bookworm-core-onnx-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-bookworm-core-onnx-cu130", "ros-onnx", "ros1-bookworm-core-onnx-cu130") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime onnxruntime-build pip"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "ros1-bookworm-base-onnx-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-bookworm-base-onnx-cu130", "ros-onnx", "ros1-bookworm-base-onnx-cu130") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "ros1-bookworm-core-torch-onnx-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-bookworm-core-torch-onnx-cu130", "ros-torch-onnx", "ros1-bookworm-core-torch-onnx-cu130") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda torch onnxruntime onnxruntime-build pip"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+  }
+}
+
+target "ros1-bookworm-core-onnx-cu132-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-bookworm-core-onnx-cu132", "ros-onnx", "ros1-bookworm-core-onnx-cu132") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime onnxruntime-build pip"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.28.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "ros1-bookworm-core-torch-onnx-cu132-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-bookworm-core-torch-onnx-cu132", "ros-torch-onnx", "ros1-bookworm-core-torch-onnx-cu132") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda torch onnxruntime onnxruntime-build pip"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 onnxruntime=1.28.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+  }
+}
+
+target "ros1-bookworm-core-onnx-cpu-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-bookworm-core-onnx-cpu", "ros-onnx", "ros1-bookworm-core-onnx-cpu") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside onnxruntime onnxruntime-build pip"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.23.2"
+  }
+}
+
+target "ros1-bookworm-base-onnx-cpu-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-bookworm-base-onnx-cpu", "ros-onnx", "ros1-bookworm-base-onnx-cpu") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside onnxruntime"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev onnxruntime=1.23.2"
+  }
+}
+
+target "ros1-bookworm-core-torch-onnx-cpu-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-bookworm-core-torch-onnx-cpu", "ros-torch-onnx", "ros1-bookworm-core-torch-onnx-cpu") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside torch onnxruntime onnxruntime-build pip"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 onnxruntime=1.23.2"
+  }
+}
+
+target "ros1-bookworm-core-tensorflow-onnx-cpu-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-bookworm-core-tensorflow-onnx-cpu", "ros-tf-onnx", "ros1-bookworm-core-tensorflow-onnx-cpu") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside tensorflow onnxruntime onnxruntime-build pip"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.21.0 onnxruntime=1.23.2"
   }
 }
 
@@ -7166,7 +7576,7 @@ target "ros1-bookworm-core-devel-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-core-devel-cu130", "ros-devel", "ros1-bookworm-core-devel-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda devel devel-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7176,7 +7586,7 @@ target "ros1-bookworm-core-torch-devel-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-core-torch-devel-cu130", "ros-torch-devel", "ros1-bookworm-core-torch-devel-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch devel devel-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7186,7 +7596,7 @@ target "ros1-bookworm-core-devel-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-core-devel-cu132", "ros-devel", "ros1-bookworm-core-devel-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda devel devel-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7196,7 +7606,7 @@ target "ros1-bookworm-core-torch-devel-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-core-torch-devel-cu132", "ros-torch-devel", "ros1-bookworm-core-torch-devel-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch devel devel-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7206,7 +7616,7 @@ target "ros1-bookworm-core-triton-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-core-triton-cu128", "ros-triton", "ros1-bookworm-core-triton-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tritonclient pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tritonclient=2.73.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tritonclient=2.73.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -7216,7 +7626,7 @@ target "ros1-bookworm-core-triton-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-core-triton-cu130", "ros-triton", "ros1-bookworm-core-triton-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tritonclient pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tritonclient=2.73.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tritonclient=2.73.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7226,7 +7636,7 @@ target "ros1-bookworm-core-triton-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-core-triton-cu132", "ros-triton", "ros1-bookworm-core-triton-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tritonclient pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tritonclient=2.73.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tritonclient=2.73.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7236,7 +7646,7 @@ target "ros1-bookworm-core-triton-cpu-test" {
   contexts  = { image = dependency("ros1-bookworm-core-triton-cpu", "ros-triton", "ros1-bookworm-core-triton-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tritonclient pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tritonclient=2.73.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tritonclient=2.73.0"
   }
 }
 
@@ -7246,7 +7656,7 @@ target "ros1-bookworm-core-tensorrt-rtx-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-core-tensorrt-rtx-cu130", "ros-tensorrt-rtx", "ros1-bookworm-core-tensorrt-rtx-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorrt-rtx pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorrt-rtx=1.7.1.116 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorrt-rtx=1.7.1.116 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
   }
 }
 
@@ -7256,7 +7666,7 @@ target "ros1-bookworm-core-tensorrt-rtx-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-core-tensorrt-rtx-cu132", "ros-tensorrt-rtx", "ros1-bookworm-core-tensorrt-rtx-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorrt-rtx pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorrt-rtx=1.7.1.116 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorrt-rtx=1.7.1.116 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
   }
 }
 
@@ -7268,7 +7678,7 @@ target "ros1-trixie-core-test" {
   contexts  = { image = dependency("ros1-trixie-core", "ros", "ros1-trixie-core") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside ros1-core ros1-components ros1-workspace pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev"
   }
 }
 
@@ -7278,7 +7688,7 @@ target "ros1-trixie-base-test" {
   contexts  = { image = dependency("ros1-trixie-base", "ros", "ros1-trixie-base") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside ros1-base ros1-components"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev"
   }
 }
 
@@ -7288,7 +7698,7 @@ target "ros1-trixie-robot-test" {
   contexts  = { image = dependency("ros1-trixie-robot", "ros", "ros1-trixie-robot") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside ros1-robot ros1-components"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev"
   }
 }
 
@@ -7298,7 +7708,7 @@ target "ros1-trixie-perception-test" {
   contexts  = { image = dependency("ros1-trixie-perception", "ros", "ros1-trixie-perception") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside ros1-perception ros1-components"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev"
   }
 }
 
@@ -7308,7 +7718,7 @@ target "ros1-trixie-desktop-test" {
   contexts  = { image = dependency("ros1-trixie-desktop", "ros", "ros1-trixie-desktop") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside ros1-desktop ros1-components"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev"
   }
 }
 
@@ -7318,7 +7728,7 @@ target "ros1-trixie-desktop-full-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-full", "ros", "ros1-trixie-desktop-full") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside ros1-desktop-full ros1-components"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev"
   }
 }
 
@@ -7328,7 +7738,7 @@ target "ros1-trixie-core-run-test" {
   contexts  = { image = dependency("ros1-trixie-core-run", "ros", "ros1-trixie-core-run") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -7338,7 +7748,7 @@ target "ros1-trixie-base-run-test" {
   contexts  = { image = dependency("ros1-trixie-base-run", "ros", "ros1-trixie-base-run") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -7348,7 +7758,7 @@ target "ros1-trixie-core-cuda-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-core-cuda-cu128", "ros-cuda", "ros1-trixie-core-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -7358,7 +7768,7 @@ target "ros1-trixie-base-cuda-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-base-cuda-cu128", "ros-cuda", "ros1-trixie-base-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -7368,7 +7778,7 @@ target "ros1-trixie-robot-cuda-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-robot-cuda-cu128", "ros-cuda", "ros1-trixie-robot-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -7378,7 +7788,7 @@ target "ros1-trixie-perception-cuda-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-perception-cuda-cu128", "ros-cuda", "ros1-trixie-perception-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -7388,7 +7798,7 @@ target "ros1-trixie-desktop-cuda-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-cuda-cu128", "ros-cuda", "ros1-trixie-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -7398,7 +7808,7 @@ target "ros1-trixie-desktop-full-cuda-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-full-cuda-cu128", "ros-cuda", "ros1-trixie-desktop-full-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -7408,7 +7818,7 @@ target "ros1-trixie-core-run-cuda-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-core-run-cuda-cu128", "ros-cuda", "ros1-trixie-core-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -7418,7 +7828,7 @@ target "ros1-trixie-base-run-cuda-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-base-run-cuda-cu128", "ros-cuda", "ros1-trixie-base-run-cuda-cu128") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -7428,7 +7838,7 @@ target "ros1-trixie-core-cuda-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-core-cuda-cu130", "ros-cuda", "ros1-trixie-core-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7438,7 +7848,7 @@ target "ros1-trixie-base-cuda-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-base-cuda-cu130", "ros-cuda", "ros1-trixie-base-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7448,7 +7858,7 @@ target "ros1-trixie-robot-cuda-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-robot-cuda-cu130", "ros-cuda", "ros1-trixie-robot-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7458,7 +7868,7 @@ target "ros1-trixie-perception-cuda-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-perception-cuda-cu130", "ros-cuda", "ros1-trixie-perception-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7468,7 +7878,7 @@ target "ros1-trixie-desktop-cuda-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-cuda-cu130", "ros-cuda", "ros1-trixie-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7478,7 +7888,7 @@ target "ros1-trixie-desktop-full-cuda-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-full-cuda-cu130", "ros-cuda", "ros1-trixie-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7488,7 +7898,7 @@ target "ros1-trixie-core-run-cuda-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-core-run-cuda-cu130", "ros-cuda", "ros1-trixie-core-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7498,7 +7908,7 @@ target "ros1-trixie-base-run-cuda-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-base-run-cuda-cu130", "ros-cuda", "ros1-trixie-base-run-cuda-cu130") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7508,7 +7918,7 @@ target "ros1-trixie-core-cuda-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-core-cuda-cu132", "ros-cuda", "ros1-trixie-core-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7518,7 +7928,7 @@ target "ros1-trixie-base-cuda-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-base-cuda-cu132", "ros-cuda", "ros1-trixie-base-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7528,7 +7938,7 @@ target "ros1-trixie-robot-cuda-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-robot-cuda-cu132", "ros-cuda", "ros1-trixie-robot-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7538,7 +7948,7 @@ target "ros1-trixie-perception-cuda-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-perception-cuda-cu132", "ros-cuda", "ros1-trixie-perception-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7548,7 +7958,7 @@ target "ros1-trixie-desktop-cuda-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-cuda-cu132", "ros-cuda", "ros1-trixie-desktop-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7558,7 +7968,7 @@ target "ros1-trixie-desktop-full-cuda-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-full-cuda-cu132", "ros-cuda", "ros1-trixie-desktop-full-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7568,7 +7978,7 @@ target "ros1-trixie-core-run-cuda-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-core-run-cuda-cu132", "ros-cuda", "ros1-trixie-core-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7578,7 +7988,7 @@ target "ros1-trixie-base-run-cuda-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-base-run-cuda-cu132", "ros-cuda", "ros1-trixie-base-run-cuda-cu132") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -7588,7 +7998,7 @@ target "ros1-trixie-core-cuda-cu121-test" {
   contexts  = { image = dependency("ros1-trixie-core-cuda-cu121", "ros-cuda", "ros1-trixie-core-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda cuda-build ros1-workspace pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -7598,7 +8008,7 @@ target "ros1-trixie-base-cuda-cu121-test" {
   contexts  = { image = dependency("ros1-trixie-base-cuda-cu121", "ros-cuda", "ros1-trixie-base-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -7608,7 +8018,7 @@ target "ros1-trixie-robot-cuda-cu121-test" {
   contexts  = { image = dependency("ros1-trixie-robot-cuda-cu121", "ros-cuda", "ros1-trixie-robot-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -7618,7 +8028,7 @@ target "ros1-trixie-perception-cuda-cu121-test" {
   contexts  = { image = dependency("ros1-trixie-perception-cuda-cu121", "ros-cuda", "ros1-trixie-perception-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -7628,7 +8038,7 @@ target "ros1-trixie-desktop-cuda-cu121-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-cuda-cu121", "ros-cuda", "ros1-trixie-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -7638,7 +8048,7 @@ target "ros1-trixie-desktop-full-cuda-cu121-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-full-cuda-cu121", "ros-cuda", "ros1-trixie-desktop-full-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -7648,7 +8058,7 @@ target "ros1-trixie-core-run-cuda-cu121-test" {
   contexts  = { image = dependency("ros1-trixie-core-run-cuda-cu121", "ros-cuda", "ros1-trixie-core-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -7658,7 +8068,7 @@ target "ros1-trixie-base-run-cuda-cu121-test" {
   contexts  = { image = dependency("ros1-trixie-base-run-cuda-cu121", "ros-cuda", "ros1-trixie-base-run-cuda-cu121") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -7668,7 +8078,7 @@ target "ros1-trixie-core-torch-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-core-torch-cu128", "ros-torch", "ros1-trixie-core-torch-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -7678,7 +8088,7 @@ target "ros1-trixie-base-torch-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-base-torch-cu128", "ros-torch", "ros1-trixie-base-torch-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -7688,7 +8098,7 @@ target "ros1-trixie-robot-torch-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-robot-torch-cu128", "ros-torch", "ros1-trixie-robot-torch-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -7698,7 +8108,7 @@ target "ros1-trixie-perception-torch-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-perception-torch-cu128", "ros-torch", "ros1-trixie-perception-torch-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -7708,7 +8118,7 @@ target "ros1-trixie-desktop-torch-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-torch-cu128", "ros-torch", "ros1-trixie-desktop-torch-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -7718,7 +8128,7 @@ target "ros1-trixie-desktop-full-torch-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-full-torch-cu128", "ros-torch", "ros1-trixie-desktop-full-torch-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -7728,7 +8138,7 @@ target "ros1-trixie-core-run-torch-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-core-run-torch-cu128", "ros-torch", "ros1-trixie-core-run-torch-cu128") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -7738,7 +8148,7 @@ target "ros1-trixie-base-run-torch-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-base-run-torch-cu128", "ros-torch", "ros1-trixie-base-run-torch-cu128") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -7748,7 +8158,7 @@ target "ros1-trixie-core-torch-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-core-torch-cu130", "ros-torch", "ros1-trixie-core-torch-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch cuda-build torch-build ros1-workspace pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7758,7 +8168,7 @@ target "ros1-trixie-base-torch-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-base-torch-cu130", "ros-torch", "ros1-trixie-base-torch-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7768,7 +8178,7 @@ target "ros1-trixie-robot-torch-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-robot-torch-cu130", "ros-torch", "ros1-trixie-robot-torch-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7778,7 +8188,7 @@ target "ros1-trixie-perception-torch-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-perception-torch-cu130", "ros-torch", "ros1-trixie-perception-torch-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7788,7 +8198,7 @@ target "ros1-trixie-desktop-torch-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-torch-cu130", "ros-torch", "ros1-trixie-desktop-torch-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7798,7 +8208,7 @@ target "ros1-trixie-desktop-full-torch-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-full-torch-cu130", "ros-torch", "ros1-trixie-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7808,7 +8218,7 @@ target "ros1-trixie-core-run-torch-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-core-run-torch-cu130", "ros-torch", "ros1-trixie-core-run-torch-cu130") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7818,7 +8228,7 @@ target "ros1-trixie-base-run-torch-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-base-run-torch-cu130", "ros-torch", "ros1-trixie-base-run-torch-cu130") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7828,7 +8238,7 @@ target "ros1-trixie-core-torch-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-core-torch-cu132", "ros-torch", "ros1-trixie-core-torch-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch cuda-build torch-build ros1-workspace pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7838,7 +8248,7 @@ target "ros1-trixie-base-torch-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-base-torch-cu132", "ros-torch", "ros1-trixie-base-torch-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7848,7 +8258,7 @@ target "ros1-trixie-robot-torch-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-robot-torch-cu132", "ros-torch", "ros1-trixie-robot-torch-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7858,7 +8268,7 @@ target "ros1-trixie-perception-torch-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-perception-torch-cu132", "ros-torch", "ros1-trixie-perception-torch-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7868,7 +8278,7 @@ target "ros1-trixie-desktop-torch-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-torch-cu132", "ros-torch", "ros1-trixie-desktop-torch-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7878,7 +8288,7 @@ target "ros1-trixie-desktop-full-torch-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-full-torch-cu132", "ros-torch", "ros1-trixie-desktop-full-torch-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7888,7 +8298,7 @@ target "ros1-trixie-core-run-torch-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-core-run-torch-cu132", "ros-torch", "ros1-trixie-core-run-torch-cu132") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7898,7 +8308,7 @@ target "ros1-trixie-base-run-torch-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-base-run-torch-cu132", "ros-torch", "ros1-trixie-base-run-torch-cu132") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7908,7 +8318,7 @@ target "ros1-trixie-core-torch-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-core-torch-cpu", "ros-torch", "ros1-trixie-core-torch-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0"
   }
 }
 
@@ -7918,7 +8328,7 @@ target "ros1-trixie-base-torch-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-base-torch-cpu", "ros-torch", "ros1-trixie-base-torch-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0"
   }
 }
 
@@ -7928,7 +8338,7 @@ target "ros1-trixie-robot-torch-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-robot-torch-cpu", "ros-torch", "ros1-trixie-robot-torch-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0"
   }
 }
 
@@ -7938,7 +8348,7 @@ target "ros1-trixie-perception-torch-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-perception-torch-cpu", "ros-torch", "ros1-trixie-perception-torch-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0"
   }
 }
 
@@ -7948,7 +8358,7 @@ target "ros1-trixie-desktop-torch-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-torch-cpu", "ros-torch", "ros1-trixie-desktop-torch-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0"
   }
 }
 
@@ -7958,7 +8368,7 @@ target "ros1-trixie-desktop-full-torch-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-full-torch-cpu", "ros-torch", "ros1-trixie-desktop-full-torch-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0"
   }
 }
 
@@ -7968,7 +8378,7 @@ target "ros1-trixie-core-run-torch-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-core-run-torch-cpu", "ros-torch", "ros1-trixie-core-run-torch-cpu") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0"
   }
 }
 
@@ -7978,7 +8388,7 @@ target "ros1-trixie-base-run-torch-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-base-run-torch-cpu", "ros-torch", "ros1-trixie-base-run-torch-cpu") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0"
   }
 }
 
@@ -7988,7 +8398,7 @@ target "ros1-trixie-core-tensorflow-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-core-tensorflow-cu128", "ros-tf", "ros1-trixie-core-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -7998,7 +8408,7 @@ target "ros1-trixie-base-tensorflow-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-base-tensorflow-cu128", "ros-tf", "ros1-trixie-base-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -8008,7 +8418,7 @@ target "ros1-trixie-robot-tensorflow-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-robot-tensorflow-cu128", "ros-tf", "ros1-trixie-robot-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -8018,7 +8428,7 @@ target "ros1-trixie-perception-tensorflow-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-perception-tensorflow-cu128", "ros-tf", "ros1-trixie-perception-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -8028,7 +8438,7 @@ target "ros1-trixie-desktop-tensorflow-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-tensorflow-cu128", "ros-tf", "ros1-trixie-desktop-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -8038,7 +8448,7 @@ target "ros1-trixie-desktop-full-tensorflow-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-full-tensorflow-cu128", "ros-tf", "ros1-trixie-desktop-full-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -8048,7 +8458,7 @@ target "ros1-trixie-core-run-tensorflow-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-core-run-tensorflow-cu128", "ros-tf", "ros1-trixie-core-run-tensorflow-cu128") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -8058,7 +8468,7 @@ target "ros1-trixie-base-run-tensorflow-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-base-run-tensorflow-cu128", "ros-tf", "ros1-trixie-base-run-tensorflow-cu128") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -8068,7 +8478,7 @@ target "ros1-trixie-core-tensorflow-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-core-tensorflow-cpu", "ros-tf", "ros1-trixie-core-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.21.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.21.0"
   }
 }
 
@@ -8078,7 +8488,7 @@ target "ros1-trixie-base-tensorflow-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-base-tensorflow-cpu", "ros-tf", "ros1-trixie-base-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev tensorflow=2.21.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev tensorflow=2.21.0"
   }
 }
 
@@ -8088,7 +8498,7 @@ target "ros1-trixie-robot-tensorflow-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-robot-tensorflow-cpu", "ros-tf", "ros1-trixie-robot-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev tensorflow=2.21.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev tensorflow=2.21.0"
   }
 }
 
@@ -8098,7 +8508,7 @@ target "ros1-trixie-perception-tensorflow-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-perception-tensorflow-cpu", "ros-tf", "ros1-trixie-perception-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev tensorflow=2.21.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev tensorflow=2.21.0"
   }
 }
 
@@ -8108,7 +8518,7 @@ target "ros1-trixie-desktop-tensorflow-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-tensorflow-cpu", "ros-tf", "ros1-trixie-desktop-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev tensorflow=2.21.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev tensorflow=2.21.0"
   }
 }
 
@@ -8118,7 +8528,7 @@ target "ros1-trixie-desktop-full-tensorflow-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-full-tensorflow-cpu", "ros-tf", "ros1-trixie-desktop-full-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev tensorflow=2.21.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev tensorflow=2.21.0"
   }
 }
 
@@ -8128,7 +8538,7 @@ target "ros1-trixie-core-run-tensorflow-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-core-run-tensorflow-cpu", "ros-tf", "ros1-trixie-core-run-tensorflow-cpu") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.21.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.21.0"
   }
 }
 
@@ -8138,7 +8548,7 @@ target "ros1-trixie-base-run-tensorflow-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-base-run-tensorflow-cpu", "ros-tf", "ros1-trixie-base-run-tensorflow-cpu") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.21.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.21.0"
   }
 }
 
@@ -8148,7 +8558,7 @@ target "ros1-trixie-core-ml-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-core-ml-cu128", "ros-ml", "ros1-trixie-core-ml-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch tensorflow cuda-build torch-build tensorflow-build ros1-workspace pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -8158,7 +8568,7 @@ target "ros1-trixie-base-ml-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-base-ml-cu128", "ros-ml", "ros1-trixie-base-ml-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -8168,7 +8578,7 @@ target "ros1-trixie-robot-ml-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-robot-ml-cu128", "ros-ml", "ros1-trixie-robot-ml-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -8178,7 +8588,7 @@ target "ros1-trixie-perception-ml-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-perception-ml-cu128", "ros-ml", "ros1-trixie-perception-ml-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -8188,7 +8598,7 @@ target "ros1-trixie-desktop-ml-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-ml-cu128", "ros-ml", "ros1-trixie-desktop-ml-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -8198,7 +8608,7 @@ target "ros1-trixie-desktop-full-ml-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-full-ml-cu128", "ros-ml", "ros1-trixie-desktop-full-ml-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -8208,7 +8618,7 @@ target "ros1-trixie-core-run-ml-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-core-run-ml-cu128", "ros-ml", "ros1-trixie-core-run-ml-cu128") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda torch tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -8218,7 +8628,7 @@ target "ros1-trixie-base-run-ml-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-base-run-ml-cu128", "ros-ml", "ros1-trixie-base-run-ml-cu128") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside cuda torch tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -8228,7 +8638,7 @@ target "ros1-trixie-core-ml-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-core-ml-cpu", "ros-ml", "ros1-trixie-core-ml-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch tensorflow torch-build tensorflow-build ros1-workspace pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -8238,7 +8648,7 @@ target "ros1-trixie-base-ml-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-base-ml-cpu", "ros-ml", "ros1-trixie-base-ml-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -8248,7 +8658,7 @@ target "ros1-trixie-robot-ml-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-robot-ml-cpu", "ros-ml", "ros1-trixie-robot-ml-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -8258,7 +8668,7 @@ target "ros1-trixie-perception-ml-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-perception-ml-cpu", "ros-ml", "ros1-trixie-perception-ml-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -8268,7 +8678,7 @@ target "ros1-trixie-desktop-ml-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-ml-cpu", "ros-ml", "ros1-trixie-desktop-ml-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -8278,7 +8688,7 @@ target "ros1-trixie-desktop-full-ml-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-desktop-full-ml-cpu", "ros-ml", "ros1-trixie-desktop-full-ml-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside torch tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev packages_robot=rosbash,ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=rosbash,ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=rosbash,ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=rosbash,ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -8288,7 +8698,7 @@ target "ros1-trixie-core-run-ml-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-core-run-ml-cpu", "ros-ml", "ros1-trixie-core-run-ml-cpu") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside torch tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -8298,7 +8708,107 @@ target "ros1-trixie-base-run-ml-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-base-run-ml-cpu", "ros-ml", "ros1-trixie-base-run-ml-cpu") }
   args = {
     TESTS  = "contract runtime ros1 ros1-beside torch tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
+  }
+}
+
+target "ros1-trixie-core-onnx-cu128-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-trixie-core-onnx-cu128", "ros-onnx", "ros1-trixie-core-onnx-cu128") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime onnxruntime-build pip"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+  }
+}
+
+target "ros1-trixie-core-torch-onnx-cu128-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-trixie-core-torch-onnx-cu128", "ros-torch-onnx", "ros1-trixie-core-torch-onnx-cu128") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda torch onnxruntime onnxruntime-build pip"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+  }
+}
+
+target "ros1-trixie-core-tensorflow-onnx-cu128-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-trixie-core-tensorflow-onnx-cu128", "ros-tf-onnx", "ros1-trixie-core-tensorflow-onnx-cu128") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda tensorflow onnxruntime onnxruntime-build pip"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.20.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+  }
+}
+
+target "ros1-trixie-core-onnx-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-trixie-core-onnx-cu130", "ros-onnx", "ros1-trixie-core-onnx-cu130") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime onnxruntime-build pip"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "ros1-trixie-core-torch-onnx-cu130-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-trixie-core-torch-onnx-cu130", "ros-torch-onnx", "ros1-trixie-core-torch-onnx-cu130") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda torch onnxruntime onnxruntime-build pip"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+  }
+}
+
+target "ros1-trixie-core-onnx-cu132-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-trixie-core-onnx-cu132", "ros-onnx", "ros1-trixie-core-onnx-cu132") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime onnxruntime-build pip"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.28.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+  }
+}
+
+target "ros1-trixie-core-torch-onnx-cu132-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-trixie-core-torch-onnx-cu132", "ros-torch-onnx", "ros1-trixie-core-torch-onnx-cu132") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside cuda torch onnxruntime onnxruntime-build pip"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 onnxruntime=1.28.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+  }
+}
+
+target "ros1-trixie-core-onnx-cpu-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-trixie-core-onnx-cpu", "ros-onnx", "ros1-trixie-core-onnx-cpu") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside onnxruntime onnxruntime-build pip"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.23.2"
+  }
+}
+
+target "ros1-trixie-core-torch-onnx-cpu-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-trixie-core-torch-onnx-cpu", "ros-torch-onnx", "ros1-trixie-core-torch-onnx-cpu") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside torch onnxruntime onnxruntime-build pip"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 onnxruntime=1.23.2"
+  }
+}
+
+target "ros1-trixie-core-tensorflow-onnx-cpu-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-trixie-core-tensorflow-onnx-cpu", "ros-tf-onnx", "ros1-trixie-core-tensorflow-onnx-cpu") }
+  args = {
+    TESTS  = "contract tools ros1 ros1-beside tensorflow onnxruntime onnxruntime-build pip"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.21.0 onnxruntime=1.23.2"
   }
 }
 
@@ -8308,7 +8818,7 @@ target "ros1-trixie-core-devel-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-core-devel-cu130", "ros-devel", "ros1-trixie-core-devel-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda devel devel-build pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -8318,7 +8828,7 @@ target "ros1-trixie-core-torch-devel-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-core-torch-devel-cu130", "ros-torch-devel", "ros1-trixie-core-torch-devel-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch devel devel-build pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -8328,7 +8838,7 @@ target "ros1-trixie-core-devel-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-core-devel-cu132", "ros-devel", "ros1-trixie-core-devel-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda devel devel-build pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -8338,7 +8848,7 @@ target "ros1-trixie-core-torch-devel-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-core-torch-devel-cu132", "ros-torch-devel", "ros1-trixie-core-torch-devel-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch devel devel-build pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -8348,7 +8858,7 @@ target "ros1-trixie-core-triton-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-core-triton-cu128", "ros-triton", "ros1-trixie-core-triton-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tritonclient pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tritonclient=2.73.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tritonclient=2.73.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -8358,7 +8868,7 @@ target "ros1-trixie-core-triton-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-core-triton-cu130", "ros-triton", "ros1-trixie-core-triton-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tritonclient pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tritonclient=2.73.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tritonclient=2.73.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -8368,7 +8878,7 @@ target "ros1-trixie-core-triton-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-core-triton-cu132", "ros-triton", "ros1-trixie-core-triton-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tritonclient pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tritonclient=2.73.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tritonclient=2.73.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -8378,7 +8888,7 @@ target "ros1-trixie-core-triton-cpu-test" {
   contexts  = { image = dependency("ros1-trixie-core-triton-cpu", "ros-triton", "ros1-trixie-core-triton-cpu") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside tritonclient pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tritonclient=2.73.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tritonclient=2.73.0"
   }
 }
 
@@ -8388,7 +8898,7 @@ target "ros1-trixie-core-tensorrt-rtx-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-core-tensorrt-rtx-cu130", "ros-tensorrt-rtx", "ros1-trixie-core-tensorrt-rtx-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorrt-rtx pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorrt-rtx=1.7.1.116 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorrt-rtx=1.7.1.116 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
   }
 }
 
@@ -8398,7 +8908,7 @@ target "ros1-trixie-core-tensorrt-rtx-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-core-tensorrt-rtx-cu132", "ros-tensorrt-rtx", "ros1-trixie-core-tensorrt-rtx-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorrt-rtx pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorrt-rtx=1.7.1.116 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorrt-rtx=1.7.1.116 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 tensorrt-rtx-cu13-libs=1.7.1.116 gpu_driver=580"
   }
 }
 
@@ -8410,7 +8920,7 @@ target "jazzy-wheels-core-test" {
   contexts  = { image = dependency("jazzy-wheels-core", "ros", "jazzy-wheels-core") }
   args = {
     TESTS  = "contract tools ros2-wheels pip"
-    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,tritonclient,tensorrt-rtx"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx"
   }
 }
 
@@ -8420,7 +8930,7 @@ target "jazzy-wheels-core-cuda-cu128-test" {
   contexts  = { image = dependency("jazzy-wheels-core-cuda-cu128", "ros-cuda", "jazzy-wheels-core-cuda-cu128") }
   args = {
     TESTS  = "contract tools ros2-wheels cuda"
-    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
   }
 }
 
@@ -8430,7 +8940,7 @@ target "jazzy-wheels-core-cuda-cu130-test" {
   contexts  = { image = dependency("jazzy-wheels-core-cuda-cu130", "ros-cuda", "jazzy-wheels-core-cuda-cu130") }
   args = {
     TESTS  = "contract tools ros2-wheels cuda"
-    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -8440,7 +8950,7 @@ target "jazzy-wheels-core-cuda-cu132-test" {
   contexts  = { image = dependency("jazzy-wheels-core-cuda-cu132", "ros-cuda", "jazzy-wheels-core-cuda-cu132") }
   args = {
     TESTS  = "contract tools ros2-wheels cuda"
-    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
@@ -8450,7 +8960,7 @@ target "jazzy-wheels-core-cuda-cu121-test" {
   contexts  = { image = dependency("jazzy-wheels-core-cuda-cu121", "ros-cuda", "jazzy-wheels-core-cuda-cu121") }
   args = {
     TESTS  = "contract tools ros2-wheels cuda cuda-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
   }
 }
 
@@ -8460,7 +8970,7 @@ target "jazzy-wheels-core-torch-cu128-test" {
   contexts  = { image = dependency("jazzy-wheels-core-torch-cu128", "ros-torch", "jazzy-wheels-core-torch-cu128") }
   args = {
     TESTS  = "contract tools ros2-wheels cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
   }
 }
 
@@ -8470,7 +8980,7 @@ target "jazzy-wheels-core-torch-cu130-test" {
   contexts  = { image = dependency("jazzy-wheels-core-torch-cu130", "ros-torch", "jazzy-wheels-core-torch-cu130") }
   args = {
     TESTS  = "contract tools ros2-wheels cuda torch cuda-build torch-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -8480,7 +8990,7 @@ target "jazzy-wheels-core-torch-cu132-test" {
   contexts  = { image = dependency("jazzy-wheels-core-torch-cu132", "ros-torch", "jazzy-wheels-core-torch-cu132") }
   args = {
     TESTS  = "contract tools ros2-wheels cuda torch cuda-build torch-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.15.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -8490,7 +9000,7 @@ target "jazzy-wheels-core-torch-cpu-test" {
   contexts  = { image = dependency("jazzy-wheels-core-torch-cpu", "ros-torch", "jazzy-wheels-core-torch-cpu") }
   args = {
     TESTS  = "contract tools ros2-wheels torch"
-    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0"
   }
 }
 
@@ -8500,7 +9010,7 @@ target "jazzy-wheels-core-tensorflow-cu128-test" {
   contexts  = { image = dependency("jazzy-wheels-core-tensorflow-cu128", "ros-tf", "jazzy-wheels-core-tensorflow-cu128") }
   args = {
     TESTS  = "contract tools ros2-wheels cuda tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -8510,7 +9020,7 @@ target "jazzy-wheels-core-tensorflow-cpu-test" {
   contexts  = { image = dependency("jazzy-wheels-core-tensorflow-cpu", "ros-tf", "jazzy-wheels-core-tensorflow-cpu") }
   args = {
     TESTS  = "contract tools ros2-wheels tensorflow tensorflow-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,tritonclient,tensorrt-rtx tensorflow=2.21.0"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx tensorflow=2.21.0"
   }
 }
 
@@ -8520,7 +9030,7 @@ target "jazzy-wheels-core-ml-cu128-test" {
   contexts  = { image = dependency("jazzy-wheels-core-ml-cu128", "ros-ml", "jazzy-wheels-core-ml-cu128") }
   args = {
     TESTS  = "contract tools ros2-wheels cuda torch tensorflow cuda-build torch-build tensorflow-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
   }
 }
 
@@ -8530,7 +9040,7 @@ target "jazzy-wheels-core-ml-cpu-test" {
   contexts  = { image = dependency("jazzy-wheels-core-ml-cpu", "ros-ml", "jazzy-wheels-core-ml-cpu") }
   args = {
     TESTS  = "contract tools ros2-wheels torch tensorflow torch-build tensorflow-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx torch=2.10.0 tensorflow=2.21.0"
   }
 }
 
@@ -8549,6 +9059,23 @@ group "tests" {
     "ros1-bookworm-core-test", "ros1-bookworm-base-test", "ros1-bookworm-robot-test", "ros1-bookworm-perception-test", "ros1-bookworm-desktop-test", "ros1-bookworm-desktop-full-test", "ros1-bookworm-core-run-test", "ros1-bookworm-base-run-test", "ros1-bookworm-core-cuda-cu128-test", "ros1-bookworm-base-cuda-cu128-test", "ros1-bookworm-robot-cuda-cu128-test", "ros1-bookworm-perception-cuda-cu128-test", "ros1-bookworm-desktop-cuda-cu128-test", "ros1-bookworm-desktop-full-cuda-cu128-test", "ros1-bookworm-core-run-cuda-cu128-test", "ros1-bookworm-base-run-cuda-cu128-test", "ros1-bookworm-core-cuda-cu130-test", "ros1-bookworm-base-cuda-cu130-test", "ros1-bookworm-robot-cuda-cu130-test", "ros1-bookworm-perception-cuda-cu130-test", "ros1-bookworm-desktop-cuda-cu130-test", "ros1-bookworm-desktop-full-cuda-cu130-test", "ros1-bookworm-core-run-cuda-cu130-test", "ros1-bookworm-base-run-cuda-cu130-test", "ros1-bookworm-core-cuda-cu132-test", "ros1-bookworm-base-cuda-cu132-test", "ros1-bookworm-robot-cuda-cu132-test", "ros1-bookworm-perception-cuda-cu132-test", "ros1-bookworm-desktop-cuda-cu132-test", "ros1-bookworm-desktop-full-cuda-cu132-test", "ros1-bookworm-core-run-cuda-cu132-test", "ros1-bookworm-base-run-cuda-cu132-test", "ros1-bookworm-core-cuda-cu121-test", "ros1-bookworm-base-cuda-cu121-test", "ros1-bookworm-robot-cuda-cu121-test", "ros1-bookworm-perception-cuda-cu121-test", "ros1-bookworm-desktop-cuda-cu121-test", "ros1-bookworm-desktop-full-cuda-cu121-test", "ros1-bookworm-core-run-cuda-cu121-test", "ros1-bookworm-base-run-cuda-cu121-test", "ros1-bookworm-core-torch-cu128-test", "ros1-bookworm-base-torch-cu128-test", "ros1-bookworm-robot-torch-cu128-test", "ros1-bookworm-perception-torch-cu128-test", "ros1-bookworm-desktop-torch-cu128-test", "ros1-bookworm-desktop-full-torch-cu128-test", "ros1-bookworm-core-run-torch-cu128-test", "ros1-bookworm-base-run-torch-cu128-test", "ros1-bookworm-core-torch-cu130-test", "ros1-bookworm-base-torch-cu130-test", "ros1-bookworm-robot-torch-cu130-test", "ros1-bookworm-perception-torch-cu130-test", "ros1-bookworm-desktop-torch-cu130-test", "ros1-bookworm-desktop-full-torch-cu130-test", "ros1-bookworm-core-run-torch-cu130-test", "ros1-bookworm-base-run-torch-cu130-test", "ros1-bookworm-core-torch-cu132-test", "ros1-bookworm-base-torch-cu132-test", "ros1-bookworm-robot-torch-cu132-test", "ros1-bookworm-perception-torch-cu132-test", "ros1-bookworm-desktop-torch-cu132-test", "ros1-bookworm-desktop-full-torch-cu132-test", "ros1-bookworm-core-run-torch-cu132-test", "ros1-bookworm-base-run-torch-cu132-test", "ros1-bookworm-core-tensorflow-cu128-test", "ros1-bookworm-base-tensorflow-cu128-test", "ros1-bookworm-robot-tensorflow-cu128-test", "ros1-bookworm-perception-tensorflow-cu128-test", "ros1-bookworm-desktop-tensorflow-cu128-test", "ros1-bookworm-desktop-full-tensorflow-cu128-test", "ros1-bookworm-core-run-tensorflow-cu128-test", "ros1-bookworm-base-run-tensorflow-cu128-test", "ros1-bookworm-core-tensorflow-cpu-test", "ros1-bookworm-base-tensorflow-cpu-test", "ros1-bookworm-robot-tensorflow-cpu-test", "ros1-bookworm-perception-tensorflow-cpu-test", "ros1-bookworm-desktop-tensorflow-cpu-test", "ros1-bookworm-desktop-full-tensorflow-cpu-test", "ros1-bookworm-core-run-tensorflow-cpu-test", "ros1-bookworm-base-run-tensorflow-cpu-test", "ros1-bookworm-core-ml-cu128-test", "ros1-bookworm-base-ml-cu128-test", "ros1-bookworm-robot-ml-cu128-test", "ros1-bookworm-perception-ml-cu128-test", "ros1-bookworm-desktop-ml-cu128-test", "ros1-bookworm-desktop-full-ml-cu128-test", "ros1-bookworm-core-run-ml-cu128-test", "ros1-bookworm-base-run-ml-cu128-test",
     "ros1-trixie-core-test", "ros1-trixie-base-test", "ros1-trixie-robot-test", "ros1-trixie-perception-test", "ros1-trixie-desktop-test", "ros1-trixie-desktop-full-test", "ros1-trixie-core-run-test", "ros1-trixie-base-run-test", "ros1-trixie-core-cuda-cu128-test", "ros1-trixie-base-cuda-cu128-test", "ros1-trixie-robot-cuda-cu128-test", "ros1-trixie-perception-cuda-cu128-test", "ros1-trixie-desktop-cuda-cu128-test", "ros1-trixie-desktop-full-cuda-cu128-test", "ros1-trixie-core-run-cuda-cu128-test", "ros1-trixie-base-run-cuda-cu128-test", "ros1-trixie-core-cuda-cu130-test", "ros1-trixie-base-cuda-cu130-test", "ros1-trixie-robot-cuda-cu130-test", "ros1-trixie-perception-cuda-cu130-test", "ros1-trixie-desktop-cuda-cu130-test", "ros1-trixie-desktop-full-cuda-cu130-test", "ros1-trixie-core-run-cuda-cu130-test", "ros1-trixie-base-run-cuda-cu130-test", "ros1-trixie-core-cuda-cu132-test", "ros1-trixie-base-cuda-cu132-test", "ros1-trixie-robot-cuda-cu132-test", "ros1-trixie-perception-cuda-cu132-test", "ros1-trixie-desktop-cuda-cu132-test", "ros1-trixie-desktop-full-cuda-cu132-test", "ros1-trixie-core-run-cuda-cu132-test", "ros1-trixie-base-run-cuda-cu132-test", "ros1-trixie-core-cuda-cu121-test", "ros1-trixie-base-cuda-cu121-test", "ros1-trixie-robot-cuda-cu121-test", "ros1-trixie-perception-cuda-cu121-test", "ros1-trixie-desktop-cuda-cu121-test", "ros1-trixie-desktop-full-cuda-cu121-test", "ros1-trixie-core-run-cuda-cu121-test", "ros1-trixie-base-run-cuda-cu121-test", "ros1-trixie-core-torch-cu128-test", "ros1-trixie-base-torch-cu128-test", "ros1-trixie-robot-torch-cu128-test", "ros1-trixie-perception-torch-cu128-test", "ros1-trixie-desktop-torch-cu128-test", "ros1-trixie-desktop-full-torch-cu128-test", "ros1-trixie-core-run-torch-cu128-test", "ros1-trixie-base-run-torch-cu128-test", "ros1-trixie-core-torch-cu130-test", "ros1-trixie-base-torch-cu130-test", "ros1-trixie-robot-torch-cu130-test", "ros1-trixie-perception-torch-cu130-test", "ros1-trixie-desktop-torch-cu130-test", "ros1-trixie-desktop-full-torch-cu130-test", "ros1-trixie-core-run-torch-cu130-test", "ros1-trixie-base-run-torch-cu130-test", "ros1-trixie-core-torch-cu132-test", "ros1-trixie-base-torch-cu132-test", "ros1-trixie-robot-torch-cu132-test", "ros1-trixie-perception-torch-cu132-test", "ros1-trixie-desktop-torch-cu132-test", "ros1-trixie-desktop-full-torch-cu132-test", "ros1-trixie-core-run-torch-cu132-test", "ros1-trixie-base-run-torch-cu132-test", "ros1-trixie-core-torch-cpu-test", "ros1-trixie-base-torch-cpu-test", "ros1-trixie-robot-torch-cpu-test", "ros1-trixie-perception-torch-cpu-test", "ros1-trixie-desktop-torch-cpu-test", "ros1-trixie-desktop-full-torch-cpu-test", "ros1-trixie-core-run-torch-cpu-test", "ros1-trixie-base-run-torch-cpu-test", "ros1-trixie-core-tensorflow-cu128-test", "ros1-trixie-base-tensorflow-cu128-test", "ros1-trixie-robot-tensorflow-cu128-test", "ros1-trixie-perception-tensorflow-cu128-test", "ros1-trixie-desktop-tensorflow-cu128-test", "ros1-trixie-desktop-full-tensorflow-cu128-test", "ros1-trixie-core-run-tensorflow-cu128-test", "ros1-trixie-base-run-tensorflow-cu128-test", "ros1-trixie-core-tensorflow-cpu-test", "ros1-trixie-base-tensorflow-cpu-test", "ros1-trixie-robot-tensorflow-cpu-test", "ros1-trixie-perception-tensorflow-cpu-test", "ros1-trixie-desktop-tensorflow-cpu-test", "ros1-trixie-desktop-full-tensorflow-cpu-test", "ros1-trixie-core-run-tensorflow-cpu-test", "ros1-trixie-base-run-tensorflow-cpu-test", "ros1-trixie-core-ml-cu128-test", "ros1-trixie-base-ml-cu128-test", "ros1-trixie-robot-ml-cu128-test", "ros1-trixie-perception-ml-cu128-test", "ros1-trixie-desktop-ml-cu128-test", "ros1-trixie-desktop-full-ml-cu128-test", "ros1-trixie-core-run-ml-cu128-test", "ros1-trixie-base-run-ml-cu128-test", "ros1-trixie-core-ml-cpu-test", "ros1-trixie-base-ml-cpu-test", "ros1-trixie-robot-ml-cpu-test", "ros1-trixie-perception-ml-cpu-test", "ros1-trixie-desktop-ml-cpu-test", "ros1-trixie-desktop-full-ml-cpu-test", "ros1-trixie-core-run-ml-cpu-test", "ros1-trixie-base-run-ml-cpu-test",
     "jazzy-wheels-core-test", "jazzy-wheels-core-cuda-cu128-test", "jazzy-wheels-core-cuda-cu130-test", "jazzy-wheels-core-cuda-cu132-test", "jazzy-wheels-core-cuda-cu121-test", "jazzy-wheels-core-torch-cu128-test", "jazzy-wheels-core-torch-cu130-test", "jazzy-wheels-core-torch-cu132-test", "jazzy-wheels-core-tensorflow-cu128-test", "jazzy-wheels-core-tensorflow-cpu-test", "jazzy-wheels-core-ml-cu128-test",
+    "jazzy-core-onnx-cu128-test", "jazzy-base-onnx-cu128-test", "jazzy-core-torch-onnx-cu128-test", "jazzy-core-tensorflow-onnx-cu128-test",
+    "humble-core-onnx-cu128-test", "humble-base-onnx-cu128-test", "humble-core-torch-onnx-cu128-test", "humble-core-tensorflow-onnx-cu128-test",
+    "ros1-trixie-core-onnx-cu128-test", "ros1-trixie-core-torch-onnx-cu128-test", "ros1-trixie-core-tensorflow-onnx-cu128-test",
+    "ros1-bookworm-core-onnx-cu128-test", "ros1-bookworm-base-onnx-cu128-test", "ros1-bookworm-core-torch-onnx-cu128-test", "ros1-bookworm-core-tensorflow-onnx-cu128-test",
+    "lyrical-core-onnx-cu130-test", "lyrical-base-onnx-cu130-test", "lyrical-core-torch-onnx-cu130-test",
+    "jazzy-core-onnx-cu130-test", "jazzy-base-onnx-cu130-test", "jazzy-core-torch-onnx-cu130-test",
+    "ros1-trixie-core-onnx-cu130-test", "ros1-trixie-core-torch-onnx-cu130-test",
+    "ros1-bookworm-core-onnx-cu130-test", "ros1-bookworm-base-onnx-cu130-test", "ros1-bookworm-core-torch-onnx-cu130-test",
+    "lyrical-core-onnx-cu132-test", "lyrical-core-torch-onnx-cu132-test",
+    "jazzy-core-onnx-cu132-test", "jazzy-core-torch-onnx-cu132-test",
+    "ros1-trixie-core-onnx-cu132-test", "ros1-trixie-core-torch-onnx-cu132-test",
+    "ros1-bookworm-core-onnx-cu132-test", "ros1-bookworm-core-torch-onnx-cu132-test",
+    "noetic-core-onnx-cu121-test", "noetic-core-torch-onnx-cu121-test",
+    "jazzy-core-onnx-cpu-test", "jazzy-base-onnx-cpu-test", "jazzy-core-torch-onnx-cpu-test", "jazzy-core-tensorflow-onnx-cpu-test",
+    "humble-core-onnx-cpu-test", "humble-base-onnx-cpu-test", "humble-core-torch-onnx-cpu-test", "humble-core-tensorflow-onnx-cpu-test",
+    "ros1-trixie-core-onnx-cpu-test", "ros1-trixie-core-torch-onnx-cpu-test", "ros1-trixie-core-tensorflow-onnx-cpu-test",
+    "ros1-bookworm-core-onnx-cpu-test", "ros1-bookworm-base-onnx-cpu-test", "ros1-bookworm-core-tensorflow-onnx-cpu-test",
     "jazzy-core-devel-cu130-test", "jazzy-core-torch-devel-cu130-test",
     "humble-core-devel-cu130-test", "humble-core-torch-devel-cu130-test",
     "noetic-core-devel-cu130-test",
