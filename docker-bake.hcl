@@ -367,7 +367,6 @@ target "part-devel-cu130" {
     "io.rosml.python"                      = "any"
     "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-CUDA"
     "io.rosml.restricted"                  = "devel"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "devel=cuda*,devel*"
   }
   tags = [
@@ -434,7 +433,6 @@ target "part-devel-cu132" {
     "io.rosml.python"                      = "any"
     "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-CUDA"
     "io.rosml.restricted"                  = "devel"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "devel=cuda*,devel*"
   }
   tags = [
@@ -567,7 +565,6 @@ target "part-grpc-cu121-py38" {
     "io.rosml.stack"                       = "cu121"
     "io.rosml.python"                      = "3.8"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
   }
   tags = [
     "${REGISTRY}/part:grpc-cu121-py38"
@@ -601,7 +598,6 @@ target "part-onnxruntime-cc-cu121" {
     "io.rosml.brings"                      = "onnxruntime::"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -636,7 +632,6 @@ target "part-onnxruntime-cu121-py38" {
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -1000,7 +995,6 @@ target "part-onnxruntime-cc-cu128" {
     "io.rosml.brings"                      = "onnxruntime::"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -1035,7 +1029,6 @@ target "part-onnxruntime-cu128-py310" {
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -1070,7 +1063,6 @@ target "part-tritonclient-cu128-py310" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
   }
   tags = [
@@ -1170,7 +1162,6 @@ target "part-grpc-cu130-py310" {
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "3.10"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
   }
   tags = [
     "${REGISTRY}/part:grpc-cu130-py310"
@@ -1204,7 +1195,6 @@ target "part-tritonclient-cu130-py310" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
   }
   tags = [
@@ -1236,7 +1226,6 @@ target "part-tensorrt-rtx-cc-cu130" {
     "io.rosml.python"                      = "any"
     "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.restricted"                  = "tensorrt-rtx-cc"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
   }
   tags = [
@@ -1273,7 +1262,6 @@ target "part-tensorrt-rtx-cu130-py310" {
     "io.rosml.release"                     = "tensorrt-rtx"
     "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.restricted"                  = "tensorrt-rtx"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
   }
   tags = [
@@ -1337,7 +1325,6 @@ target "part-grpc-cu132-py310" {
     "io.rosml.stack"                       = "cu132"
     "io.rosml.python"                      = "3.10"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
   }
   tags = [
     "${REGISTRY}/part:grpc-cu132-py310"
@@ -1371,7 +1358,6 @@ target "part-tritonclient-cu132-py310" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
   }
   tags = [
@@ -1403,7 +1389,6 @@ target "part-tensorrt-rtx-cc-cu132" {
     "io.rosml.python"                      = "any"
     "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.restricted"                  = "tensorrt-rtx-cc"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
   }
   tags = [
@@ -1440,7 +1425,6 @@ target "part-tensorrt-rtx-cu132-py310" {
     "io.rosml.release"                     = "tensorrt-rtx"
     "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.restricted"                  = "tensorrt-rtx"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
   }
   tags = [
@@ -1637,7 +1621,6 @@ target "part-onnxruntime-cc-cpu" {
     "io.rosml.brings"                      = "onnxruntime::"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -1672,7 +1655,6 @@ target "part-onnxruntime-cpu-py310" {
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -1707,7 +1689,6 @@ target "part-tritonclient-cpu-py310" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=common,grpc,tritonclient"
   }
   tags = [
@@ -1875,7 +1856,6 @@ target "part-onnxruntime-cu128-py312" {
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -1910,7 +1890,6 @@ target "part-tritonclient-cu128-py312" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
   }
   tags = [
@@ -2010,7 +1989,6 @@ target "part-grpc-cu130-py312" {
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "3.12"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
   }
   tags = [
     "${REGISTRY}/part:grpc-cu130-py312"
@@ -2044,7 +2022,6 @@ target "part-onnxruntime-cc-cu130" {
     "io.rosml.brings"                      = "onnxruntime::"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -2079,7 +2056,6 @@ target "part-onnxruntime-cu130-py312" {
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -2114,7 +2090,6 @@ target "part-tritonclient-cu130-py312" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
   }
   tags = [
@@ -2151,7 +2126,6 @@ target "part-tensorrt-rtx-cu130-py312" {
     "io.rosml.release"                     = "tensorrt-rtx"
     "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.restricted"                  = "tensorrt-rtx"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
   }
   tags = [
@@ -2251,7 +2225,6 @@ target "part-grpc-cu132-py312" {
     "io.rosml.stack"                       = "cu132"
     "io.rosml.python"                      = "3.12"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
   }
   tags = [
     "${REGISTRY}/part:grpc-cu132-py312"
@@ -2285,7 +2258,6 @@ target "part-onnxruntime-cc-cu132" {
     "io.rosml.brings"                      = "onnxruntime::"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -2320,7 +2292,6 @@ target "part-onnxruntime-cu132-py312" {
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -2355,7 +2326,6 @@ target "part-tritonclient-cu132-py312" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
   }
   tags = [
@@ -2392,7 +2362,6 @@ target "part-tensorrt-rtx-cu132-py312" {
     "io.rosml.release"                     = "tensorrt-rtx"
     "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.restricted"                  = "tensorrt-rtx"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
   }
   tags = [
@@ -2557,7 +2526,6 @@ target "part-onnxruntime-cpu-py312" {
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -2592,7 +2560,6 @@ target "part-tritonclient-cpu-py312" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=common,grpc,tritonclient"
   }
   tags = [
@@ -2725,7 +2692,6 @@ target "part-tritonclient-cu128-py314" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
   }
   tags = [
@@ -2825,7 +2791,6 @@ target "part-grpc-cu130-py314" {
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "3.14"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
   }
   tags = [
     "${REGISTRY}/part:grpc-cu130-py314"
@@ -2859,7 +2824,6 @@ target "part-onnxruntime-cu130-py314" {
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -2894,7 +2858,6 @@ target "part-tritonclient-cu130-py314" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
   }
   tags = [
@@ -2931,7 +2894,6 @@ target "part-tensorrt-rtx-cu130-py314" {
     "io.rosml.release"                     = "tensorrt-rtx"
     "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.restricted"                  = "tensorrt-rtx"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
   }
   tags = [
@@ -3031,7 +2993,6 @@ target "part-grpc-cu132-py314" {
     "io.rosml.stack"                       = "cu132"
     "io.rosml.python"                      = "3.14"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
   }
   tags = [
     "${REGISTRY}/part:grpc-cu132-py314"
@@ -3065,7 +3026,6 @@ target "part-onnxruntime-cu132-py314" {
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -3100,7 +3060,6 @@ target "part-tritonclient-cu132-py314" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
   }
   tags = [
@@ -3137,7 +3096,6 @@ target "part-tensorrt-rtx-cu132-py314" {
     "io.rosml.release"                     = "tensorrt-rtx"
     "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.restricted"                  = "tensorrt-rtx"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
   }
   tags = [
@@ -3268,7 +3226,6 @@ target "part-tritonclient-cpu-py314" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=common,grpc,tritonclient"
   }
   tags = [
@@ -3436,7 +3393,6 @@ target "part-onnxruntime-cu128-py311" {
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -3471,7 +3427,6 @@ target "part-tritonclient-cu128-py311" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
   }
   tags = [
@@ -3571,7 +3526,6 @@ target "part-grpc-cu130-py311" {
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "3.11"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
   }
   tags = [
     "${REGISTRY}/part:grpc-cu130-py311"
@@ -3605,7 +3559,6 @@ target "part-onnxruntime-cu130-py311" {
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -3640,7 +3593,6 @@ target "part-tritonclient-cu130-py311" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
   }
   tags = [
@@ -3677,7 +3629,6 @@ target "part-tensorrt-rtx-cu130-py311" {
     "io.rosml.release"                     = "tensorrt-rtx"
     "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.restricted"                  = "tensorrt-rtx"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
   }
   tags = [
@@ -3777,7 +3728,6 @@ target "part-grpc-cu132-py311" {
     "io.rosml.stack"                       = "cu132"
     "io.rosml.python"                      = "3.11"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
   }
   tags = [
     "${REGISTRY}/part:grpc-cu132-py311"
@@ -3811,7 +3761,6 @@ target "part-onnxruntime-cu132-py311" {
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -3846,7 +3795,6 @@ target "part-tritonclient-cu132-py311" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
   }
   tags = [
@@ -3883,7 +3831,6 @@ target "part-tensorrt-rtx-cu132-py311" {
     "io.rosml.release"                     = "tensorrt-rtx"
     "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.restricted"                  = "tensorrt-rtx"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
   }
   tags = [
@@ -4048,7 +3995,6 @@ target "part-onnxruntime-cpu-py311" {
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -4083,7 +4029,6 @@ target "part-tritonclient-cpu-py311" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=common,grpc,tritonclient"
   }
   tags = [
@@ -4251,7 +4196,6 @@ target "part-onnxruntime-cu128-py313" {
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -4286,7 +4230,6 @@ target "part-tritonclient-cu128-py313" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
   }
   tags = [
@@ -4386,7 +4329,6 @@ target "part-grpc-cu130-py313" {
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "3.13"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
   }
   tags = [
     "${REGISTRY}/part:grpc-cu130-py313"
@@ -4420,7 +4362,6 @@ target "part-onnxruntime-cu130-py313" {
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -4455,7 +4396,6 @@ target "part-tritonclient-cu130-py313" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
   }
   tags = [
@@ -4492,7 +4432,6 @@ target "part-tensorrt-rtx-cu130-py313" {
     "io.rosml.release"                     = "tensorrt-rtx"
     "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.restricted"                  = "tensorrt-rtx"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
   }
   tags = [
@@ -4592,7 +4531,6 @@ target "part-grpc-cu132-py313" {
     "io.rosml.stack"                       = "cu132"
     "io.rosml.python"                      = "3.13"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
   }
   tags = [
     "${REGISTRY}/part:grpc-cu132-py313"
@@ -4626,7 +4564,6 @@ target "part-onnxruntime-cu132-py313" {
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -4661,7 +4598,6 @@ target "part-tritonclient-cu132-py313" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=cuda*,common,grpc,tritonclient"
   }
   tags = [
@@ -4698,7 +4634,6 @@ target "part-tensorrt-rtx-cu132-py313" {
     "io.rosml.release"                     = "tensorrt-rtx"
     "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.restricted"                  = "tensorrt-rtx"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "tensorrt-rtx=cuda*,common,tensorrt-rtx-cc*,tensorrt-rtx"
   }
   tags = [
@@ -4863,7 +4798,6 @@ target "part-onnxruntime-cpu-py313" {
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "onnx=common,grpc,onnxruntime-cc*,onnxruntime"
   }
   tags = [
@@ -4898,7 +4832,6 @@ target "part-tritonclient-cpu-py313" {
     "io.rosml.brings"                      = "tritonclient:tritonclient:tritonclient"
     "io.rosml.release"                     = "tritonclient"
     "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT"
-    "io.rosml.frameworks"                  = ""
     "io.rosml.addons"                      = "triton=common,grpc,tritonclient"
   }
   tags = [

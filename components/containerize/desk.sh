@@ -19,15 +19,10 @@ for program in ccache gdb; do
   if ! command -v "$program" >/dev/null; then packages+=("$program"); fi
 done
 if ! has_module colcon_defaults; then packages+=(python3-colcon-defaults); fi
-debugger=
-if ! has_module debugpy; then
-  debugger=$(apt-cache search --names-only '^python3-debugpy$')
-  if [[ -n $debugger ]]; then packages+=(python3-debugpy); elif ! has_module pip; then packages+=(python3-pip); fi
-fi
+# Ubuntu 22.04 and older have no package of it.
+debugger=$(apt-cache search --names-only '^python3-debugpy$')
+if [[ -n $debugger ]] && ! has_module debugpy; then packages+=(python3-debugpy); fi
 if [[ ${#packages[@]} -gt 0 ]]; then apt_install "${packages[@]}"; fi
-if ! has_module debugpy; then # Ubuntu 22.04 and older have no package of it
-  PIP_BREAK_SYSTEM_PACKAGES=1 PIP_NO_CACHE_DIR=1 PIP_ROOT_USER_ACTION=ignore PIP_NO_COMPILE=1 python3 -m pip install debugpy
-fi
 
 desk=/usr/local/lib/rosml/desk
 install -D --mode=755 "$here/desk_command.sh" $desk/command.sh

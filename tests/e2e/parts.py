@@ -26,14 +26,14 @@ ENTRIES = {
         PartEntry(name="torch", title="PyTorch", release="torch", needs=("common",)),
         PartEntry(name="tensorflow-cc", release="tensorflow", any_python=True, needs=("tensorflow",)),
         PartEntry(name="tensorflow", title="TensorFlow", short="tf", release="tensorflow", needs=("common",)),
-        PartEntry(name="onnx-cc", release="onnx", any_python=True, needs=("onnx",)),
-        PartEntry(name="onnx", title="ONNX", release="onnx", needs=("common", "onnx-cc")),
+        PartEntry(name="graph-cc", release="graph", any_python=True, needs=("graph",)),
+        PartEntry(name="graph", title="GRAPH", release="graph", needs=("common", "graph-cc")),
         PartEntry(name="devel", any_python=True, needs=("cuda",)),
     )
 }
 PARTS = tuple(ENTRIES)[:5]
-ADDONS = {"onnx": ("cuda", "common", "onnx-cc", "onnx"), "devel": ("cuda", "devel")}
-OWN = {"onnx-cc": "onnx", "onnx": "onnx", "devel": "devel"}
+ADDONS = {"graph": ("cuda", "common", "graph-cc", "graph"), "devel": ("cuda", "devel")}
+OWN = {"graph-cc": "graph", "graph": "graph", "devel": "devel"}
 """The add-on of each part that is its own."""
 GPU = {"cuda": {"driver": "525"}, "torch": {"torch.amd64": "sm_80 sm_90"}}
 """What parts with CUDA say of GPUs."""
@@ -43,7 +43,7 @@ FRAMEWORKS = {
     "tensorflow": ("cuda", "common", "tensorflow-cc", "tensorflow"),
     "ml": PARTS,
 }
-VERSIONS = {"cuda": "12.8.90", "cudnn": "9.10.2.21", "torch": "2.10.0", "tensorflow": "2.20.0", "onnx": "1.23.2"}
+VERSIONS = {"cuda": "12.8.90", "cudnn": "9.10.2.21", "torch": "2.10.0", "tensorflow": "2.20.0", "graph": "1.23.2"}
 
 
 @dataclass(frozen=True)

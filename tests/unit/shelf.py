@@ -58,7 +58,7 @@ class Shelf:
         things: list[Thing] = [*parts, *images]
         for thing in things:
             kept = tuple(a for a in thing.architectures if not architectures or a in architectures)
-            if kept:
+            if kept and (isinstance(thing, Part) or thing.tags):
                 moves += self._publish(thing, date, kept)
         text = json.dumps({"date": date, "moves": [move.to_json() for move in moves]})
         Records(Place(self.registry, PREFIX)).artifact(tag_moves.record_name(date), text.encode(), {ANNOTATION: "{}"})

@@ -50,7 +50,9 @@ def wrong(
         if not well:
             found.append(f"{what}: {is_}, expected {wanted}")
 
-    released = {name: rf"{name}(-cpu|-gpu|-cu\d+-bindings)?" for name in promised.get("releases", "").split(",") if name}
+    released = {
+        name: rf"{name}(-cpu|-gpu|-cu\d+-bindings)?" for name in promised.get("releases", "").split(",") if name
+    }
     for name, pattern in {**RECORDED, **released}.items():
         versions = {package: version for package, version in recorded.items() if re.fullmatch(pattern, package)}
         wanted = promised.get(name.replace("-", "_"))

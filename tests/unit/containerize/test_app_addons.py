@@ -14,7 +14,7 @@ from rosml.containerize.app_base import Base
 from rosml.images.join.joiner import Joiner
 from tests.e2e.parts import part, stack
 
-CPU = {"common-cpu-py311": "common", "onnx-cc-cpu": "onnx-cc", "onnx-cpu-py311": "onnx"}
+CPU = {"common-cpu-py311": "common", "graph-cc-cpu": "graph-cc", "graph-cpu-py311": "graph"}
 
 
 @pytest.fixture
@@ -38,35 +38,35 @@ def with_stack(place: Place, *parts: str, name: str = "cpu") -> Base:
 
 
 def test_parts_are_joined_in_their_order_by_digest(place: Place) -> None:
-    found = addons.onto(plain(place), "onnx-cpu", place.services, BOTH).addons
+    found = addons.onto(plain(place), "graph-cpu", place.services, BOTH).addons
     assert found
     assert [name.rpartition(":")[2] for name in found.parts] == [*CPU]
     for tag, reference in zip(CPU, found.parts.values(), strict=True):
         digest = place.registry.head("rosml/part", tag)
         assert reference == f"{place.server.address}/rosml/part@{digest}"
-    assert found.environment == {"ONNX_VERSION": "1.23.2"}
-    assert found.labels["io.rosml.addons"] == "onnx" and found.labels["io.rosml.parts"] == "common onnx-cc onnx"
+    assert found.environment == {"GRAPH_VERSION": "1.23.2"}
+    assert found.labels["io.rosml.addons"] == "graph" and found.labels["io.rosml.parts"] == "common graph-cc graph"
     assert found.dockerfile("without").splitlines() == [
         "FROM without",
         *(f"COPY --link --from=part-{number} / /" for number in range(3)),
-        'ENV ONNX_VERSION="1.23.2"',
+        'ENV GRAPH_VERSION="1.23.2"',
     ]
 
 
 def test_only_what_the_base_image_lacks_is_joined(place: Place) -> None:
     base = with_stack(place, "common", "torch")
-    found = addons.onto(base, " onnx, onnx", place.services, BOTH[:1]).addons
+    found = addons.onto(base, " graph, graph", place.services, BOTH[:1]).addons
     assert found and [name.rpartition(":")[2] for name in found.parts] == [*CPU][1:]
-    assert found.labels["org.opencontainers.image.title"] == "ros1-bookworm-core-torch-onnx-cpu"
+    assert found.labels["org.opencontainers.image.title"] == "ros1-bookworm-core-torch-graph-cpu"
 
 
 def test_a_lock_decides_which_parts(place: Place) -> None:
     base = plain(place)
-    before = addons.onto(base, "onnx-cpu", place.services, BOTH).addons
+    before = addons.onto(base, "graph-cpu", place.services, BOTH).addons
     assert before
     known = {name: reference.rpartition("@")[2] for name, reference in before.parts.items()}
-    part("onnx", "cpu", salt="tonight").put(place.registry, "rosml/part", "onnx-cpu-py311", BOTH)
-    now, locked = (addons.onto(base, "onnx-cpu", place.services, BOTH, said).addons for said in (None, known))
+    part("graph", "cpu", salt="tonight").put(place.registry, "rosml/part", "graph-cpu-py311", BOTH)
+    now, locked = (addons.onto(base, "graph-cpu", place.services, BOTH, said).addons for said in (None, known))
     assert locked == before != now
 
 
@@ -78,10 +78,10 @@ def test_without_addons_nothing_is_asked(place: Place) -> None:
 @pytest.mark.parametrize(
     ("wanted", "says", "remedy"),
     [
-        ("onnx", "there is no add-on onnx: neither", "ros:core has no stack: name one, such as onnx-cpu"),
-        ("onnxx-cpu", "there is no add-on onnxx-cpu: neither", "'rosml explain'"),
-        ("common-cpu", "common-cpu-py311 is no add-on", "such as onnx"),
-        ("../x", "'../x' is no name", "such as onnx"),
+        ("graph", "there is no add-on graph: neither", "ros:core has no stack: name one, such as graph-cpu"),
+        ("graphx-cpu", "there is no add-on graphx-cpu: neither", "'rosml explain'"),
+        ("common-cpu", "common-cpu-py311 is no add-on", "such as graph"),
+        ("../x", "'../x' is no name", "such as graph"),
     ],
 )
 def test_what_is_no_addon(wanted: str, says: str, remedy: str, place: Place) -> None:
@@ -99,4 +99,4 @@ def test_what_is_no_addon(wanted: str, says: str, remedy: str, place: Place) -> 
 )
 def test_a_base_image_that_takes_none(base: Base, says: str, place: Place) -> None:
     with pytest.raises(RosmlError, match=says):
-        addons.onto(base, "onnx", place.services, BOTH)
+        addons.onto(base, "graph", place.services, BOTH)

@@ -547,7 +547,9 @@ def test_a_framework_that_the_distribution_of_the_branch_lacks(tmp_path: Path) -
 def test_a_library_that_no_manifest_names(tmp_path: Path) -> None:
     write(tmp_path, {"package.xml": manifest(), "a.py": "\nimport cv2\nimport onnxruntime\n"})
     said = called(tmp_path, "--yes").stderr
-    assert "a.py:2 names cv2, and no package.xml does" in said and "a.py:3 names onnxruntime" in said
+    assert "a.py:2 names cv2, and no package.xml does" in said
+    assert "a.py:3 names onnxruntime: containerize adds the add-on onnx" in said
+    assert "ADDONS=onnx-cpu\n" in (tmp_path / ".env").read_text()
     write(tmp_path, {"a.cpp": "#include <cuda_runtime.h>\n"})
     assert (
         "a.cpp:1 names cuda_runtime.h, and base images have CUDA's libraries, and no nvcc"

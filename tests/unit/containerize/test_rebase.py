@@ -312,7 +312,7 @@ def test_a_part_of_another_release(place: Place) -> None:
 # ---- Others, and the end of the process ------------------------------------------------------------------------------
 
 
-ADDON = ("common-cpu-py311", "onnx-cc-cpu", "onnx-cpu-py311")
+ADDON = ("common-cpu-py311", "graph-cc-cpu", "graph-cpu-py311")
 
 
 def addon(place: Place, salt: str) -> list[str]:
@@ -323,7 +323,7 @@ def addon(place: Place, salt: str) -> list[str]:
         reference = made.put(place.registry, "rosml/part", tag)
         [entry] = place.registry.manifest("rosml/part", tag).members  # type: ignore[union-attr]
         subject = {"mediaType": entry.mediaType, "digest": entry.digest, "size": entry.size}
-        own = [library("usr/lib/libonnxruntime.so.1", ("OrtGetApiBase",))] if "cc" in tag else []
+        own = [library("usr/lib/libgraphruntime.so.1", ("OrtGetApiBase",))] if "cc" in tag else []
         attach(place.registry, "rosml/part", subject, {"packages": [], "libraries": own})
         names.append(reference)
     return names
@@ -333,7 +333,7 @@ def app_with_addon(place: Place, base: str, parts: Sequence[str]) -> str:
     """As `containerize --addons` makes it: its base image's name is that without the add-on."""
     with Joiner(lambda _: place.registry) as joiner:
         joined = joiner.join(base, parts, f"{place.server.address}/me/joined:x", BOTH[:1]).reference
-    uses = library("docker-ros/ws/install/lib/node", needed=["libonnxruntime.so.1"], uses=["OrtGetApiBase"])
+    uses = library("docker-ros/ws/install/lib/node", needed=["libgraphruntime.so.1"], uses=["OrtGetApiBase"])
     own = changed(OWN, libraries=[uses])
     return place.app(joined, facts=own, labels={BASE_NAME: base, BASE_DIGEST: place.digest(base)})
 
@@ -347,7 +347,7 @@ def test_an_addon_comes_along_from_beside_the_new_base_image(place: Place) -> No
     assert place.layers(app)[:-1] == layers
     assert found.copied == 0 and found.base == new
     source = next(iter(place.rebaser().read(app).values()))
-    assert (source.labels["io.rosml.addons"], source.labels["io.rosml.stack"]) == ("onnx", "cpu")
+    assert (source.labels["io.rosml.addons"], source.labels["io.rosml.stack"]) == ("graph", "cpu")
     assert source.labels[BASE_DIGEST] == place.digest(new)
     known = image.lock_of(source)
     assert known and known.addons
@@ -357,9 +357,9 @@ def test_an_addon_comes_along_from_beside_the_new_base_image(place: Place) -> No
 
 def test_an_addon_that_the_new_base_image_cannot_have_is_refused(place: Place) -> None:
     app = app_with_addon(place, place.base(), addon(place, "yesterday"))
-    place.server.tags["rosml/part"].pop("onnx-cpu-py311")
+    place.server.tags["rosml/part"].pop("graph-cpu-py311")
     said = place.refused(app, place.base("tonight"))
-    assert "there is no add-on onnx-cpu: neither" in said
+    assert "there is no add-on graph-cpu: neither" in said
 
 
 def test_a_tag_that_moved_meanwhile_stays(place: Place) -> None:

@@ -125,10 +125,10 @@ def test_a_tag_that_was_moved_back_is_told_as_it_is(published: tuple[Publisher, 
 
 
 def test_every_image_of_the_matrix_is_there(found: Published, real: ImageSet) -> None:
-    assert [item.target for item in found.images] == [item.target for item in real.images]
+    assert [item.target for item in found.images] == [item.target for item in real.images if item.tags]
     published = {item.target for item in found.images if item.status == "built"}
     assert published == {
-        i.target for i in real.images if i.distribution in ("ros1-bookworm", "ros1-trixie") and i.locked
+        i.target for i in real.images if i.distribution in ("ros1-bookworm", "ros1-trixie") and i.locked and i.tags
     }
     assert all(bool(item.builds) == (item.status == "built") for item in found.images)
 

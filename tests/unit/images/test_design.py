@@ -56,6 +56,7 @@ def test_latest_is_the_newest_long_term_release_with_every_framework(real: Image
         "ros-torch:latest": "jazzy-base-torch-cu130",
         "ros-tf:latest": "jazzy-base-tensorflow-cu128",
         "ros-ml:latest": "jazzy-base-ml-cu128",
+        "ros-onnx:latest": "jazzy-base-onnx-cu130",
     }
 
 
@@ -68,7 +69,7 @@ def test_the_short_tags_of_every_framework(real: ImageSet) -> None:
         for repository, stack in {
             "ros": None, "ros-cuda": "cu130", "ros-torch": "cu130", "ros-tf": "cu128", "ros-ml": "cu128"
         }.items()
-    }  # fmt: skip
+    } | {"ros-onnx:jazzy": "cu130", "ros-onnx:humble": "cu128"}  # fmt: skip
 
 
 def test_what_goes_with_pytorch(real: ImageSet) -> None:

@@ -154,7 +154,7 @@ def test_an_image(place: Place) -> None:
     assert not any(name.startswith("io.rosml.") for name in index.content["annotations"])
 
 
-ONNX: tuple[str, ...] = ("cuda", "common", "onnx-cc", "onnx")
+GRAPH: tuple[str, ...] = ("cuda", "common", "graph-cc", "graph")
 
 
 def told(place: Place, found: JoinReport) -> dict[str, str]:
@@ -164,18 +164,18 @@ def told(place: Place, found: JoinReport) -> dict[str, str]:
 
 
 def test_an_addon_without_a_framework(place: Place) -> None:
-    images = [place.ros(), *place.stack(ONNX[1:], "cpu")]
+    images = [place.ros(), *place.stack(GRAPH[1:], "cpu")]
     found = told(place, place.join(*images))
-    assert found["org.opencontainers.image.title"] == "ros1-bookworm-core-onnx-cpu"
-    assert found["org.opencontainers.image.version"] == "ros1-bookworm-core-cpu-onnx1.23.2"
-    assert (found["io.rosml.framework"], found["io.rosml.addons"], found["io.rosml.onnx"]) == ("none", "onnx", "1.23.2")
-    assert found["io.rosml.parts"] == "common onnx-cc onnx"
+    assert found["org.opencontainers.image.title"] == "ros1-bookworm-core-graph-cpu"
+    assert found["org.opencontainers.image.version"] == "ros1-bookworm-core-cpu-graph1.23.2"
+    assert (found["io.rosml.framework"], found["io.rosml.addons"], found["io.rosml.graph"]) == ("none", "graph", "1.23.2")
+    assert found["io.rosml.parts"] == "common graph-cc graph"
 
 
 def test_addons_onto_an_image_that_has_a_framework(place: Place) -> None:
     """One after the other, or all at once with the framework: layers have the same order."""
     own = [
-        part(kind).put(place.registry, "me/part", f"{kind}-cu128", BOTH[:1]) for kind in ("devel", "onnx-cc", "onnx")
+        part(kind).put(place.registry, "me/part", f"{kind}-cu128", BOTH[:1]) for kind in ("devel", "graph-cc", "graph")
     ]
     base = place.join(place.ros(), *(torch := place.stack()), tag="torch")
     before = place.registry.uploaded
@@ -183,41 +183,41 @@ def test_addons_onto_an_image_that_has_a_framework(place: Place) -> None:
     assert place.registry.uploaded - before < 10_000
     assert (first.layers, first.copied) == (6, 0)
     found = told(place, first)
-    assert found["org.opencontainers.image.title"] == "ros1-bookworm-core-torch-onnx-cu128"
-    assert found["org.opencontainers.image.description"].endswith("PyTorch 2.10.0, CUDA 12.8.90, ONNX 1.23.2")
-    assert found["org.opencontainers.image.version"] == "ros1-bookworm-core-cu128-torch2.10.0-onnx1.23.2"
-    assert (found["io.rosml.framework"], found["io.rosml.addons"]) == ("torch", "onnx")
+    assert found["org.opencontainers.image.title"] == "ros1-bookworm-core-torch-graph-cu128"
+    assert found["org.opencontainers.image.description"].endswith("PyTorch 2.10.0, CUDA 12.8.90, GRAPH 1.23.2")
+    assert found["org.opencontainers.image.version"] == "ros1-bookworm-core-cu128-torch2.10.0-graph1.23.2"
+    assert (found["io.rosml.framework"], found["io.rosml.addons"]) == ("torch", "graph")
     assert (found["io.rosml.torch"], found["io.rosml.gpu.driver"]) == ("2.10.0", "525")
-    assert found["io.rosml.parts"] == "cuda common torch onnx-cc onnx"
+    assert found["io.rosml.parts"] == "cuda common torch graph-cc graph"
     _, config = place.image(first.manifests["linux/amd64"])
-    assert {"TORCH_VERSION=2.10.0", "ONNX_VERSION=1.23.2", "CUDA_VERSION=12.8.90"} <= {*config["config"]["Env"]}
+    assert {"TORCH_VERSION=2.10.0", "GRAPH_VERSION=1.23.2", "CUDA_VERSION=12.8.90"} <= {*config["config"]["Env"]}
 
     second = told(place, place.join(first.reference, own[0], tag="second"))
-    assert (second["io.rosml.addons"], second["io.rosml.parts"].split()[-1]) == ("devel onnx", "devel")
-    assert second["org.opencontainers.image.title"] == "ros1-bookworm-core-torch-devel-onnx-cu128"
+    assert (second["io.rosml.addons"], second["io.rosml.parts"].split()[-1]) == ("devel graph", "devel")
+    assert second["org.opencontainers.image.title"] == "ros1-bookworm-core-torch-devel-graph-cu128"
 
     once = place.join(place.ros(), *reversed(own), *torch, tag="once")
-    assert told(place, once)["io.rosml.parts"] == "cuda common torch devel onnx-cc onnx"
-    assert told(place, once)["io.rosml.addons"] == "devel onnx"
+    assert told(place, once)["io.rosml.parts"] == "cuda common torch devel graph-cc graph"
+    assert told(place, once)["io.rosml.addons"] == "devel graph"
 
 
 def test_an_addon_onto_an_app(place: Place) -> None:
     base = place.join(place.ros(), *place.stack())
     app = replace(ros(), labels={**told(place, base), labels.TITLE: "robot", labels.APP: "run"})
     made = app.put(place.registry, "me/robot", "latest", BOTH[:1])
-    found = told(place, place.join(made, *place.stack(ONNX[2:]), tag="with-onnx"))
-    assert (found[labels.TITLE], found["io.rosml.addons"]) == ("robot", "onnx")
+    found = told(place, place.join(made, *place.stack(GRAPH[2:]), tag="with-graph"))
+    assert (found[labels.TITLE], found["io.rosml.addons"]) == ("robot", "graph")
 
 
 @pytest.mark.parametrize(
     ("there", "wanted", "says", "remedy"),
     [
-        ((), ("onnx",), "cannot do without", "add cuda-cu128, common-cu128-py311 and onnx-cc-cu128: add-on onnx"),
-        (("cuda",), ("onnx-cc", "onnx"), "cannot do without common of stack cu128", "add common-cu128-py311"),
-        (TORCH, ("onnx",), "cannot do without onnx-cc of stack cu128", "add onnx-cc-cu128"),
-        (TORCH, ("common", "onnx-cc", "onnx"), "has the part common already", "leave it out"),
+        ((), ("graph",), "cannot do without", "add cuda-cu128, common-cu128-py311 and graph-cc-cu128: add-on graph"),
+        (("cuda",), ("graph-cc", "graph"), "cannot do without common of stack cu128", "add common-cu128-py311"),
+        (TORCH, ("graph",), "cannot do without graph-cc of stack cu128", "add graph-cc-cu128"),
+        (TORCH, ("common", "graph-cc", "graph"), "has the part common already", "leave it out"),
         (TORCH, TENSORFLOW[1:], "has framework torch of stack cu128 already", "take the ROS image below it"),
-        (("cuda",), ("tensorflow", "onnx-cc", "onnx", "common"), "has framework cuda of stack cu128 already", "take"),
+        (("cuda",), ("tensorflow", "graph-cc", "graph", "common"), "has framework cuda of stack cu128 already", "take"),
     ],
 )
 def test_an_addon_that_does_not_fit(
@@ -235,7 +235,7 @@ def test_an_addon_that_does_not_fit(
 def test_an_addon_of_another_stack(place: Place) -> None:
     with Joiner(place.others.__getitem__) as joiner:
         base = joiner.join(place.ros(), place.stack(), f"{place.server.address}/me/below:x").reference
-    refused = place.refused(base, *place.stack(ONNX[2:], "cpu"))
+    refused = place.refused(base, *place.stack(GRAPH[2:], "cpu"))
     assert "an image carries one stack" in refused.message
 
 

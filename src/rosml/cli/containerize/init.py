@@ -147,6 +147,7 @@ def main(
         revision=forge.revision(jobs.forge.value),
         images=jobs.images,
         keys=decided.keys,
+        addons=decided.addons,
     )
     wanted = folders.compared(folder, contents.contents(project))
     if not dry_run:

@@ -28,24 +28,23 @@ DEBIAN = "noetic"
 
 SHELL = "bash"
 
-ONNX, CUPY, CUDA, OPENCV = "ONNX Runtime", "CuPy", "CUDA", "OpenCV"
+CUPY, CUDA, OPENCV = "CuPy", "CUDA", "OpenCV"
 
 OTHERS = {
-    ONNX: ("onnxruntime",),
     CUPY: ("cupy",),
     CUDA: ("cuda",),
     OPENCV: ("opencv", "opencv2", "cv2", "libopencv", "cv_bridge"),
 }
-"""Libraries that no release of a framework brings, and the words for each."""
+"""Libraries that no part brings, and the words for each."""
 
 _PIP = f"a line in {app_inputs.default('additional-pip-file')}"
 
 LACKING = {
-    ONNX: ("no package.xml does", _PIP),
     CUPY: ("no package.xml does", _PIP),
     CUDA: (
         "base images have CUDA's libraries, and no nvcc",
-        "if it is to be compiled, name NVIDIA's image with -devel as BASE_IMAGE: containerize installs ROS on it",
+        "if it is to be compiled, take the add-on devel on a stack with CUDA 13 (docs/addons/devel.md), or NVIDIA's image with -devel"
+        " as BASE_IMAGE: containerize installs ROS on it",
     ),
     OPENCV: (
         "no package.xml does",
@@ -112,6 +111,7 @@ class Decided:
         ended: the end of life of the distribution has passed.
         notes: sentences for the user, each with a remedy.
         keys: keys of rosdep that manifests name, for what the base image has.
+        addons: the add-ons that sources name, as `containerize --addons` takes them.
     """
 
     choices: Mapping[str, Choice]
@@ -120,6 +120,7 @@ class Decided:
     ended: bool
     notes: tuple[tuple[str, str], ...] = field(default=())
     keys: tuple[str, ...] = ()
+    addons: tuple[str, ...] = ()
 
 
 def libraries(matrix: Matrix) -> dict[str, set[str]]:
@@ -197,7 +198,38 @@ class _Decision:
             "command": command,
         }
         keys = brought(self._matrix, image, {key for package in self._found.packages for key in package.needs})
-        return Decided(choices, image, command.value, self._ended(row.value), tuple(self._notes), tuple(sorted(keys)))
+        addons = tuple(self._addons(row.value, image))
+        notes = tuple(self._notes)
+        return Decided(choices, image, command.value, self._ended(row.value), notes, tuple(sorted(keys)), addons)
+
+    def _addons(self, row: str, image: Image) -> Iterator[str]:
+        """The add-ons whose libraries sources name and the base image lacks, if a stack has them. With a list for pip, none: it says what
+        the packages get."""
+        if self._found.pip:
+            return
+        matrix, has = self._matrix, {name.rpartition("-")[0] for name in image.parts}
+        for addon, facts in matrix.addons.items():
+            parts = [matrix.part[name] for name in facts.parts]
+            at = next((at for part in parts if (at := self._found.named.get(part.title or ""))), None)
+            if at is None or any(name.startswith(facts.parts[-1]) for name in has):
+                continue
+            gpu = at.word.lower().endswith("gpu")
+            stacks = (
+                [image.stack]
+                if image.stack
+                else sorted(matrix.stacks, key=lambda s: bool(matrix.stacks[s].cuda) != gpu)
+            )
+            reasons = {stack: rules.stack_reason(matrix, row, image.framework, stack, addon) for stack in stacks}
+            if image.stack is None:
+                reasons = {s: rules.stack_reason(matrix, row, rules.plain(matrix), s, addon) for s in stacks}
+            there = next((stack for stack, reason in reasons.items() if reason is None), None)
+            if there is None:
+                why = next(filter(None, reasons.values()), "")
+                self._notes.append((f"{at.place} names {at.word}, and {why}", _PIP))
+                continue
+            yield addon if image.stack else f"{addon}-{there}"
+            told = f"{at.place} names {at.word}: containerize adds the add-on {addon}"
+            self._notes.append((told, "a Dockerfile gets it by the lines in docs/addons.md"))
 
     # ---- Distribution ------------------------------------------------------------------------------------------------
 
@@ -364,9 +396,11 @@ class _Decision:
     def _wanted(self) -> Choice:
         """The smallest framework that brings what manifests and sources name."""
         matrix, named = self._matrix, self._found.named
-        needed = {part.name: at for part in matrix.parts if part.release and (at := named.get(part.title or ""))}
-        onnx, cupy = named.get(ONNX), named.get(CUPY)
-        at = cupy or (onnx if onnx and "gpu" in onnx.word.lower() else None)
+        framed = {name for facts in matrix.frameworks.values() for name in facts.parts}
+        asked = {part.name: at for part in matrix.parts if part.release and (at := named.get(part.title or ""))}
+        needed = {name: at for name, at in asked.items() if name in framed}
+        others = (at for name, at in asked.items() if name not in framed and at.word.lower().endswith("gpu"))
+        at = named.get(CUPY) or next(others, None)
         if at and not needed:
             needed = {part.name: at for part in matrix.parts if part.versions}
         plain = rules.plain(matrix)
@@ -374,7 +408,7 @@ class _Decision:
             if self._asks_for_gpu():
                 bare = self._smallest({part.name for part in matrix.parts if part.versions})
                 return Choice(bare or plain, "you ask for a GPU, and no file names a framework")
-            titles = [part.title for part in matrix.parts if part.title and part.release]
+            titles = [part.title for part in matrix.parts if part.title and part.release and part.name in framed]
             return Choice(plain, f"no package.xml and no source names {listed(titles, 'or')}")
         places = listed([f"{at.place} names {at.word}" for at in needed.values()])
         return Choice(self._smallest(needed.keys()) or plain, places)

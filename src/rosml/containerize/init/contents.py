@@ -51,6 +51,7 @@ class Project:
         revision: its branch or commit.
         images: where CI pushes; empty for the repository's own place.
         keys: keys of rosdep that manifests name, for what the base image has.
+        addons: the add-ons for the base image.
     """
 
     name: str
@@ -69,6 +70,7 @@ class Project:
     revision: str
     images: str = ""
     keys: tuple[str, ...] = ()
+    addons: tuple[str, ...] = ()
 
     @property
     def base_image(self) -> str:
@@ -157,6 +159,8 @@ def _lines(lines: Iterator[str]) -> str:
 def variables(project: Project) -> dict[str, str]:
     """The inputs of `rosml containerize` that `.env` has."""
     found = {"BASE_IMAGE": project.base_image, "COMMAND": project.command, "IMAGE_NAME": project.name}
+    if project.addons:
+        found["ADDONS"] = ",".join(project.addons)
     if project.pip and app_inputs.default("additional-pip-file") not in project.pip:
         found["ADDITIONAL_PIP_FILE"] = project.pip[0]
         if len(project.pip) > 1:

@@ -169,7 +169,7 @@ def of_part(
         **({BRINGS: called(brought)} if brought else {}),
         **({RELEASE: entry.release} if entry.release else {}),
         **licensed([entry]),
-        f"{PREFIX}frameworks": _combinations(frameworks),
+        **({f"{PREFIX}frameworks": _combinations(frameworks)} if frameworks else {}),
         **({ADDONS: _combinations(addons)} if addons else {}),
     }
 

@@ -177,8 +177,8 @@ def _require_ros(ros: Source) -> None:
 
 
 def _require_part(part: Source) -> None:
-    for label in (_PART, _STACK, _PYTHON, _FRAMEWORKS):
-        if not part.labels.get(label) and not (label == _FRAMEWORKS and part.labels.get(labels.ADDONS)):
+    for label in (_PART, _STACK, _PYTHON):
+        if not part.labels.get(label):
             what = "a ROS image" if _DISTRIBUTION in part.labels else "no part"
             text = f"{part.name} is {what}: it has no label {label}"
             raise RosmlError(

@@ -34,7 +34,7 @@ from rosml.images.matrix.model import ANY_PYTHON
 
 PACKAGES = (
     "accelerate", "bitsandbytes", "diffusers", "gradio", "gymnasium", "jax", "jax[cuda12]", "jax[cuda13]", "lerobot", "matplotlib",
-    "mediapipe", "mlflow", "onnx", "onnxruntime", "open3d", "opencv-python", "pandas", "peft", "pytorch-lightning",
+    "mediapipe", "mlflow", "onnx", "open3d", "opencv-python", "pandas", "peft", "pytorch-lightning",
     "ray", "scikit-learn", "scipy", "sentence-transformers", "stable-baselines3", "tensorboard", "timm", "transformers",
     "ultralytics", "vllm", "wandb",
 )  # fmt: skip

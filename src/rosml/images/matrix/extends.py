@@ -215,7 +215,7 @@ def _forget(data: dict[str, Any], base: Mapping[str, Any], wanted: Mapping[str, 
         if isinstance(data["parts"], tuple)
         else set()
     )
-    frameworks = set(base["frameworks"]) - set(_mapping(data["frameworks"]))
+    frameworks = {*base["frameworks"], *_mapping(base.get("addons"))} - {*_mapping(data["frameworks"]), *data["addons"]}
     if isinstance(disk := data["disk"], Mapping):
         budgets = _without(disk.get("budgets"), stacks)
         if isinstance(budgets, Mapping):
@@ -332,15 +332,16 @@ def _fits(data: Mapping[str, Any], facts: Mapping[str, Any], stack: str) -> bool
     releases = _mapping(of_stack.get("releases"))
     for framework in map(_mapping, _mapping(data["frameworks"]).values()):
         carried = [parts[name] for name in _names(framework) if name in parts]
+        families = {str(part["release"]) for part in carried if part.get("release")}
         known = [
             _mapping(_mapping(_mapping(data["releases"]).get(family)).get(str(releases.get(family))))
-            for family in {str(part["release"]) for part in carried if part.get("release")} or releases
+            for family in families or releases
         ]
         if (
             carried
             and known
             and of_stack.get("accelerator") in (framework.get("accelerators") or [of_stack.get("accelerator")])
-            and all(
+            and (all if families else any)(
                 python in (release.get("python") or ())
                 and any(_mapping(release.get(key)).get(stack) for key in ("wheels", "elsewhere"))
                 for release in known

@@ -46,7 +46,7 @@ def main() -> None:
         Path(folder, "kernel.py").write_text(KERNEL)
         Path(folder, "operator.cu").write_bytes((HERE / "operator.cu").read_bytes())
         env = {name: value for name, value in os.environ.items() if name not in ("CUDA_HOME", "CUDA_PATH")}
-        env |= {"TORCH_CUDA_ARCH_LIST": "9.0", "TRITON_CACHE_DIR": f"{folder}/cache"}
+        env.update({"TORCH_CUDA_ARCH_LIST": "9.0", "TRITON_CACHE_DIR": f"{folder}/cache"})
         build = [sys.executable, "setup.py", "-q", "build_ext", "--inplace"]
         asked = [sys.executable, "-c", "import torch, answer; print('the answer is', answer.answer)"]
         for command in (build, asked, [sys.executable, "kernel.py"]):
