@@ -1,0 +1,8 @@
+#!/usr/bin/env bash
+# nodes.sh PROGRAM: the node finds the camera's squares, with each model that the image can run.
+set -euo pipefail
+models=$(mktemp -d)
+trap 'rm -rf "$models"' EXIT
+python3 -m detector.make_model "$models"
+if ! python3 -c 'import onnxruntime'; then rm "$models/boxes.onnx"; fi
+for model in "$models"/*; do python3 -m detector.check "$1" "_model:=$model"; done
