@@ -25,7 +25,7 @@ from rosml import ROOT
 from rosml.machine.services import Services
 from tests.e2e.conftest import NAMESPACE, run
 from tests.e2e.images import Publish, build, ca_secret
-from tests.e2e.test_containerize import commit
+from tests.e2e.test_containerize import commit, made
 
 EXAMPLES = ROOT / "examples"
 HERE = Path(__file__).parent / "examples_base"
@@ -116,6 +116,55 @@ def test_torch_node(services: Services, published: Publish, tmp_path: Path) -> N
 def test_torch_nodelet(services: Services, published: Publish, tmp_path: Path) -> None:
     image = base(services, published("ros1-bookworm-core-torch-cu128").reference, "torch-nodelet")
     example(services, "torch-nodelet", image, tmp_path, says("PyTorch .* on cpu", command("torch-nodelet")))
+
+
+@pytest.mark.parametrize(
+    ("target", "addon", "parts", "skipped"),
+    [
+        ("ros1-bookworm-core", "onnx-cpu", ("common-cpu-py311", "onnx-cc-cpu", "onnx-cpu-py311"), 1),
+        pytest.param(
+            *("ros1-bookworm-core-torch-cu128", "onnx", ("onnx-cc-cu128", "onnx-cu128-py311"), 0),
+            marks=pytest.mark.full(proof="cuda"),
+        ),
+    ],
+)
+def test_object_detection(
+    services: Services,
+    published: Publish,
+    tmp_path: Path,
+    target: str,
+    addon: str,
+    parts: tuple[str, ...],
+    skipped: int,
+) -> None:
+    """The tests pass for each backend of the image; one is skipped if there is nothing to compare. The image's command starts the
+    node, which hears the camera of the example."""
+    image = published(target).reference
+    built = run(sys.executable, str(ROOT / "src"), "part", *parts, "--namespace", NAMESPACE)
+    assert built.code == 0, built.err
+    shutil.copytree(EXAMPLES / "object-detection", tmp_path / "detector")
+    lists = tmp_path / "index/rosdep"
+    lists.mkdir(parents=True)
+    (lists / "base.yaml").write_text("python3-pytest: {debian: [python3-pytest]}\n")  # Debian's own list has the others
+    [starts] = re.findall(
+        '--command "(.*roslaunch.*)"', (ROOT / "docs/examples/object-detection.md").read_text(), re.MULTILINE
+    )
+    options = ("--base-image", image, "--addons", addon, "--image-name", f"{NAMESPACE}/detector", "--command", starts)
+    found = made(tmp_path / "detector", *options, "--rosdep-index", str(lists.parent))
+    assert found["packages"] == ["detector", "detector_cpp", "detector_msgs"]
+    assert found["tests"]["count"] >= 10 and found["tests"]["skipped"] == skipped
+    assert list(Path(found["reports"]).rglob("gtest-*.xml")), "C++ has tests as well"
+    (tmp_path / "chk").mkdir()
+    heard = (
+        "/tini -s -- /entrypoint.sh bash -c 'exec bash -c \"$DEFAULT_CMD\"' >/said 2>&1 & "
+        "until grep -q 'ONNX Runtime .* on cpu' /said; do sleep 0.1; done; "
+        "/entrypoint.sh rosrun detector camera & /entrypoint.sh rostopic echo -n 1 /boxes >/boxes; kill $(jobs -p); wait; "
+        "grep 'ONNX Runtime' /said; test $(grep -c -E 'x1: (64|160).0|label: (0|1)' /boxes) = 4"
+    )
+    (tmp_path / "chk/Dockerfile").write_text(
+        f"FROM {found['run']['reference']}\nRUN timeout 60 bash -c {shlex.quote(heard)}\n"
+    )
+    build(services, tmp_path / "chk")
 
 
 @pytest.mark.full(proof="wheels")

@@ -14,7 +14,7 @@ from desks import OURS, Desk
 
 from tests.pages import pages
 
-LINES = 60
+LINES = 100
 """Of a page, at most."""
 INSTALL = (
     "apt-get update && rosdep update && rosdep install --from-paths src --ignore-src -y && rm -rf /var/lib/apt/lists/*"

@@ -1,3 +1,5 @@
+#define ORT_API_MANUAL_INIT
+#include <dlfcn.h>
 #include <onnxruntime_cxx_api.h>
 
 #include <algorithm>
@@ -9,9 +11,27 @@
 namespace detector {
 namespace {
 
+// The library, found by its name at run time. A program that links it asks for the very release that it was linked with, so it
+// would not run on a stack that has another one (rosml rebase --variants).
+const OrtApiBase& library() {
+  static const OrtApiBase* const found = [] {
+    void* const handle = dlopen("libonnxruntime.so.1", RTLD_NOW);
+    if (handle == nullptr) throw std::runtime_error(std::string("no ONNX Runtime: ") + dlerror());
+    using Function = const OrtApiBase* (*)();
+    const auto* const base = reinterpret_cast<Function>(dlsym(handle, "OrtGetApiBase"))();
+    const auto* const api = base->GetApi(ORT_API_VERSION);
+    if (api == nullptr) throw std::runtime_error("ONNX Runtime is older than the headers of the build");
+    Ort::InitApi(api);
+    return base;
+  }();
+  return *found;
+}
+
 class OnnxRuntime : public Backend {
  public:
   OnnxRuntime(const std::string& model, Device device) {
+    library();
+    env_ = Ort::Env(ORT_LOGGING_LEVEL_WARNING, "detector");
     const auto providers = Ort::GetAvailableProviders();
     const bool has_cuda = std::find(providers.begin(), providers.end(), "CUDAExecutionProvider") != providers.end();
     if (device == Device::cuda && !has_cuda) throw std::runtime_error("this ONNX Runtime is for the CPU");
@@ -40,10 +60,10 @@ class OnnxRuntime : public Backend {
     return boxes(found.front().GetTensorData<float>(), count / 6);
   }
 
-  std::string about() const override { return "ONNX Runtime " + Ort::GetVersionString() + " on " + where_; }
+  std::string about() const override { return std::string("ONNX Runtime ") + library().GetVersionString() + " on " + where_; }
 
  private:
-  Ort::Env env_{ORT_LOGGING_LEVEL_WARNING, "detector"};
+  Ort::Env env_{nullptr};
   Ort::Session session_{nullptr};
   std::string where_ = "cpu";
 };
