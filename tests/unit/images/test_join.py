@@ -168,7 +168,11 @@ def test_an_addon_without_a_framework(place: Place) -> None:
     found = told(place, place.join(*images))
     assert found["org.opencontainers.image.title"] == "ros1-bookworm-core-graph-cpu"
     assert found["org.opencontainers.image.version"] == "ros1-bookworm-core-cpu-graph1.23.2"
-    assert (found["io.rosml.framework"], found["io.rosml.addons"], found["io.rosml.graph"]) == ("none", "graph", "1.23.2")
+    assert (found["io.rosml.framework"], found["io.rosml.addons"], found["io.rosml.graph"]) == (
+        "none",
+        "graph",
+        "1.23.2",
+    )
     assert found["io.rosml.parts"] == "common graph-cc graph"
 
 
