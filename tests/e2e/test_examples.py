@@ -121,9 +121,19 @@ def test_torch_nodelet(services: Services, published: Publish, tmp_path: Path) -
 @pytest.mark.parametrize(
     ("target", "addon", "parts", "skipped"),
     [
-        ("ros1-bookworm-core", "onnx-cpu", ("common-cpu-py311", "grpc-cpu-py311", "onnxruntime-cc-cpu", "onnxruntime-cpu-py311"), 1),
+        (
+            "ros1-bookworm-core",
+            "onnx-cpu",
+            ("common-cpu-py311", "grpc-cpu-py311", "onnxruntime-cc-cpu", "onnxruntime-cpu-py311"),
+            1,
+        ),
         pytest.param(
-            *("ros1-bookworm-core-torch-cu128", "onnx", ("grpc-cu128-py311", "onnxruntime-cc-cu128", "onnxruntime-cu128-py311"), 0),
+            *(
+                "ros1-bookworm-core-torch-cu128",
+                "onnx",
+                ("grpc-cu128-py311", "onnxruntime-cc-cu128", "onnxruntime-cu128-py311"),
+                0,
+            ),
             marks=pytest.mark.full(proof="cuda"),
         ),
     ],
