@@ -80,8 +80,8 @@ def test_without_addons_nothing_is_asked(place: Place) -> None:
     [
         ("graph", "there is no add-on graph: neither", "ros:core has no stack: name one, such as graph-cpu"),
         ("graphx-cpu", "there is no add-on graphx-cpu: neither", "'rosml explain'"),
-        ("common-cpu", "common-cpu-py311 is no add-on", "such as graph"),
-        ("../x", "'../x' is no name", "such as graph"),
+        ("common-cpu", "common-cpu-py311 is no add-on", "such as onnx"),
+        ("../x", "'../x' is no name", "such as onnx"),
     ],
 )
 def test_what_is_no_addon(wanted: str, says: str, remedy: str, place: Place) -> None:

@@ -56,6 +56,10 @@ RELEASE = f"{PREFIX}release"
 RESTRICTED = f"{PREFIX}restricted"
 """The label with the restricted parts of an image, or with the name of a part that is one."""
 
+JOINED = f"{PREFIX}joined"
+"""The annotation of an image in its index with the digests of the images from which `rosml join` made it. It names no repository, so that
+the same parts give the same digest wherever they are."""
+
 COVERED = f"{PREFIX}sbom."
 """The prefix of an image's annotations in its index that name the SBOMs of its ROS image and parts, by repository and digest."""
 

@@ -17,8 +17,12 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from rosml.base import archives, untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of
-from rosml.images.image_set.labels import COVERED
+from rosml.images.image_set.labels import COVERED, JOINED
+from rosml.images.image_set.model import PARTS
+from rosml.images.matrix import names
+from rosml.registry import references
 from rosml.registry.client import Registry
+from rosml.registry.oci import Manifest
 
 ARTIFACT = "application/vnd.rosml.facts.v1"
 MEDIA_TYPE = "application/vnd.rosml.facts.v1+gzip"
@@ -176,36 +180,55 @@ def of(registry: Registry, repository: str, digest: str) -> Facts | None:
 
 
 def components(
-    registry: Registry, repository: str, digest: str, annotations: Mapping[str, str]
+    registry: Registry, repository: str, digest: str, annotations: Mapping[str, str], near: Iterable[str] = ()
 ) -> list[tuple[str, str]]:
-    """The ROS image and the parts of an image that a publishing run joined: repositories, and digests of their manifests. Of a ROS
-    image it is the image itself. Empty if the annotations do not name those whose layers the image has.
+    """The ROS image and the parts of an image that was joined: repositories, and digests of their manifests. Of a ROS image it is the
+    image itself. Empty if the annotations do not name those whose layers the image has, or nobody knows where they are.
 
     Args:
         repository: of the image.
         digest: of its manifest.
-        annotations: of its entry in its index. They name the SBOM of each part, which is attached to the part.
+        annotations: of its entry in its index. Those of a publishing run name the SBOM of each part, which is attached to the part;
+            that of `rosml join` has the digest of each part.
+        near: further repositories in which parts may be.
 
     Raises:
         RosmlError: the registry does not answer.
     """
-    named = [_SBOM.fullmatch(text) for name, text in sorted(annotations.items()) if name.startswith(COVERED)]
-    image = registry.manifest(repository, digest) if named and len(named) <= COMPONENTS else None
+    named = [text for name, text in sorted(annotations.items()) if name.startswith(COVERED)]
+    digests = annotations.get(JOINED, "").split()
+    if not (named or digests) or max(len(named), len(digests)) > COMPONENTS:
+        return []
     prefix = repository.rpartition("/")[0]
-    found: list[tuple[str, str]] = []
-    layers: list[str] = []
-    for match in named:
-        if image is None or match is None:
-            return []
-        path = f"{prefix}/{match[1]}" if prefix else match[1]
-        artifact = registry.manifest(path, match[2])
-        part = registry.manifest(path, artifact.subject) if artifact and artifact.subject else None
-        if part is None:
-            return []
-        found.append((path, part.digest))
-        layers += [layer.digest for layer in part.layers]
+    if digests:
+        beside = [f"{prefix}/{name}" if prefix else name for name in (names.ROS, PARTS)]
+        found = [_in(registry, dict.fromkeys([*near, *beside, repository]), item) for item in digests]
+    else:
+        found = [_described(registry, prefix, item) for item in named]
+    parts = [item for item in found if item]
+    image = registry.manifest(repository, digest)
     # An index that was made after a part changed lacks the annotation of that part.
-    return found if image and sorted(layers) == sorted(layer.digest for layer in image.layers) else []
+    layers = sorted(layer.digest for _, part in parts for layer in part.layers)
+    whole = image and len(parts) == len(found) and layers == sorted(layer.digest for layer in image.layers)
+    return [(path, part.digest) for path, part in parts] if whole else []
+
+
+def _in(registry: Registry, repositories: Iterable[str], digest: str) -> tuple[str, Manifest] | None:
+    """The manifest with a digest, in the first repository that has it."""
+    if not references.is_digest(digest):
+        return None
+    every = ((path, registry.manifest(path, digest)) for path in repositories)
+    return next(((path, part) for path, part in every if part), None)
+
+
+def _described(registry: Registry, prefix: str, text: str) -> tuple[str, Manifest] | None:
+    """The manifest to which an SBOM is attached, by the SBOM's repository and digest."""
+    if not (match := _SBOM.fullmatch(text)):
+        return None
+    path = f"{prefix}/{match[1]}" if prefix else match[1]
+    artifact = registry.manifest(path, match[2])
+    part = registry.manifest(path, artifact.subject) if artifact and artifact.subject else None
+    return (path, part) if part else None
 
 
 def of_member(registry: Registry, repository: str, digest: str, annotations: Mapping[str, str]) -> Facts | None:

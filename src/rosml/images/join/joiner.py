@@ -6,7 +6,6 @@ finds by digest what was pushed, and costs next to nothing.
 
 from __future__ import annotations
 
-import gzip
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
@@ -16,11 +15,13 @@ from typing import Any
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.image_set import restricted
+from rosml.images.image_set.labels import JOINED
 from rosml.images.image_set.restricted import Declared
 from rosml.images.join import facts, file_lists
 from rosml.images.join.file_lists import Files, Lists
 from rosml.images.join.layers import Joined, Source, join
 from rosml.images.join.transfer import Transfer, Transferred
+from rosml.images.matrix import names
 from rosml.registry import oci, references
 from rosml.registry.client import Registry
 from rosml.registry.references import Reference
@@ -108,10 +109,13 @@ class Joiner:
         images = [self._joined(sources, result) for sources in members]
         for image in images:  # before the first one is pushed
             self._transfer.require_allowed(image.labels, target, where)
-        for image, sources in zip(images, members, strict=True):
+        for image in images:
             result.manifests[image.platform] = self._transfer.push(image, where.host, where.repository, result)
-            self._attach(image, sources, where, result)
-        index = oci.encoded(_index(images))
+        origins = {
+            image.platform: sorted({digest for source in sources for _, digest in self._places(source, sources)})
+            for image, sources in zip(images, members, strict=True)
+        }
+        index = oci.encoded(_index(images, origins))
         result.digest = self._transfer.registries(where.host).put_manifest(
             where.repository, where.reference, index, oci.INDEX
         )
@@ -179,7 +183,7 @@ class Joiner:
         Raises:
             RosmlError: two carry the same file (exit code 2); or an image has no list, unless `allow_unlisted` is set.
         """
-        lists = list(self._transfer.pool.map(self._files, sources))
+        lists = list(self._transfer.pool.map(lambda source: self._files(source, sources), sources))
         if unlisted := [source.name for source, files in zip(sources, lists, strict=True) if files is None]:
             text = f"{listed(unlisted)} has no list of its files, so it may carry the same file as another image"
             if not self.allow_unlisted:
@@ -199,44 +203,27 @@ class Joiner:
                     exit_code=2,
                 )
 
-    def _files(self, source: Source) -> Files | None:
-        """The files of an image: by its own list, or by those of the images that a publishing run joined it from."""
+    def _files(self, source: Source, beside: Sequence[Source]) -> Files | None:
+        """The files of an image: by its own list, or by those of the images that it was joined from.
+
+        Args:
+            beside: the images of the present join, in whose repositories those may be as well.
+        """
         registry = self._transfer.registries(source.host)
         if own := self._lists.of(registry, source.repository, source.digest):
             return own
-        lists = [self._lists.of(registry, *place) for place in self._places(source)]
+        lists = [self._lists.of(registry, *place) for place in self._places(source, beside)]
         known = [files for files in lists if files]
         return file_lists.together(known) if known and len(known) == len(lists) else None
 
-    def _places(self, source: Source) -> list[tuple[str, str]]:
+    def _places(self, source: Source, beside: Sequence[Source]) -> list[tuple[str, str]]:
         """Repositories and digests of the images with lists of an image's files."""
         registry = self._transfer.registries(source.host)
         if self._lists.of(registry, source.repository, source.digest):
             return [(source.repository, source.digest)]
-        return facts.components(registry, source.repository, source.digest, source.annotations)
-
-    def _attach(self, image: Joined, sources: Sequence[Source], where: Reference, result: JoinReport) -> None:
-        """Attaches the lists of all images to the joined one, so that more can be joined to it. Some registries refuse that."""
-        registry = self._transfer.registries(where.host)
-        if result.unlisted or registry.referrers(where.repository, image.digest, file_lists.ARTIFACT):
-            return
-        before = registry.uploaded
-        try:
-            more = [
-                layer
-                for source in sources
-                for place in self._places(source)
-                for layer in file_lists.mounted(
-                    self._transfer.registries(source.host), *place, registry, where.repository
-                )
-            ]
-            subject, nothing = oci.descriptor(oci.IMAGE, image.manifest), gzip.compress(b"", mtime=0)
-            registry.attach(where.repository, subject, file_lists.ARTIFACT, nothing, file_lists.MEDIA_TYPE, more=more)
-        except RosmlError as error:
-            self._say(
-                f"no list of files could be attached, so nothing more can be joined to this image: {error.message}"
-            )
-        result.uploaded += registry.uploaded - before
+        near = [item.repository for item in beside if item.host == source.host]
+        near += [f"{path.rpartition('/')[0]}/{names.ROS}".lstrip("/") for path in near]
+        return facts.components(registry, source.repository, source.digest, source.annotations, near)
 
 
 def _common(found: Sequence[tuple[str, Mapping[str, Source]]], asked: Sequence[str]) -> list[str]:
@@ -257,12 +244,17 @@ def _common(found: Sequence[tuple[str, Mapping[str, Source]]], asked: Sequence[s
     return list(dict.fromkeys(asked)) or common
 
 
-def _index(images: Sequence[Joined]) -> dict[str, Any]:
-    """The index of an image's manifests, with their labels of OCI as annotations."""
+def _index(images: Sequence[Joined], origins: Mapping[str, Sequence[str]]) -> dict[str, Any]:
+    """The index of an image's manifests, with their labels of OCI as annotations.
+
+    Args:
+        origins: the digests of the images from which each was joined, by its platform.
+    """
     entries = []
     for image in sorted(images, key=lambda item: item.platform):
         os, architecture, *variant = image.platform.split("/")
         place = {"os": os, "architecture": architecture, **({"variant": variant[0]} if variant else {})}
-        entries.append({**oci.descriptor(oci.IMAGE, image.manifest), "platform": place})
+        noted = {"annotations": {JOINED: " ".join(found)}} if (found := origins[image.platform]) else {}
+        entries.append({**oci.descriptor(oci.IMAGE, image.manifest), "platform": place, **noted})
     said = {key: text for key, text in images[0].labels.items() if key.startswith("org.opencontainers.image.")}
     return {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries, "annotations": said}
