@@ -68,23 +68,24 @@ def onto(
     )
 
 
-def kept(transfer: Transfer, app: Mapping[str, str], base: Base) -> dict[str, str]:
+def kept(transfer: Transfer, app: Mapping[str, str], base: Base, stack: str = "") -> dict[str, str]:
     """The parts that an app's add-ons need on another base image, as `AddOns.parts`; none if that has all of them.
 
     Args:
         app: the labels of the app's image.
+        stack: the stack of the add-ons, if the base image has none; the app's own if empty.
 
     Raises:
         RosmlError: an add-on is not there for the base image (exit code 2), or a registry does not answer or refuses.
     """
     there = base.labels.get(labels.ADDONS, "").split()
-    stack = "" if base.labels.get(_STACK) else f"-{app.get(_STACK, '')}"
+    end = "" if base.labels.get(_STACK) else f"-{stack or app.get(_STACK, '')}"
     own = [name for name in app.get(labels.ADDONS, "").split() if name not in there]
     if wrong := next((name for name in own if not re.fullmatch(NAME, name)), ""):
         raise RosmlError(
             f"the label {labels.ADDONS} of the app is damaged: {wrong[:60]!r}", "build it again", exit_code=2
         )
-    return _parts(transfer, base, [f"{name}{stack}" for name in own], None)
+    return _parts(transfer, base, [f"{name}{end}" for name in own], None)
 
 
 def _changed(old: Mapping[str, str], new: Mapping[str, str]) -> dict[str, str]:

@@ -413,6 +413,25 @@ class Dying(Registry):
 # ---- Variants --------------------------------------------------------------------------------------------------------
 
 
+def test_an_app_with_an_addon_alone_on_several_accelerators(place: Place) -> None:
+    """Its base image has no stack, and stays; the add-on comes from each stack."""
+    base = place.base()
+    app = app_with_addon(place, base, addon(place, "tonight"))
+    for tag, kind in {"cuda-cu128": "cuda", "common-cu128-py311": "common", "graph-cc-cu128": "graph-cc",
+                      "graph-cu128-py311": "graph"}.items():  # fmt: skip
+        part(kind).put(place.registry, "rosml/part", tag)
+        [entry] = place.registry.manifest("rosml/part", tag).members  # type: ignore[union-attr]
+        subject = {"mediaType": entry.mediaType, "digest": entry.digest, "size": entry.size}
+        own = [library("usr/lib/libgraphruntime.so.1", ("OrtGetApiBase",))] if "cc" in tag else []
+        attach(place.registry, "rosml/part", subject, {"packages": [], "libraries": own})
+    with place.rebaser() as rebaser:
+        found = variants.plans(rebaser, app, ["cpu", "cu128"])
+    labels = [next(iter(plan.images.values())).labels for plan in found]
+    assert [item["io.rosml.stack"] for item in labels] == ["cpu", "cu128", "cpu"]
+    assert {item[image.VARIANTS] for item in labels} == {"cpu cu128:525"}
+    assert {item[BASE_NAME] for item in labels} == {base}
+
+
 def on_stack(place: Place, stack: str, said: Mapping[str, Any], driver: str = "") -> str:
     """Puts a base image with a framework."""
     labels = {**ros().labels, "io.rosml.stack": stack, "io.rosml.framework": "torch"}

@@ -21,7 +21,7 @@ from rosml.containerize.rebase import checks, contents, image
 from rosml.containerize.rebase.checks import Judgement, Verdict
 from rosml.containerize.rebase.contents import Contents, Known
 from rosml.containerize.rebase.trial import Pair
-from rosml.images.image_set.labels import APP, PREFIX
+from rosml.images.image_set.labels import APP, GPU, PREFIX
 from rosml.images.join.layers import Joined, Source, as_source, join, platform
 from rosml.images.join.transfer import Transfer, Transferred
 from rosml.images.matrix.names import DATED
@@ -175,7 +175,13 @@ class Rebaser:
         self._transfer.close(failed)
 
     def plan(
-        self, app: str, base: str, tag: str = "", platforms: Sequence[str] = (), extra: Mapping[str, str] | None = None
+        self,
+        app: str,
+        base: str,
+        tag: str = "",
+        platforms: Sequence[str] = (),
+        extra: Mapping[str, str] | None = None,
+        stack: str = "",
     ) -> Plan:
         """Computes the new image, and checks what speaks against it. It changes nothing.
 
@@ -185,6 +191,7 @@ class Rebaser:
             tag: the complete reference of the tag to move; empty for the app's own.
             platforms: only these; all of the app's if empty.
             extra: further labels.
+            stack: the stack of the app's add-ons, if the base image has none; the app's own if empty.
 
         Raises:
             RosmlError: the app cannot be put on this base image (exit code 2), or a registry does not answer or refuses.
@@ -207,7 +214,7 @@ class Rebaser:
             raise RosmlError(f"{where} is the app itself, and no base image for it", "name another one with --base", 2)
         place = references.parse(f"{found.repository}@{found.digest}")
         new = self._transfer.platforms(str(place))
-        parts = addons.kept(self._transfer, next(iter(old.values())).labels, found)
+        parts = addons.kept(self._transfer, next(iter(old.values())).labels, found, stack)
         added = [self._transfer.platforms(reference) for reference in parts.values()]
         images, bases, judgement = {}, {}, Judgement()
         more = extra or ({} if target == where else {image.VARIANTS: ""})  # the label names tags beside the app's own
@@ -272,6 +279,17 @@ class Rebaser:
         for reason, verdict in found.reasons.items():
             judgement.add(verdict, reason)
         return known
+
+    def driver(self, app: Source, base: str, platforms: tuple[str, ...], stack: str) -> str:
+        """The oldest driver on which a base image with an app's add-ons runs, as its labels say; empty if it needs none.
+
+        Raises:
+            RosmlError: there is no such base image or add-on (exit code 2), or a registry does not answer or refuses.
+        """
+        found = app_base.find(base, self.services, platforms)
+        parts = addons.kept(self._transfer, app.labels, found, stack)
+        added = [next(iter(self._transfer.platforms(name).values())).labels for name in parts.values()]
+        return next((text for labels in (found.labels, *added) if (text := labels.get(f"{GPU}driver", ""))), "")
 
     def push(self, plan: Plan, with_sbom: bool = True) -> Rebased:
         """Pushes the new image by its digest, with what is attached to it. No tag moves.

@@ -9,13 +9,12 @@ import re
 from collections.abc import Sequence
 
 from rosml.base.errors import RosmlError
-from rosml.containerize import app_base
 from rosml.containerize.app_bake_file import BASE_NAME
 from rosml.containerize.rebase.image import VARIANTS
 from rosml.containerize.rebase.rebaser import Plan, Rebaser
-from rosml.images.image_set.labels import GPU, PREFIX
+from rosml.images.image_set.labels import ADDONS, PREFIX
 from rosml.images.join.layers import Source
-from rosml.images.matrix.names import main_tag
+from rosml.images.matrix.names import NONE, main_tag
 from rosml.registry import references
 
 STACK = re.compile(r"[a-z][a-z0-9]{0,15}")
@@ -44,19 +43,21 @@ def plans(rebaser: Rebaser, app: str, stacks: Sequence[str], tag: str = "") -> l
     source = next(iter(sources.values()))
     bases = {stack: _base(source, stack) for stack in stacks}
     named = " ".join(
-        ":".join(filter(None, (stack, _driver(rebaser, bases[stack], tuple(sources))))) for stack in stacks
+        ":".join(filter(None, (stack, _driver(rebaser.driver(source, bases[stack], tuple(sources), stack)))))
+        for stack in stacks
     )
     where = references.parse(tag) if tag else rebaser.where(app)
     if references.is_digest(where.reference):
         raise RosmlError(
             f"{where} is a digest, and tags have to move", "name one: --tag REGISTRY/NAME:TAG", exit_code=2
         )
-    found = [rebaser.plan(app, bases[stack], f"{where}-{stack}", extra={VARIANTS: named}) for stack in stacks]
-    return [*found, rebaser.plan(app, bases[stacks[0]], str(where), extra={VARIANTS: named})]
+    more = {VARIANTS: named}
+    found = [rebaser.plan(app, bases[stack], f"{where}-{stack}", extra=more, stack=stack) for stack in stacks]
+    return [*found, rebaser.plan(app, bases[stacks[0]], str(where), extra=more, stack=stacks[0])]
 
 
 def _base(app: Source, stack: str) -> str:
-    """The app's base image on another stack.
+    """The app's base image on another stack; the same one if that has no stack, but the app has add-ons of one.
 
     Raises:
         RosmlError: the app has no framework, or does not say which base image it is on (exit code 2).
@@ -69,11 +70,12 @@ def _base(app: Source, stack: str) -> str:
     name = labels.get(BASE_NAME, "")
     if not distribution or not component or not name:
         raise RosmlError(f"{app.name} does not say which base image it is on", "build it again with rosml", exit_code=2)
+    if labels.get(f"{PREFIX}framework") == NONE and labels.get(ADDONS):
+        return name
     where = references.parse(name)
     return f"{where.host}/{where.repository}:{main_tag(distribution, component, stack)}"
 
 
-def _driver(rebaser: Rebaser, base: str, platforms: tuple[str, ...]) -> str:
-    """The oldest driver on which a base image runs; empty if it needs none."""
-    found = app_base.find(base, rebaser.services, platforms).labels.get(f"{GPU}driver", "")
+def _driver(found: str) -> str:
+    """A driver's version, as a label may say it; empty if it is none."""
     return found if re.fullmatch(r"[0-9]{1,5}(\.[0-9]{1,5}){0,3}", found) else ""
