@@ -469,7 +469,8 @@ def test_what_it_does_not_need_is_not_imported(desk: Desk) -> None:
         [sys.executable, "-c", code], env=desk.environment, capture_output=True, text=True, check=True
     )
     imported = {*done.stdout.splitlines()[-1].split()}
-    assert {name.partition(".")[0] for name in imported} - sys.stdlib_module_names == {"rosml", "click"}
+    empty = {"backports"}  # in which zstd is looked for
+    assert {name.partition(".")[0] for name in imported} - sys.stdlib_module_names - empty == {"rosml", "click"}
     packages = {name.split(".")[1] for name in imported if name.startswith("rosml.")}
     assert packages == {"base", "cli", "run"}
     assert not imported & {
