@@ -91,7 +91,7 @@ def test_a_text_that_means_no_published_image_shows_the_others(window: Windows) 
     page.get_by_label("Search names").fill("")
     page.locator('input[value="jazzy"]').check()
     assert page.get_by_text("No published image matches.").is_visible() and listed(page) == []
-    page.get_by_role("button", name="Show 91 more that are not built yet").click()
+    page.get_by_role("button", name=re.compile(r"^Show \d+ more that are not built yet$")).click()
     assert {target.partition("-")[0] for target in listed(page)} == {"jazzy"}
 
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from rosml import MATRIX
 from rosml.base.errors import RosmlError
+from rosml.base.problems import unknown
 from rosml.containerize.app_base import AddOns, Base
 from rosml.images.builds.base_images import native_architecture
 from rosml.images.image_set import labels
@@ -22,6 +23,7 @@ from rosml.machine.services import Services
 from rosml.registry import references
 from rosml.registry.client import Registries
 
+_ROW = f"{labels.PREFIX}distribution"
 _STACK, _PYTHON = f"{labels.PREFIX}stack", f"{labels.PREFIX}python"
 
 
@@ -122,7 +124,8 @@ def _repository(base: Base) -> str:
 def _main(transfer: Transfer, base: Base, name: str) -> Source:
     """The main part of an add-on: the last of its own parts, or one of its name if rosml does not have it."""
     stack, python = base.labels.get(_STACK, ""), f"py{base.labels[_PYTHON].replace('.', '')}"
-    known = {addon: facts.parts[-1] for addon, facts in load(MATRIX).matrix.addons.items()}
+    matrix = load(MATRIX).matrix
+    known = {addon: facts.parts[-1] for addon, facts in matrix.addons.items()}
     addon = next((addon for addon in known if name == addon or name.startswith(f"{addon}-")), name)
     called = f"{known.get(addon, addon)}{name.removeprefix(addon)}"
     called = f"{called}-{stack}" if stack and not name.endswith(f"-{stack}") else called
@@ -131,9 +134,13 @@ def _main(transfer: Transfer, base: Base, name: str) -> Source:
         where = references.parse(tag)
         if manifest := transfer.manifest(where):
             return next(iter(transfer.members(tag, where, manifest).values()))
-    remedy = "'rosml explain' says which stacks have it; 'rosml part' builds it"
-    if not stack:
-        remedy = f"{base.name} has no stack: name one, such as {name}-cpu; {remedy}"
+    with_stack = any(called.endswith(f"-{item}") for item in matrix.stacks)
+    if addon not in known:
+        remedy = f"{unknown('add-on', name, known)}; or publish its parts there"
+    elif not with_stack:
+        remedy = f"{base.name} has no stack: name one, such as {name}-cpu"
+    else:
+        remedy = f"'rosml explain {base.labels.get(_ROW, '')}-core-{name}' says whether the stack has it; 'rosml part {called}-{python}' builds it"
     raise RosmlError(f"there is no add-on {called}: neither {tags[0]} nor {tags[1]}", remedy, exit_code=2)
 
 

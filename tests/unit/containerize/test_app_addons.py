@@ -78,8 +78,9 @@ def test_without_addons_nothing_is_asked(place: Place) -> None:
 @pytest.mark.parametrize(
     ("wanted", "says", "remedy"),
     [
-        ("graph", "there is no add-on graph: neither", "ros:core has no stack: name one, such as graph-cpu"),
-        ("graphx-cpu", "there is no add-on graphx-cpu: neither", "'rosml explain'"),
+        ("onnx", "there is no add-on onnxruntime: neither", "ros:core has no stack: name one, such as onnx-cpu"),
+        ("onnx-cu130", "there is no add-on onnxruntime-cu130: neither", "ros1-bookworm-core-onnx-cu130' says"),
+        ("graphx-cpu", "there is no add-on graphx-cpu: neither", "no add-on named 'graphx-cpu'; known: onnx"),
         ("common-cpu", "common-cpu-py311 is no add-on", "such as onnx"),
         ("../x", "'../x' is no name", "such as onnx"),
     ],

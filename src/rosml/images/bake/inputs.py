@@ -116,7 +116,9 @@ class Inputs:
         """
         if gone := self._gone():
             text = f"{listed(gone)}: not there, and the Dockerfile builds parts or images from it"
-            raise RosmlError(text, "restore it with git checkout, or write it again")
+            raise RosmlError(
+                text, "restore it with git checkout, or write it; a new part has a file there, such as prune.txt"
+            )
         folder = self.root / structure.FOLDER
         tests = dict.fromkeys(name for image in self.image_set.images for name in (*image.tests, *image.shared))
         if untested := [
