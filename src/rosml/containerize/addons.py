@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 
 from rosml import MATRIX
 from rosml.base.errors import RosmlError
@@ -12,13 +13,13 @@ from rosml.base.problems import unknown
 from rosml.containerize.app_base import AddOns, Base
 from rosml.images.builds.base_images import native_architecture
 from rosml.images.image_set import labels
-from rosml.images.image_set.load import load
 from rosml.images.image_set.model import PARTS
 from rosml.images.join.joiner import Joiner
 from rosml.images.join.layers import Source
 from rosml.images.join.transfer import Transfer
-from rosml.images.matrix import names
-from rosml.images.matrix.model import ANY_PYTHON, NAME
+from rosml.images.matrix import extends, names
+from rosml.images.matrix.model import ANY_PYTHON, NAME, Matrix
+from rosml.images.matrix.validate import validate
 from rosml.machine.services import Services
 from rosml.registry import references
 from rosml.registry.client import Registries
@@ -54,6 +55,8 @@ def onto(
         raise RosmlError(f"{base.name} {what}, so no add-on fits it", "name another base image, in a registry", 2)
     with Registries(services.ca_bundle) as registries, Joiner(registries) as joiner, Transfer(registries) as transfer:
         parts = _parts(transfer, base, wanted, locked)
+        if not parts:  # the base image has them
+            return base
         every = dict.fromkeys([*platforms, f"linux/{native_architecture()}"])  # some steps run on the builder's own
         joined = joiner.check(base.reference, list(parts.values()), [*every])
     first = next(iter(joined.values()))
@@ -124,7 +127,7 @@ def _repository(base: Base) -> str:
 def _main(transfer: Transfer, base: Base, name: str) -> Source:
     """The main part of an add-on: the last of its own parts, or one of its name if rosml does not have it."""
     stack, python = base.labels.get(_STACK, ""), f"py{base.labels[_PYTHON].replace('.', '')}"
-    matrix = load(MATRIX).matrix
+    matrix = _matrix()
     known = {addon: facts.parts[-1] for addon, facts in matrix.addons.items()}
     addon = next((addon for addon in known if name == addon or name.startswith(f"{addon}-")), name)
     called = f"{known.get(addon, addon)}{name.removeprefix(addon)}"
@@ -142,6 +145,12 @@ def _main(transfer: Transfer, base: Base, name: str) -> Source:
     else:
         remedy = f"'rosml explain {base.labels.get(_ROW, '')}-core-{name}' says whether the stack has it; 'rosml part {called}-{python}' builds it"
     raise RosmlError(f"there is no add-on {called}: neither {tags[0]} nor {tags[1]}", remedy, exit_code=2)
+
+
+@cache
+def _matrix() -> Matrix:
+    """The matrix of this rosml, or of its set. It is read once: a fleet asks for every app."""
+    return validate(extends.read(MATRIX))
 
 
 def _pinned(transfer: Transfer, tag: str, locked: Mapping[str, str] | None) -> str:

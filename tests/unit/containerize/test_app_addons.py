@@ -60,6 +60,11 @@ def test_only_what_the_base_image_lacks_is_joined(place: Place) -> None:
     assert found.labels["org.opencontainers.image.title"] == "ros1-bookworm-core-torch-graph-cpu"
 
 
+def test_a_base_image_that_has_the_addon_stays(place: Place) -> None:
+    base = with_stack(place, "common", "graph-cc", "graph")
+    assert addons.onto(base, "graph", place.services, BOTH[:1]) is base
+
+
 def test_a_lock_decides_which_parts(place: Place) -> None:
     base = plain(place)
     before = addons.onto(base, "graph-cpu", place.services, BOTH).addons

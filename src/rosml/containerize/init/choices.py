@@ -220,8 +220,6 @@ class _Decision:
                 else sorted(matrix.stacks, key=lambda s: bool(matrix.stacks[s].cuda) != gpu)
             )
             reasons = {stack: rules.stack_reason(matrix, row, image.framework, stack, addon) for stack in stacks}
-            if image.stack is None:
-                reasons = {s: rules.stack_reason(matrix, row, rules.plain(matrix), s, addon) for s in stacks}
             there = next((stack for stack, reason in reasons.items() if reason is None), None)
             if there is None:
                 why = next(filter(None, reasons.values()), "")
