@@ -110,7 +110,7 @@ RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/
 
 FROM part-assembler AS part-files
 ARG PART SLOT STACK PYTHON WHEEL_PYTHON ACCELERATOR TARGETARCH
-ARG BYTECODE=checked-hash SHOWS=none INDEX
+ARG BYTECODE=checked-hash SHOWS=none INDEX GLIBC
 COPY locks/${STACK}/${TARGETARCH}/${PYTHON}/${PART}.txt /lock.txt
 COPY locks/${STACK}/${TARGETARCH}/an[y]/${SHOWS}.tx[t] /shown/
 RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/build/network.sh \

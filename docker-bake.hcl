@@ -1997,7 +1997,7 @@ target "part-grpc-cu130-py312" {
 
 target "_files-onnxruntime-cc-cu130" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_BOOKWORM }
   args = {
     PART         = "onnxruntime-cc"
@@ -2005,6 +2005,7 @@ target "_files-onnxruntime-cc-cu130" {
     PYTHON       = "any"
     WHEEL_PYTHON = "3.11"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.34"
     SHOWS        = "cuda"
   }
 }
@@ -2018,7 +2019,8 @@ target "part-onnxruntime-cc-cu130" {
     "io.rosml.part"                        = "onnxruntime-cc"
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "any"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
+    "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
     "io.rosml.brings"                      = "onnxruntime::"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
@@ -2031,7 +2033,7 @@ target "part-onnxruntime-cc-cu130" {
 
 target "_files-onnxruntime-cu130-py312" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
     PART         = "onnxruntime"
@@ -2039,6 +2041,7 @@ target "_files-onnxruntime-cu130-py312" {
     PYTHON       = "3.12"
     WHEEL_PYTHON = "3.12"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.34"
     SLOT         = "04"
   }
 }
@@ -2052,7 +2055,8 @@ target "part-onnxruntime-cu130-py312" {
     "io.rosml.part"                        = "onnxruntime"
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "3.12"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
+    "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
@@ -2233,7 +2237,7 @@ target "part-grpc-cu132-py312" {
 
 target "_files-onnxruntime-cc-cu132" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_BOOKWORM }
   args = {
     PART         = "onnxruntime-cc"
@@ -2241,6 +2245,7 @@ target "_files-onnxruntime-cc-cu132" {
     PYTHON       = "any"
     WHEEL_PYTHON = "3.11"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.34"
     SHOWS        = "cuda"
   }
 }
@@ -2254,7 +2259,8 @@ target "part-onnxruntime-cc-cu132" {
     "io.rosml.part"                        = "onnxruntime-cc"
     "io.rosml.stack"                       = "cu132"
     "io.rosml.python"                      = "any"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
+    "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
     "io.rosml.brings"                      = "onnxruntime::"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
@@ -2267,7 +2273,7 @@ target "part-onnxruntime-cc-cu132" {
 
 target "_files-onnxruntime-cu132-py312" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
     PART         = "onnxruntime"
@@ -2275,6 +2281,7 @@ target "_files-onnxruntime-cu132-py312" {
     PYTHON       = "3.12"
     WHEEL_PYTHON = "3.12"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.34"
     SLOT         = "04"
   }
 }
@@ -2288,7 +2295,8 @@ target "part-onnxruntime-cu132-py312" {
     "io.rosml.part"                        = "onnxruntime"
     "io.rosml.stack"                       = "cu132"
     "io.rosml.python"                      = "3.12"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
+    "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
@@ -2799,7 +2807,7 @@ target "part-grpc-cu130-py314" {
 
 target "_files-onnxruntime-cu130-py314" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_UBUNTU_26_04 }
   args = {
     PART         = "onnxruntime"
@@ -2807,6 +2815,7 @@ target "_files-onnxruntime-cu130-py314" {
     PYTHON       = "3.14"
     WHEEL_PYTHON = "3.14"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.34"
     SLOT         = "04"
   }
 }
@@ -2820,7 +2829,8 @@ target "part-onnxruntime-cu130-py314" {
     "io.rosml.part"                        = "onnxruntime"
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "3.14"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
+    "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
@@ -3001,7 +3011,7 @@ target "part-grpc-cu132-py314" {
 
 target "_files-onnxruntime-cu132-py314" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_UBUNTU_26_04 }
   args = {
     PART         = "onnxruntime"
@@ -3009,6 +3019,7 @@ target "_files-onnxruntime-cu132-py314" {
     PYTHON       = "3.14"
     WHEEL_PYTHON = "3.14"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.34"
     SLOT         = "04"
   }
 }
@@ -3022,7 +3033,8 @@ target "part-onnxruntime-cu132-py314" {
     "io.rosml.part"                        = "onnxruntime"
     "io.rosml.stack"                       = "cu132"
     "io.rosml.python"                      = "3.14"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
+    "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
@@ -3534,7 +3546,7 @@ target "part-grpc-cu130-py311" {
 
 target "_files-onnxruntime-cu130-py311" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_BOOKWORM }
   args = {
     PART         = "onnxruntime"
@@ -3542,6 +3554,7 @@ target "_files-onnxruntime-cu130-py311" {
     PYTHON       = "3.11"
     WHEEL_PYTHON = "3.11"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.34"
     SLOT         = "04"
   }
 }
@@ -3555,7 +3568,8 @@ target "part-onnxruntime-cu130-py311" {
     "io.rosml.part"                        = "onnxruntime"
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "3.11"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
+    "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
@@ -3736,7 +3750,7 @@ target "part-grpc-cu132-py311" {
 
 target "_files-onnxruntime-cu132-py311" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_BOOKWORM }
   args = {
     PART         = "onnxruntime"
@@ -3744,6 +3758,7 @@ target "_files-onnxruntime-cu132-py311" {
     PYTHON       = "3.11"
     WHEEL_PYTHON = "3.11"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.34"
     SLOT         = "04"
   }
 }
@@ -3757,7 +3772,8 @@ target "part-onnxruntime-cu132-py311" {
     "io.rosml.part"                        = "onnxruntime"
     "io.rosml.stack"                       = "cu132"
     "io.rosml.python"                      = "3.11"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
+    "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
@@ -4337,7 +4353,7 @@ target "part-grpc-cu130-py313" {
 
 target "_files-onnxruntime-cu130-py313" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_TRIXIE }
   args = {
     PART         = "onnxruntime"
@@ -4345,6 +4361,7 @@ target "_files-onnxruntime-cu130-py313" {
     PYTHON       = "3.13"
     WHEEL_PYTHON = "3.13"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.34"
     SLOT         = "04"
   }
 }
@@ -4358,7 +4375,8 @@ target "part-onnxruntime-cu130-py313" {
     "io.rosml.part"                        = "onnxruntime"
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "3.13"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
+    "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
@@ -4539,7 +4557,7 @@ target "part-grpc-cu132-py313" {
 
 target "_files-onnxruntime-cu132-py313" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_TRIXIE }
   args = {
     PART         = "onnxruntime"
@@ -4547,6 +4565,7 @@ target "_files-onnxruntime-cu132-py313" {
     PYTHON       = "3.13"
     WHEEL_PYTHON = "3.13"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.34"
     SLOT         = "04"
   }
 }
@@ -4560,7 +4579,8 @@ target "part-onnxruntime-cu132-py313" {
     "io.rosml.part"                        = "onnxruntime"
     "io.rosml.stack"                       = "cu132"
     "io.rosml.python"                      = "3.13"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
+    "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
@@ -7545,7 +7565,7 @@ target "_tensorflow-onnx-cu128-py311" {
 }
 
 target "_none-onnx-cu130-py314" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     part-cuda           = dependency("cuda-cu130", "part", "_files-cuda-cu130")
     part-common         = dependency("common-cu130-py314", "part", "_files-common-cu130-py314")
@@ -7563,7 +7583,7 @@ target "_none-onnx-cu130-py314" {
   labels = {
     "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.framework"                = "none"
-    "io.rosml.onnxruntime"              = "1.28.0"
+    "io.rosml.onnxruntime"              = "1.31.1"
     "io.rosml.cuda"                     = "13.0.96"
     "io.rosml.cudnn"                    = "9.24.0.43"
     "io.rosml.gpu.driver"               = "580"
@@ -7583,15 +7603,16 @@ target "_none-onnx-cu130-py314" {
     COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
     ARG ONNXRUNTIME_ROOT
     COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
-    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV ONNXRUNTIME_VERSION=1.31.1
     ENV CUDA_VERSION=13.0.96
     ENV CUDNN_VERSION=9.24.0.43
+    ENV ORT_DISABLE_TELEMETRY=1
     ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
   EOT
 }
 
 target "_torch-onnx-cu130-py314" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                 = dependency("lyrical-core", "ros", "lyrical-core")
     part-cuda           = dependency("cuda-cu130", "part", "_files-cuda-cu130")
@@ -7613,15 +7634,15 @@ target "_torch-onnx-cu130-py314" {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
     "io.rosml.framework"                   = "torch"
     "io.rosml.torch"                       = "2.14.1"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.cuda"                        = "13.0.96"
     "io.rosml.cudnn"                       = "9.24.0.43"
     "io.rosml.gpu.driver"                  = "580"
     "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "org.opencontainers.image.title"       = "lyrical-core-torch-onnx-cu130"
-    "org.opencontainers.image.description" = "ROS 2 core (lyrical), PyTorch 2.14.1, onnxruntime 1.28.0, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "lyrical-core-cu130-torch2.14.1-onnx1.28.0"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), PyTorch 2.14.1, onnxruntime 1.31.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "lyrical-core-cu130-torch2.14.1-onnx1.31.1"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu130"
@@ -7643,15 +7664,16 @@ target "_torch-onnx-cu130-py314" {
     ARG ONNXRUNTIME_ROOT
     COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
     ENV TORCH_VERSION=2.14.1
-    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV ONNXRUNTIME_VERSION=1.31.1
     ENV CUDA_VERSION=13.0.96
     ENV CUDNN_VERSION=9.24.0.43
+    ENV ORT_DISABLE_TELEMETRY=1
     ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
   EOT
 }
 
 target "_none-onnx-cu130-py312" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     part-cuda           = dependency("cuda-cu130", "part", "_files-cuda-cu130")
     part-common         = dependency("common-cu130-py312", "part", "_files-common-cu130-py312")
@@ -7669,7 +7691,7 @@ target "_none-onnx-cu130-py312" {
   labels = {
     "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.framework"                = "none"
-    "io.rosml.onnxruntime"              = "1.28.0"
+    "io.rosml.onnxruntime"              = "1.31.1"
     "io.rosml.cuda"                     = "13.0.96"
     "io.rosml.cudnn"                    = "9.24.0.43"
     "io.rosml.gpu.driver"               = "580"
@@ -7689,15 +7711,16 @@ target "_none-onnx-cu130-py312" {
     COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
     ARG ONNXRUNTIME_ROOT
     COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
-    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV ONNXRUNTIME_VERSION=1.31.1
     ENV CUDA_VERSION=13.0.96
     ENV CUDNN_VERSION=9.24.0.43
+    ENV ORT_DISABLE_TELEMETRY=1
     ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
   EOT
 }
 
 target "_torch-onnx-cu130-py312" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                 = dependency("jazzy-core", "ros", "jazzy-core")
     part-cuda           = dependency("cuda-cu130", "part", "_files-cuda-cu130")
@@ -7719,15 +7742,15 @@ target "_torch-onnx-cu130-py312" {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
     "io.rosml.framework"                   = "torch"
     "io.rosml.torch"                       = "2.14.1"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.cuda"                        = "13.0.96"
     "io.rosml.cudnn"                       = "9.24.0.43"
     "io.rosml.gpu.driver"                  = "580"
     "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "org.opencontainers.image.title"       = "jazzy-core-torch-onnx-cu130"
-    "org.opencontainers.image.description" = "ROS 2 core (jazzy), PyTorch 2.14.1, onnxruntime 1.28.0, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "jazzy-core-cu130-torch2.14.1-onnx1.28.0"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), PyTorch 2.14.1, onnxruntime 1.31.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "jazzy-core-cu130-torch2.14.1-onnx1.31.1"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu130"
@@ -7749,15 +7772,16 @@ target "_torch-onnx-cu130-py312" {
     ARG ONNXRUNTIME_ROOT
     COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
     ENV TORCH_VERSION=2.14.1
-    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV ONNXRUNTIME_VERSION=1.31.1
     ENV CUDA_VERSION=13.0.96
     ENV CUDNN_VERSION=9.24.0.43
+    ENV ORT_DISABLE_TELEMETRY=1
     ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
   EOT
 }
 
 target "_none-onnx-cu130-py313" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                 = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
     part-cuda           = dependency("cuda-cu130", "part", "_files-cuda-cu130")
@@ -7776,13 +7800,13 @@ target "_none-onnx-cu130-py313" {
   labels = {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.framework"                   = "none"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.cuda"                        = "13.0.96"
     "io.rosml.cudnn"                       = "9.24.0.43"
     "io.rosml.gpu.driver"                  = "580"
     "org.opencontainers.image.title"       = "ros1-trixie-core-onnx-cu130"
-    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), onnxruntime 1.28.0, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "ros1-trixie-core-cu130-onnx1.28.0"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), onnxruntime 1.31.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu130-onnx1.31.1"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu130"
@@ -7801,15 +7825,16 @@ target "_none-onnx-cu130-py313" {
     COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
     ARG ONNXRUNTIME_ROOT
     COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
-    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV ONNXRUNTIME_VERSION=1.31.1
     ENV CUDA_VERSION=13.0.96
     ENV CUDNN_VERSION=9.24.0.43
+    ENV ORT_DISABLE_TELEMETRY=1
     ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
   EOT
 }
 
 target "_torch-onnx-cu130-py313" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                 = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
     part-cuda           = dependency("cuda-cu130", "part", "_files-cuda-cu130")
@@ -7831,15 +7856,15 @@ target "_torch-onnx-cu130-py313" {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
     "io.rosml.framework"                   = "torch"
     "io.rosml.torch"                       = "2.14.1"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.cuda"                        = "13.0.96"
     "io.rosml.cudnn"                       = "9.24.0.43"
     "io.rosml.gpu.driver"                  = "580"
     "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "org.opencontainers.image.title"       = "ros1-trixie-core-torch-onnx-cu130"
-    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), PyTorch 2.14.1, onnxruntime 1.28.0, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "ros1-trixie-core-cu130-torch2.14.1-onnx1.28.0"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), PyTorch 2.14.1, onnxruntime 1.31.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu130-torch2.14.1-onnx1.31.1"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu130"
@@ -7861,15 +7886,16 @@ target "_torch-onnx-cu130-py313" {
     ARG ONNXRUNTIME_ROOT
     COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
     ENV TORCH_VERSION=2.14.1
-    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV ONNXRUNTIME_VERSION=1.31.1
     ENV CUDA_VERSION=13.0.96
     ENV CUDNN_VERSION=9.24.0.43
+    ENV ORT_DISABLE_TELEMETRY=1
     ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
   EOT
 }
 
 target "_none-onnx-cu130-py311" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     part-cuda           = dependency("cuda-cu130", "part", "_files-cuda-cu130")
     part-common         = dependency("common-cu130-py311", "part", "_files-common-cu130-py311")
@@ -7887,7 +7913,7 @@ target "_none-onnx-cu130-py311" {
   labels = {
     "org.opencontainers.image.licenses" = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.framework"                = "none"
-    "io.rosml.onnxruntime"              = "1.28.0"
+    "io.rosml.onnxruntime"              = "1.31.1"
     "io.rosml.cuda"                     = "13.0.96"
     "io.rosml.cudnn"                    = "9.24.0.43"
     "io.rosml.gpu.driver"               = "580"
@@ -7907,15 +7933,16 @@ target "_none-onnx-cu130-py311" {
     COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
     ARG ONNXRUNTIME_ROOT
     COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
-    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV ONNXRUNTIME_VERSION=1.31.1
     ENV CUDA_VERSION=13.0.96
     ENV CUDNN_VERSION=9.24.0.43
+    ENV ORT_DISABLE_TELEMETRY=1
     ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
   EOT
 }
 
 target "_torch-onnx-cu130-py311" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                 = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
     part-cuda           = dependency("cuda-cu130", "part", "_files-cuda-cu130")
@@ -7937,15 +7964,15 @@ target "_torch-onnx-cu130-py311" {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
     "io.rosml.framework"                   = "torch"
     "io.rosml.torch"                       = "2.14.1"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.cuda"                        = "13.0.96"
     "io.rosml.cudnn"                       = "9.24.0.43"
     "io.rosml.gpu.driver"                  = "580"
     "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "org.opencontainers.image.title"       = "ros1-bookworm-core-torch-onnx-cu130"
-    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), PyTorch 2.14.1, onnxruntime 1.28.0, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu130-torch2.14.1-onnx1.28.0"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), PyTorch 2.14.1, onnxruntime 1.31.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu130-torch2.14.1-onnx1.31.1"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu130"
@@ -7967,15 +7994,16 @@ target "_torch-onnx-cu130-py311" {
     ARG ONNXRUNTIME_ROOT
     COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
     ENV TORCH_VERSION=2.14.1
-    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV ONNXRUNTIME_VERSION=1.31.1
     ENV CUDA_VERSION=13.0.96
     ENV CUDNN_VERSION=9.24.0.43
+    ENV ORT_DISABLE_TELEMETRY=1
     ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
   EOT
 }
 
 target "_none-onnx-cu132-py314" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                 = dependency("lyrical-core", "ros", "lyrical-core")
     part-cuda           = dependency("cuda-cu132", "part", "_files-cuda-cu132")
@@ -7994,13 +8022,13 @@ target "_none-onnx-cu132-py314" {
   labels = {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.framework"                   = "none"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.cuda"                        = "13.2.86"
     "io.rosml.cudnn"                       = "9.26.0.51"
     "io.rosml.gpu.driver"                  = "580"
     "org.opencontainers.image.title"       = "lyrical-core-onnx-cu132"
-    "org.opencontainers.image.description" = "ROS 2 core (lyrical), onnxruntime 1.28.0, CUDA 13.2.86"
-    "org.opencontainers.image.version"     = "lyrical-core-cu132-onnx1.28.0"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), onnxruntime 1.31.1, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "lyrical-core-cu132-onnx1.31.1"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu132"
@@ -8019,15 +8047,16 @@ target "_none-onnx-cu132-py314" {
     COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
     ARG ONNXRUNTIME_ROOT
     COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
-    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV ONNXRUNTIME_VERSION=1.31.1
     ENV CUDA_VERSION=13.2.86
     ENV CUDNN_VERSION=9.26.0.51
+    ENV ORT_DISABLE_TELEMETRY=1
     ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
   EOT
 }
 
 target "_torch-onnx-cu132-py314" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                 = dependency("lyrical-core", "ros", "lyrical-core")
     part-cuda           = dependency("cuda-cu132", "part", "_files-cuda-cu132")
@@ -8049,15 +8078,15 @@ target "_torch-onnx-cu132-py314" {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
     "io.rosml.framework"                   = "torch"
     "io.rosml.torch"                       = "2.15.0"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.cuda"                        = "13.2.86"
     "io.rosml.cudnn"                       = "9.26.0.51"
     "io.rosml.gpu.driver"                  = "580"
     "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "org.opencontainers.image.title"       = "lyrical-core-torch-onnx-cu132"
-    "org.opencontainers.image.description" = "ROS 2 core (lyrical), PyTorch 2.15.0, onnxruntime 1.28.0, CUDA 13.2.86"
-    "org.opencontainers.image.version"     = "lyrical-core-cu132-torch2.15.0-onnx1.28.0"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), PyTorch 2.15.0, onnxruntime 1.31.1, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "lyrical-core-cu132-torch2.15.0-onnx1.31.1"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu132"
@@ -8079,15 +8108,16 @@ target "_torch-onnx-cu132-py314" {
     ARG ONNXRUNTIME_ROOT
     COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
     ENV TORCH_VERSION=2.15.0
-    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV ONNXRUNTIME_VERSION=1.31.1
     ENV CUDA_VERSION=13.2.86
     ENV CUDNN_VERSION=9.26.0.51
+    ENV ORT_DISABLE_TELEMETRY=1
     ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
   EOT
 }
 
 target "_none-onnx-cu132-py312" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                 = dependency("jazzy-core", "ros", "jazzy-core")
     part-cuda           = dependency("cuda-cu132", "part", "_files-cuda-cu132")
@@ -8106,13 +8136,13 @@ target "_none-onnx-cu132-py312" {
   labels = {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.framework"                   = "none"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.cuda"                        = "13.2.86"
     "io.rosml.cudnn"                       = "9.26.0.51"
     "io.rosml.gpu.driver"                  = "580"
     "org.opencontainers.image.title"       = "jazzy-core-onnx-cu132"
-    "org.opencontainers.image.description" = "ROS 2 core (jazzy), onnxruntime 1.28.0, CUDA 13.2.86"
-    "org.opencontainers.image.version"     = "jazzy-core-cu132-onnx1.28.0"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), onnxruntime 1.31.1, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "jazzy-core-cu132-onnx1.31.1"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu132"
@@ -8131,15 +8161,16 @@ target "_none-onnx-cu132-py312" {
     COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
     ARG ONNXRUNTIME_ROOT
     COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
-    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV ONNXRUNTIME_VERSION=1.31.1
     ENV CUDA_VERSION=13.2.86
     ENV CUDNN_VERSION=9.26.0.51
+    ENV ORT_DISABLE_TELEMETRY=1
     ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
   EOT
 }
 
 target "_torch-onnx-cu132-py312" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                 = dependency("jazzy-core", "ros", "jazzy-core")
     part-cuda           = dependency("cuda-cu132", "part", "_files-cuda-cu132")
@@ -8161,15 +8192,15 @@ target "_torch-onnx-cu132-py312" {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
     "io.rosml.framework"                   = "torch"
     "io.rosml.torch"                       = "2.15.0"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.cuda"                        = "13.2.86"
     "io.rosml.cudnn"                       = "9.26.0.51"
     "io.rosml.gpu.driver"                  = "580"
     "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "org.opencontainers.image.title"       = "jazzy-core-torch-onnx-cu132"
-    "org.opencontainers.image.description" = "ROS 2 core (jazzy), PyTorch 2.15.0, onnxruntime 1.28.0, CUDA 13.2.86"
-    "org.opencontainers.image.version"     = "jazzy-core-cu132-torch2.15.0-onnx1.28.0"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), PyTorch 2.15.0, onnxruntime 1.31.1, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "jazzy-core-cu132-torch2.15.0-onnx1.31.1"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu132"
@@ -8191,15 +8222,16 @@ target "_torch-onnx-cu132-py312" {
     ARG ONNXRUNTIME_ROOT
     COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
     ENV TORCH_VERSION=2.15.0
-    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV ONNXRUNTIME_VERSION=1.31.1
     ENV CUDA_VERSION=13.2.86
     ENV CUDNN_VERSION=9.26.0.51
+    ENV ORT_DISABLE_TELEMETRY=1
     ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
   EOT
 }
 
 target "_none-onnx-cu132-py313" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                 = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
     part-cuda           = dependency("cuda-cu132", "part", "_files-cuda-cu132")
@@ -8218,13 +8250,13 @@ target "_none-onnx-cu132-py313" {
   labels = {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.framework"                   = "none"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.cuda"                        = "13.2.86"
     "io.rosml.cudnn"                       = "9.26.0.51"
     "io.rosml.gpu.driver"                  = "580"
     "org.opencontainers.image.title"       = "ros1-trixie-core-onnx-cu132"
-    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), onnxruntime 1.28.0, CUDA 13.2.86"
-    "org.opencontainers.image.version"     = "ros1-trixie-core-cu132-onnx1.28.0"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), onnxruntime 1.31.1, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu132-onnx1.31.1"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu132"
@@ -8243,15 +8275,16 @@ target "_none-onnx-cu132-py313" {
     COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
     ARG ONNXRUNTIME_ROOT
     COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
-    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV ONNXRUNTIME_VERSION=1.31.1
     ENV CUDA_VERSION=13.2.86
     ENV CUDNN_VERSION=9.26.0.51
+    ENV ORT_DISABLE_TELEMETRY=1
     ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
   EOT
 }
 
 target "_torch-onnx-cu132-py313" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                 = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
     part-cuda           = dependency("cuda-cu132", "part", "_files-cuda-cu132")
@@ -8273,15 +8306,15 @@ target "_torch-onnx-cu132-py313" {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
     "io.rosml.framework"                   = "torch"
     "io.rosml.torch"                       = "2.15.0"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.cuda"                        = "13.2.86"
     "io.rosml.cudnn"                       = "9.26.0.51"
     "io.rosml.gpu.driver"                  = "580"
     "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "org.opencontainers.image.title"       = "ros1-trixie-core-torch-onnx-cu132"
-    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), PyTorch 2.15.0, onnxruntime 1.28.0, CUDA 13.2.86"
-    "org.opencontainers.image.version"     = "ros1-trixie-core-cu132-torch2.15.0-onnx1.28.0"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-trixie), PyTorch 2.15.0, onnxruntime 1.31.1, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "ros1-trixie-core-cu132-torch2.15.0-onnx1.31.1"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu132"
@@ -8303,15 +8336,16 @@ target "_torch-onnx-cu132-py313" {
     ARG ONNXRUNTIME_ROOT
     COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
     ENV TORCH_VERSION=2.15.0
-    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV ONNXRUNTIME_VERSION=1.31.1
     ENV CUDA_VERSION=13.2.86
     ENV CUDNN_VERSION=9.26.0.51
+    ENV ORT_DISABLE_TELEMETRY=1
     ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
   EOT
 }
 
 target "_none-onnx-cu132-py311" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                 = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
     part-cuda           = dependency("cuda-cu132", "part", "_files-cuda-cu132")
@@ -8330,13 +8364,13 @@ target "_none-onnx-cu132-py311" {
   labels = {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.framework"                   = "none"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.cuda"                        = "13.2.86"
     "io.rosml.cudnn"                       = "9.26.0.51"
     "io.rosml.gpu.driver"                  = "580"
     "org.opencontainers.image.title"       = "ros1-bookworm-core-onnx-cu132"
-    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), onnxruntime 1.28.0, CUDA 13.2.86"
-    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu132-onnx1.28.0"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), onnxruntime 1.31.1, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu132-onnx1.31.1"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu132"
@@ -8355,15 +8389,16 @@ target "_none-onnx-cu132-py311" {
     COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
     ARG ONNXRUNTIME_ROOT
     COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
-    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV ONNXRUNTIME_VERSION=1.31.1
     ENV CUDA_VERSION=13.2.86
     ENV CUDNN_VERSION=9.26.0.51
+    ENV ORT_DISABLE_TELEMETRY=1
     ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
   EOT
 }
 
 target "_torch-onnx-cu132-py311" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                 = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
     part-cuda           = dependency("cuda-cu132", "part", "_files-cuda-cu132")
@@ -8385,15 +8420,15 @@ target "_torch-onnx-cu132-py311" {
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
     "io.rosml.framework"                   = "torch"
     "io.rosml.torch"                       = "2.15.0"
-    "io.rosml.onnxruntime"                 = "1.28.0"
+    "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.cuda"                        = "13.2.86"
     "io.rosml.cudnn"                       = "9.26.0.51"
     "io.rosml.gpu.driver"                  = "580"
     "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "org.opencontainers.image.title"       = "ros1-bookworm-core-torch-onnx-cu132"
-    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), PyTorch 2.15.0, onnxruntime 1.28.0, CUDA 13.2.86"
-    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu132-torch2.15.0-onnx1.28.0"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), PyTorch 2.15.0, onnxruntime 1.31.1, CUDA 13.2.86"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu132-torch2.15.0-onnx1.31.1"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
     "io.rosml.stack"                       = "cu132"
@@ -8415,9 +8450,10 @@ target "_torch-onnx-cu132-py311" {
     ARG ONNXRUNTIME_ROOT
     COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
     ENV TORCH_VERSION=2.15.0
-    ENV ONNXRUNTIME_VERSION=1.28.0
+    ENV ONNXRUNTIME_VERSION=1.31.1
     ENV CUDA_VERSION=13.2.86
     ENV CUDNN_VERSION=9.26.0.51
+    ENV ORT_DISABLE_TELEMETRY=1
     ENV NVIDIA_REQUIRE_CUDA=cuda>=13.0
   EOT
 }
@@ -17443,8 +17479,8 @@ target "jazzy-core-onnx-cu130" {
   contexts = { ros = dependency("jazzy-core", "ros", "jazzy-core") }
   labels = {
     "org.opencontainers.image.title"       = "jazzy-core-onnx-cu130"
-    "org.opencontainers.image.description" = "ROS 2 core (jazzy), onnxruntime 1.28.0, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "jazzy-core-cu130-onnx1.28.0"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), onnxruntime 1.31.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "jazzy-core-cu130-onnx1.31.1"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
   }
@@ -17455,14 +17491,14 @@ target "jazzy-base-onnx-cu130" {
   contexts = { ros = dependency("jazzy-base", "ros", "jazzy-base") }
   labels = {
     "org.opencontainers.image.title"       = "jazzy-base-onnx-cu130"
-    "org.opencontainers.image.description" = "ROS 2 base (jazzy), onnxruntime 1.28.0, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "jazzy-base-cu130-onnx1.28.0"
+    "org.opencontainers.image.description" = "ROS 2 base (jazzy), onnxruntime 1.31.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "jazzy-base-cu130-onnx1.31.1"
     "io.rosml.component"                   = "base"
     "io.rosml.runtime"                     = "base-run"
   }
   tags = [
     "${REGISTRY}/ros-onnx:jazzy-base-cu130",
-    "${REGISTRY}/ros-onnx:jazzy-base-cu130-onnx1.28.0",
+    "${REGISTRY}/ros-onnx:jazzy-base-cu130-onnx1.31.1",
     "${REGISTRY}/ros-onnx:jazzy",
     "${REGISTRY}/ros-onnx:latest"
   ]
@@ -20081,8 +20117,8 @@ target "lyrical-core-onnx-cu130" {
   contexts = { ros = dependency("lyrical-core", "ros", "lyrical-core") }
   labels = {
     "org.opencontainers.image.title"       = "lyrical-core-onnx-cu130"
-    "org.opencontainers.image.description" = "ROS 2 core (lyrical), onnxruntime 1.28.0, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "lyrical-core-cu130-onnx1.28.0"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), onnxruntime 1.31.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "lyrical-core-cu130-onnx1.31.1"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
   }
@@ -20093,14 +20129,14 @@ target "lyrical-base-onnx-cu130" {
   contexts = { ros = dependency("lyrical-base", "ros", "lyrical-base") }
   labels = {
     "org.opencontainers.image.title"       = "lyrical-base-onnx-cu130"
-    "org.opencontainers.image.description" = "ROS 2 base (lyrical), onnxruntime 1.28.0, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "lyrical-base-cu130-onnx1.28.0"
+    "org.opencontainers.image.description" = "ROS 2 base (lyrical), onnxruntime 1.31.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "lyrical-base-cu130-onnx1.31.1"
     "io.rosml.component"                   = "base"
     "io.rosml.runtime"                     = "base-run"
   }
   tags = [
     "${REGISTRY}/ros-onnx:lyrical-base-cu130",
-    "${REGISTRY}/ros-onnx:lyrical-base-cu130-onnx1.28.0",
+    "${REGISTRY}/ros-onnx:lyrical-base-cu130-onnx1.31.1",
     "${REGISTRY}/ros-onnx:lyrical"
   ]
 }
@@ -23172,8 +23208,8 @@ target "ros1-bookworm-core-onnx-cu130" {
   contexts = { ros = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core") }
   labels = {
     "org.opencontainers.image.title"       = "ros1-bookworm-core-onnx-cu130"
-    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), onnxruntime 1.28.0, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu130-onnx1.28.0"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), onnxruntime 1.31.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu130-onnx1.31.1"
     "io.rosml.component"                   = "core"
     "io.rosml.runtime"                     = "core-run"
   }
@@ -23184,16 +23220,16 @@ target "ros1-bookworm-base-onnx-cu130" {
   contexts = { ros = dependency("ros1-bookworm-base", "ros", "ros1-bookworm-base") }
   labels = {
     "org.opencontainers.image.title"       = "ros1-bookworm-base-onnx-cu130"
-    "org.opencontainers.image.description" = "ROS 1 base (ros1-bookworm), onnxruntime 1.28.0, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "ros1-bookworm-base-cu130-onnx1.28.0"
+    "org.opencontainers.image.description" = "ROS 1 base (ros1-bookworm), onnxruntime 1.31.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "ros1-bookworm-base-cu130-onnx1.31.1"
     "io.rosml.component"                   = "base"
     "io.rosml.runtime"                     = "base-run"
   }
   tags = [
     "${REGISTRY}/ros-onnx:ros1-bookworm-base-cu130",
-    "${REGISTRY}/ros-onnx:ros1-bookworm-base-cu130-onnx1.28.0",
+    "${REGISTRY}/ros-onnx:ros1-bookworm-base-cu130-onnx1.31.1",
     "${REGISTRY}/ros-onnx:bookworm-base-cu130",
-    "${REGISTRY}/ros-onnx:bookworm-base-cu130-onnx1.28.0",
+    "${REGISTRY}/ros-onnx:bookworm-base-cu130-onnx1.31.1",
     "${REGISTRY}/ros-onnx:ros1-bookworm",
     "${REGISTRY}/ros-onnx:bookworm"
   ]

@@ -3904,51 +3904,51 @@ target "jazzy-core-tensorflow-onnx-cu128-test" {
 
 target "jazzy-core-onnx-cu130-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("jazzy-core-onnx-cu130", "ros-onnx", "jazzy-core-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
 target "jazzy-base-onnx-cu130-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("jazzy-base-onnx-cu130", "ros-onnx", "jazzy-base-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
 target "jazzy-core-torch-onnx-cu130-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("jazzy-core-torch-onnx-cu130", "ros-torch-onnx", "jazzy-core-torch-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.14.1 onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.14.1 onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
 target "jazzy-core-onnx-cu132-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("jazzy-core-onnx-cu132", "ros-onnx", "jazzy-core-onnx-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core onnxruntime=1.28.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
 target "jazzy-core-torch-onnx-cu132-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("jazzy-core-torch-onnx-cu132", "ros-torch-onnx", "jazzy-core-torch-onnx-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.15.0 onnxruntime=1.28.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.15.0 onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -5638,51 +5638,51 @@ target "lyrical-base-run-torch-cpu-test" {
 
 target "lyrical-core-onnx-cu130-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("lyrical-core-onnx-cu130", "ros-onnx", "lyrical-core-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
 target "lyrical-base-onnx-cu130-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("lyrical-base-onnx-cu130", "ros-onnx", "lyrical-base-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
 target "lyrical-core-torch-onnx-cu130-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("lyrical-core-torch-onnx-cu130", "ros-torch-onnx", "lyrical-core-torch-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.14.1 onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.14.1 onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
 target "lyrical-core-onnx-cu132-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("lyrical-core-onnx-cu132", "ros-onnx", "lyrical-core-onnx-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core onnxruntime=1.28.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
 target "lyrical-core-torch-onnx-cu132-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("lyrical-core-torch-onnx-cu132", "ros-torch-onnx", "lyrical-core-torch-onnx-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.15.0 onnxruntime=1.28.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.15.0 onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -7482,51 +7482,51 @@ target "ros1-bookworm-core-tensorflow-onnx-cu128-test" {
 
 target "ros1-bookworm-core-onnx-cu130-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("ros1-bookworm-core-onnx-cu130", "ros-onnx", "ros1-bookworm-core-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
 target "ros1-bookworm-base-onnx-cu130-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("ros1-bookworm-base-onnx-cu130", "ros-onnx", "ros1-bookworm-base-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
 target "ros1-bookworm-core-torch-onnx-cu130-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("ros1-bookworm-core-torch-onnx-cu130", "ros-torch-onnx", "ros1-bookworm-core-torch-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
 target "ros1-bookworm-core-onnx-cu132-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("ros1-bookworm-core-onnx-cu132", "ros-onnx", "ros1-bookworm-core-onnx-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.28.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
 target "ros1-bookworm-core-torch-onnx-cu132-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("ros1-bookworm-core-torch-onnx-cu132", "ros-torch-onnx", "ros1-bookworm-core-torch-onnx-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 onnxruntime=1.28.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
@@ -8744,41 +8744,41 @@ target "ros1-trixie-core-tensorflow-onnx-cu128-test" {
 
 target "ros1-trixie-core-onnx-cu130-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("ros1-trixie-core-onnx-cu130", "ros-onnx", "ros1-trixie-core-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
   }
 }
 
 target "ros1-trixie-core-torch-onnx-cu130-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("ros1-trixie-core-torch-onnx-cu130", "ros-torch-onnx", "ros1-trixie-core-torch-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 onnxruntime=1.28.0 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 
 target "ros1-trixie-core-onnx-cu132-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("ros1-trixie-core-onnx-cu132", "ros-onnx", "ros1-trixie-core-onnx-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.28.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
   }
 }
 
 target "ros1-trixie-core-torch-onnx-cu132-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("ros1-trixie-core-torch-onnx-cu132", "ros-torch-onnx", "ros1-trixie-core-torch-onnx-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 onnxruntime=1.28.0 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
   }
 }
 

@@ -37,6 +37,12 @@ if ((api < newest)); then
   sed -i "s/^#define ORT_API_VERSION $newest$/#define ORT_API_VERSION $api/" "$include/onnxruntime/onnxruntime_c_api.h"
 fi
 
+# Where a program may have lost the image's variables, as in a login by ssh (components/onnxruntime/files.sh).
+if grep -q ORT_DISABLE_TELEMETRY "$libraries/$library"; then
+  mkdir -p "$OUT/etc/profile.d"
+  echo 'export ORT_DISABLE_TELEMETRY="${ORT_DISABLE_TELEMETRY-1}"' >"$OUT/etc/profile.d/rosml-onnxruntime.sh"
+fi
+
 cmake=$OUT/usr/local/lib/cmake/onnxruntime pkgconfig=$OUT/usr/local/lib/pkgconfig
 mkdir -p "$cmake" "$pkgconfig"
 fill() { sed -e "s|@TRIPLET@|$TRIPLET|g" -e "s|@VERSION@|$version|g" "$here/$1.in" >"$2/$(basename "$1")"; }

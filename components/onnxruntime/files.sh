@@ -15,6 +15,15 @@ for library in "${OUT:?}${SITE:?}"/onnxruntime/capi/libonnxruntime*; do
 done
 "$here/../part/records.py" link "$cc" "${shared[@]}"
 
+# Releases from 1.29.0 on send what a program does to their maker, unless a variable says no. Images have it (matrix.yaml). Python sets
+# it, too: a program may have lost the image's variables, as behind sudo, or got the files alone. ORT_DISABLE_TELEMETRY=0 says yes.
+if grep -q ORT_DISABLE_TELEMETRY "$OUT$SITE"/onnxruntime/capi/onnxruntime_pybind11_state*; then
+  sed -i '/^import contextlib$/a import os\n\nos.environ.setdefault("ORT_DISABLE_TELEMETRY", "1")' "$OUT$SITE/onnxruntime/__init__.py"
+  grep -q '^os.environ' "$OUT$SITE/onnxruntime/__init__.py" || {
+    echo "onnxruntime: it begins otherwise than files.sh knows, so nothing turns its telemetry off" >&2 && exit 1
+  }
+fi
+
 # `pip install` of what depends on "onnxruntime" must find it where the wheel that carries it is called onnxruntime-gpu: pip would put
 # the one for the CPU over it. A package that says so, with the files of that wheel on its record: whoever replaces it replaces them.
 wheel=$(basename "$OUT$SITE"/onnxruntime*.dist-info)

@@ -6,6 +6,7 @@
 #   TARGETARCH amd64 | arm64 (set by BuildKit)
 #   LOCK       the requirements file with hashes
 #   SHOWS      a part for any Python whose packages this one shows to its Python: their lock is /shown/<name>.txt
+#   GLIBC      the glibc that its wheels ask for, such as 2.34, if that is newer than the usual one
 #   INDEX      an index of Python packages that is asked first; none for the usual one
 #   SLOT       of the constraints that pip and uv keep to (01 to 16); none for a part that no Python knows of
 # What a part leaves out is in components/<part>/prune.txt, or, where it takes little of its wheels, what it keeps is in
@@ -22,6 +23,7 @@ case ${TARGETARCH:?} in
   arm64) platform=aarch64-manylinux_2_28 TRIPLET=aarch64-linux-gnu ;;
   *) echo "assemble: no wheels are known for architecture '$TARGETARCH' (known: amd64, arm64)" >&2 && exit 64 ;;
 esac
+if [[ -n ${GLIBC:-} ]]; then platform=${platform%_*}_${GLIBC#2.}; fi
 
 if [[ ${PYTHON:?} == any ]]; then
   SITE=/usr/local/lib/rosml/${PART:?}

@@ -210,6 +210,12 @@ def test_every_operating_system_takes_every_part_for_its_python(real: ImageSet) 
         assert system.image.startswith(("docker.io/library/debian:", "docker.io/library/ubuntu:")), name
         assert name in GLIBC, f"{name} is new: look up its glibc"
         assert GLIBC[name] >= max(asked), f"{name} has glibc 2.{GLIBC[name]}, and wheels ask for 2.{max(asked)}"
+        for family, releases in real.matrix.releases.items():
+            for version, release in releases.items():
+                if release.glibc and system.python in release.python:
+                    assert GLIBC[name] >= int(release.glibc.partition(".")[2]), (
+                        f"{name} is too old for {family} {version}"
+                    )
 
 
 def test_everything_is_tested_somewhere_in_each_row(real: ImageSet) -> None:

@@ -313,6 +313,8 @@ def _part(matrix: Matrix, part: Part) -> Iterator[tuple[str, Target]]:
         "WHEEL_PYTHON": matrix.operating_systems[part.os].python,
         "ACCELERATOR": matrix.stacks[part.stack].accelerator,
     }
+    if (family := matrix.part[part.kind].release) and (glibc := matrix.release(part.stack, family).glibc):
+        arguments["GLIBC"] = glibc
     if slot := matrix.part[part.kind].slot:
         arguments["SLOT"] = f"{slot:02}"
     if index := rules.index(matrix, part.stack, part.kind):

@@ -318,7 +318,7 @@ def _part(matrix: Matrix, kind: str, stack: str, python: str, architectures: tup
 def _pythons(matrix: Matrix, part: str, stack: str) -> tuple[str, ...]:
     """The Pythons of the wheels from which a part for any Python is taken; none if the wheels are for any Python themselves."""
     family = matrix.part[part].release
-    return matrix.releases[family][matrix.stacks[stack].releases[family]].python if family else ()
+    return matrix.release(stack, family).python if family else ()
 
 
 def _parts(matrix: Matrix, images: tuple[Image, ...]) -> Iterator[Part]:

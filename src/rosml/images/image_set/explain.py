@@ -280,6 +280,8 @@ def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator
             yield f"{family} {version} has a wheel for Python {image.python}, and {image.stack} wheels for {wheels}"
             if company := rules.company(matrix, image.stack, [family]):
                 yield f"with it {'go' if len(company) > 1 else 'goes'} {listed([' '.join(item) for item in company.items()])}"
+            if release.environment:
+                yield f"its images have {listed([f'{name}={value}' for name, value in release.environment.items()])}"
         yield f"stack {image.stack} carries {listed([f'{name} {version}' for name, version in image.versions.items()])}"
         yield f"it is {image.parent} joined with {listed(image.parts)}"
     elif image.wheels:

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from rosml.images.image_set.model import Image, Part
 from rosml.images.matrix import names
-from rosml.images.matrix.model import ANY_PYTHON, PartEntry
+from rosml.images.matrix.model import ANY_PYTHON, VARIABLE, PartEntry
 from rosml.images.matrix.rules import Brought
 
 PREFIX = "io.rosml."
@@ -96,8 +96,9 @@ def spelled(brought: Sequence[Brought]) -> dict[str, str]:
 def environment(brought: Sequence[Brought]) -> dict[str, str]:
     """The variables of an image about the software that was joined to it."""
     versions = {f"{variable(item.name)}_VERSION": item.version for item in brought}
+    needed = {name: value for item in brought for name, value in item.environment.items()}
     cuda = next((item.version for item in brought if item.name == "cuda"), None)
-    return versions | ({REQUIRE: required_driver(cuda)} if cuda else {})
+    return versions | needed | ({REQUIRE: required_driver(cuda)} if cuda else {})
 
 
 REQUIRE = "NVIDIA_REQUIRE_CUDA"
@@ -169,6 +170,7 @@ def of_part(
         f"{PREFIX}stack": stack,
         f"{PREFIX}python": python,
         **{f"{PREFIX}{item.name}": item.version for item in brought},
+        **{_needs(item.name): _pairs(item.environment) for item in brought if item.environment},
         **about_gpus(gpu or {}),
         **({BRINGS: called(brought)} if brought else {}),
         **({RELEASE: entry.release} if entry.release else {}),
@@ -193,6 +195,16 @@ def called(brought: Sequence[Brought]) -> str:
     return " ".join(f"{item.name}:{item.short}:{item.title}" for item in brought)
 
 
+def _needs(name: str) -> str:
+    """The label of a part with the variables that software in it needs."""
+    return f"{PREFIX}{name}.environment"
+
+
+def _pairs(environment: Mapping[str, str]) -> str:
+    """Variables as text of a label: `ORT_DISABLE_TELEMETRY=1`."""
+    return " ".join(f"{name}={value}" for name, value in environment.items())
+
+
 def brought_by(labels: Mapping[str, str]) -> Iterator[Brought]:
     """The software of a part with these labels.
 
@@ -202,7 +214,10 @@ def brought_by(labels: Mapping[str, str]) -> Iterator[Brought]:
     for item in labels.get(BRINGS, "").split():
         name, short, title = item.split(":")
         if version := labels.get(PREFIX + name):
-            yield Brought(name, version, title, short, RELEASE in labels)
+            environment = dict(pair.split("=") for pair in labels.get(_needs(name), "").split())
+            if wrong := next((name for name in environment if not re.fullmatch(VARIABLE, name)), ""):
+                raise ValueError(wrong)
+            yield Brought(name, version, title, short, RELEASE in labels, environment)
 
 
 def smallest_first(frameworks: Mapping[str, Sequence[object]]) -> list[str]:

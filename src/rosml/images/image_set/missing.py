@@ -42,8 +42,7 @@ def waiting(matrix: Matrix, parts: Iterable[Part]) -> frozenset[str]:
 
 
 def _asks(matrix: Matrix, stack: str, architecture: str, python: str, family: str) -> bool:
-    facts = matrix.stacks[stack]
-    digests = matrix.releases[family][facts.releases[family]].elsewhere.get(stack, {}).get(architecture)
+    digests = matrix.release(stack, family).elsewhere.get(stack, {}).get(architecture)
     return digests is not None and python not in digests
 
 

@@ -34,7 +34,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.image_set.lock_file import adapted_lines, cuda_packages, package_name, versions
 from rosml.images.image_set.model import ImageSet
-from rosml.images.matrix import names
+from rosml.images.matrix import names, rules
 from rosml.images.matrix.model import ANY_PYTHON, Matrix, PartEntry
 from rosml.images.matrix.rules import NVIDIA
 
@@ -142,12 +142,12 @@ def requests(image_set: ImageSet) -> Iterator[Request]:
             for together in [[family] for family in families] if stack.apart else [families]:
                 wanted = {family: stack.requirement(family, architecture) for family in together}
                 wheels = {family: _elsewhere(matrix, *key, family) for family in together}
-                releases = {family: matrix.releases[family][stack.releases[family]] for family in together}
+                releases = {family: matrix.release(part.stack, family) for family in together}
                 yield Request(
                     stack=part.stack,
                     architecture=architecture,
                     python=part.python,
-                    wheels=matrix.architectures[architecture].wheels,
+                    wheels=rules.wheels(matrix, architecture, releases.values()),
                     roots={family: requirement for family, requirement in wanted.items() if requirement},
                     numpy=system.numpy,
                     constraints=stack.constraints,
@@ -204,7 +204,7 @@ def _ros_requests(image_set: ImageSet) -> Iterator[Request]:
 def _elsewhere(matrix: Matrix, stack: str, architecture: str, python: str, family: str) -> Elsewhere | None:
     """A framework's wheel on PyTorch's own index, if the part's wheel comes from there."""
     facts = matrix.stacks[stack]
-    release = matrix.releases[family][facts.releases[family]]
+    release = matrix.release(stack, family)
     digests = release.elsewhere.get(stack, {}).get(architecture)
     requirement = facts.requirement(family, architecture)
     if digests is None or requirement is None:

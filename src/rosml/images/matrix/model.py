@@ -46,6 +46,8 @@ REQUIREMENT = (
 )
 PINNED = r"^[A-Za-z0-9][A-Za-z0-9._-]*(\[[a-z0-9,_-]+\])?==[0-9][0-9A-Za-z.+]*$"
 PATTERN = r"^[a-z0-9*][a-z0-9*-]*$"
+GLIBC = r"^2\.[1-9][0-9]$"
+VARIABLE = r"^[A-Z][A-Z0-9]*(_[A-Z0-9]+)+$"
 CUDA_MAJOR = r"^[1-9][0-9]*$"
 SENTENCE = r"^[A-Za-z0-9][A-Za-z0-9 ,.;:()_+=<>-]*$"
 SPDX = r"^[A-Za-z0-9][A-Za-z0-9.+-]*( (AND|WITH) [A-Za-z0-9][A-Za-z0-9.+-]*)*$"
@@ -69,6 +71,8 @@ MEANING = {
     WORD: "one word",
     SPECIFIER: 'a version range, such as "<2" or ">=2.2,<2.3"',
     PATTERN: "a Python package, or a pattern of packages, such as nvidia-*",
+    GLIBC: 'a version of glibc in quotes, such as "2.34"',
+    VARIABLE: "a variable of capital letters, digits and single underscores, at least one of these, such as TF_ENABLE_ONEDNN_OPTS",
     CUDA_MAJOR: 'a generation of CUDA in quotes, such as "12"',
     SENTENCE: "a sentence without quotes",
     SPDX: "licences by their SPDX names with AND between them, such as Apache-2.0 AND LicenseRef-NVIDIA-CUDA",
@@ -98,6 +102,8 @@ Requirement = Annotated[str, Field(pattern=REQUIREMENT, max_length=120)]
 Pinned = Annotated[str, Field(pattern=PINNED, max_length=120)]
 Packages = Annotated[str, Field(pattern=PACKAGES, max_length=400)]
 Pattern = Annotated[str, Field(pattern=PATTERN, max_length=64)]
+Glibc = Annotated[str, Field(pattern=GLIBC)]
+Variable = Annotated[str, Field(pattern=VARIABLE, max_length=64)]
 CudaMajor = Annotated[str, Field(pattern=CUDA_MAJOR, max_length=3)]
 Target = Annotated[str, Field(pattern=NAME, max_length=128)]
 Names = Annotated[tuple[Name, ...], Field(min_length=1)]
@@ -336,6 +342,13 @@ class Release(Facts):
         default={},
         description="package -> the requirement in the part's metadata, instead of the wheel's: for a release that asks for"
         " more than it was found to need, if no part may carry it",
+    )
+    glibc: Glibc | None = Field(
+        default=None,
+        description="the glibc that its wheels ask for, such as 2.34, if that is newer than the architectures' own",
+    )
+    environment: dict[Variable, Word] = Field(
+        default={}, description="variables that every image with it has, and their values"
     )
     index: Annotated[str, Field(pattern=URL, max_length=200)] | None = Field(
         default=None,
@@ -582,6 +595,10 @@ class Matrix(Facts):
             parts=tuple(part.name for part in self.parts if part.name in wanted),
             accelerators=facts.accelerators,
         )
+
+    def release(self, stack: str, family: str) -> Release:
+        """The release that a stack has of something."""
+        return self.releases[family][self.stacks[stack].releases[family]]
 
     def needed(self, parts: Iterable[str]) -> set[str]:
         """Parts, and all that they need."""

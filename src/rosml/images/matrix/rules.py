@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from fnmatch import fnmatchcase
 
 from rosml.base.problems import listed
-from rosml.images.matrix.model import Framework, Matrix, PartEntry, RosArchive, Size, Stack
+from rosml.images.matrix.model import Framework, Matrix, PartEntry, Release, RosArchive, Size, Stack
 
 NVIDIA = ("cuda", "cudnn", "nccl")
 """A stack's facts of CUDA."""
@@ -23,6 +23,7 @@ class Brought:
         title: `TensorFlow`; may be empty.
         short: its name in tags, `tf`; may be empty.
         released: whether it is a release, and no fact of the stack.
+        environment: variables that it needs, and their values.
     """
 
     name: str
@@ -30,6 +31,7 @@ class Brought:
     title: str = ""
     short: str = ""
     released: bool = False
+    environment: Mapping[str, str] = field(default_factory=dict, hash=False)
 
 
 def component_reason(matrix: Matrix, distribution: str, component: str) -> str | None:
@@ -183,7 +185,9 @@ def brought(matrix: Matrix, parts: Iterable[str], stack: Stack) -> tuple[Brought
     known, found = versions(matrix, stack), dict[str, Brought]()
     for item in (item for name in parts for item in brought_by(matrix.part[name])):
         if item.name in known and (item.title or item.name not in found):
-            found[item.name] = replace(item, version=known[item.name])
+            version = known[item.name]
+            environment = matrix.releases[item.name][version].environment if item.released else {}
+            found[item.name] = replace(item, version=version, environment=environment)
     return tuple(sorted(found.values(), key=lambda item: not item.released))
 
 
@@ -192,6 +196,14 @@ def brought_by(part: PartEntry) -> Iterator[Brought]:
     for index, name in enumerate(part.brings):
         title = (part.title or "") if index == 0 else ""
         yield Brought(name, "", title, (part.short or part.name) if title else "", bool(part.release))
+
+
+def wheels(matrix: Matrix, architecture: str, releases: Iterable[Release]) -> str:
+    """uv's name of the wheel platform of an architecture, with the glibc that some releases ask for: `aarch64-manylinux_2_34`."""
+    oldest = matrix.architectures[architecture].wheels
+    asked = [int(release.glibc.partition(".")[2]) for release in releases if release.glibc]
+    machine, _, second = oldest.rpartition("_")
+    return f"{machine}_{max([int(second), *asked])}"
 
 
 def company(matrix: Matrix, stack: str | None, families: Iterable[str]) -> dict[str, str]:
