@@ -4859,6 +4859,135 @@ target "part-tritonclient-cpu-py313" {
   ]
 }
 
+target "_files-common-cpu314-py314" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_26_04 }
+  args = {
+    PART         = "common"
+    STACK        = "cpu314"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cpu"
+    SLOT         = "01"
+  }
+}
+
+target "part-common-cpu314-py314" {
+  inherits = ["_files-common-cpu314-py314"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "common-cpu314-py314"
+    "org.opencontainers.image.description" = "part common of stack cpu314, for Python 3.14"
+    "io.rosml.part"                        = "common"
+    "io.rosml.stack"                       = "cpu314"
+    "io.rosml.python"                      = "3.14"
+    "org.opencontainers.image.licenses"    = "BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+  }
+  tags = [
+    "${REGISTRY}/part:common-cpu314-py314"
+  ]
+}
+
+target "_files-grpc-cpu314-py314" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_26_04 }
+  args = {
+    PART         = "grpc"
+    STACK        = "cpu314"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cpu"
+    SLOT         = "08"
+  }
+}
+
+target "part-grpc-cpu314-py314" {
+  inherits = ["_files-grpc-cpu314-py314"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "grpc-cpu314-py314"
+    "org.opencontainers.image.description" = "part grpc of stack cpu314, for Python 3.14"
+    "io.rosml.part"                        = "grpc"
+    "io.rosml.stack"                       = "cpu314"
+    "io.rosml.python"                      = "3.14"
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT"
+  }
+  tags = [
+    "${REGISTRY}/part:grpc-cpu314-py314"
+  ]
+}
+
+target "_files-onnxruntime-cc-cpu314" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_26_04 }
+  args = {
+    PART         = "onnxruntime-cc"
+    STACK        = "cpu314"
+    PYTHON       = "any"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cpu"
+  }
+}
+
+target "part-onnxruntime-cc-cpu314" {
+  inherits = ["_files-onnxruntime-cc-cpu314"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cc-cpu314"
+    "org.opencontainers.image.description" = "part onnxruntime-cc of stack cpu314, for any Python"
+    "io.rosml.part"                        = "onnxruntime-cc"
+    "io.rosml.stack"                       = "cpu314"
+    "io.rosml.python"                      = "any"
+    "io.rosml.onnxruntime"                 = "1.32.0"
+    "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
+    "io.rosml.brings"                      = "onnxruntime::"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.addons"                      = "onnx=common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cc-cpu314"
+  ]
+}
+
+target "_files-onnxruntime-cpu314-py314" {
+  inherits  = ["_files"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { os = OS_UBUNTU_26_04 }
+  args = {
+    PART         = "onnxruntime"
+    STACK        = "cpu314"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cpu"
+    SLOT         = "04"
+  }
+}
+
+target "part-onnxruntime-cpu314-py314" {
+  inherits = ["_files-onnxruntime-cpu314-py314"]
+  target   = "part"
+  labels = {
+    "org.opencontainers.image.title"       = "onnxruntime-cpu314-py314"
+    "org.opencontainers.image.description" = "part onnxruntime of stack cpu314, for Python 3.14"
+    "io.rosml.part"                        = "onnxruntime"
+    "io.rosml.stack"                       = "cpu314"
+    "io.rosml.python"                      = "3.14"
+    "io.rosml.onnxruntime"                 = "1.32.0"
+    "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
+    "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
+    "io.rosml.release"                     = "onnxruntime"
+    "org.opencontainers.image.licenses"    = "MIT"
+    "io.rosml.addons"                      = "onnx=common,grpc,onnxruntime-cc*,onnxruntime"
+  }
+  tags = [
+    "${REGISTRY}/part:onnxruntime-cpu314-py314"
+  ]
+}
+
 # ---- What images with the same framework, stack and Python have in common -------------------------------------------
 
 target "_cuda-cu128-py38" {
@@ -9117,6 +9246,49 @@ target "_tensorflow-onnx-cpu-py311" {
     COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
     ENV TENSORFLOW_VERSION=2.21.0
     ENV ONNXRUNTIME_VERSION=1.23.2
+  EOT
+}
+
+target "_none-onnx-cpu314-py314" {
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts = {
+    ros                 = dependency("lyrical-core", "ros", "lyrical-core")
+    part-common         = dependency("common-cpu314-py314", "part", "_files-common-cpu314-py314")
+    part-grpc           = dependency("grpc-cpu314-py314", "part", "_files-grpc-cpu314-py314")
+    part-onnxruntime-cc = dependency("onnxruntime-cc-cpu314", "part", "_files-onnxruntime-cc-cpu314")
+    part-onnxruntime    = dependency("onnxruntime-cpu314-py314", "part", "_files-onnxruntime-cpu314-py314")
+  }
+  args = {
+    COMMON_ROOT         = can(digests["common-cpu314-py314"]) ? "/" : "/out/"
+    GRPC_ROOT           = can(digests["grpc-cpu314-py314"]) ? "/" : "/out/"
+    ONNXRUNTIME_CC_ROOT = can(digests["onnxruntime-cc-cpu314"]) ? "/" : "/out/"
+    ONNXRUNTIME_ROOT    = can(digests["onnxruntime-cpu314-py314"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0"
+    "io.rosml.framework"                   = "none"
+    "io.rosml.onnxruntime"                 = "1.32.0"
+    "org.opencontainers.image.title"       = "lyrical-core-onnx-cpu314"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), onnxruntime 1.32.0"
+    "org.opencontainers.image.version"     = "lyrical-core-cpu314-onnx1.32.0"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cpu314"
+    "io.rosml.parts"                       = "common grpc onnxruntime-cc onnxruntime"
+    "io.rosml.addons"                      = "onnx"
+  }
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG GRPC_ROOT
+    COPY --link --from=part-grpc $GRPC_ROOT /
+    ARG ONNXRUNTIME_CC_ROOT
+    COPY --link --from=part-onnxruntime-cc $ONNXRUNTIME_CC_ROOT /
+    ARG ONNXRUNTIME_ROOT
+    COPY --link --from=part-onnxruntime $ONNXRUNTIME_ROOT /
+    ENV ONNXRUNTIME_VERSION=1.32.0
+    ENV ORT_DISABLE_TELEMETRY=1
   EOT
 }
 
@@ -20153,6 +20325,10 @@ target "lyrical-core-torch-onnx-cu132" {
   inherits = ["_lyrical", "_torch-onnx-cu132-py314"]
 }
 
+target "lyrical-core-onnx-cpu314" {
+  inherits = ["_lyrical", "_none-onnx-cpu314-py314"]
+}
+
 target "lyrical-core-devel-cu132" {
   inherits = ["_lyrical", "_none-devel-cu132-py314"]
 }
@@ -25793,6 +25969,7 @@ group "onnx" {
     "humble-core-onnx-cpu", "humble-base-onnx-cpu", "humble-core-torch-onnx-cpu", "humble-core-tensorflow-onnx-cpu",
     "ros1-trixie-core-onnx-cpu", "ros1-trixie-core-torch-onnx-cpu", "ros1-trixie-core-tensorflow-onnx-cpu",
     "ros1-bookworm-core-onnx-cpu", "ros1-bookworm-base-onnx-cpu", "ros1-bookworm-core-tensorflow-onnx-cpu",
+    "lyrical-core-onnx-cpu314",
   ]
 }
 
@@ -25971,6 +26148,6 @@ group "all" {
 
 group "parts" {
   targets = [
-    "part-cuda-cu128", "part-cuda-cu130", "part-devel-cu130", "part-cuda-cu132", "part-devel-cu132", "part-cuda-cu121", "part-common-cu121-py38", "part-torch-cu121-py38", "part-grpc-cu121-py38", "part-onnxruntime-cc-cu121", "part-onnxruntime-cu121-py38", "part-common-cpu38-py38", "part-grpc-cpu38-py38", "part-tensorflow-cc-cpu38", "part-tensorflow-cpu38-py38", "part-common-cu128-py310", "part-torch-cu128-py310", "part-grpc-cu128-py310", "part-tensorflow-cc-cu128", "part-tensorflow-cu128-py310", "part-onnxruntime-cc-cu128", "part-onnxruntime-cu128-py310", "part-tritonclient-cu128-py310", "part-common-cu130-py310", "part-torch-cu130-py310", "part-grpc-cu130-py310", "part-tritonclient-cu130-py310", "part-tensorrt-rtx-cc-cu130", "part-tensorrt-rtx-cu130-py310", "part-common-cu132-py310", "part-grpc-cu132-py310", "part-tritonclient-cu132-py310", "part-tensorrt-rtx-cc-cu132", "part-tensorrt-rtx-cu132-py310", "part-common-cpu-py310", "part-torch-cpu-py310", "part-grpc-cpu-py310", "part-tensorflow-cc-cpu", "part-tensorflow-cpu-py310", "part-onnxruntime-cc-cpu", "part-onnxruntime-cpu-py310", "part-tritonclient-cpu-py310", "part-common-cu128-py312", "part-torch-cu128-py312", "part-grpc-cu128-py312", "part-tensorflow-cu128-py312", "part-onnxruntime-cu128-py312", "part-tritonclient-cu128-py312", "part-common-cu130-py312", "part-torch-cu130-py312", "part-grpc-cu130-py312", "part-onnxruntime-cc-cu130", "part-onnxruntime-cu130-py312", "part-tritonclient-cu130-py312", "part-tensorrt-rtx-cu130-py312", "part-common-cu132-py312", "part-torch-cu132-py312", "part-grpc-cu132-py312", "part-onnxruntime-cc-cu132", "part-onnxruntime-cu132-py312", "part-tritonclient-cu132-py312", "part-tensorrt-rtx-cu132-py312", "part-common-cpu-py312", "part-torch-cpu-py312", "part-grpc-cpu-py312", "part-tensorflow-cpu-py312", "part-onnxruntime-cpu-py312", "part-tritonclient-cpu-py312", "part-common-cu128-py314", "part-torch-cu128-py314", "part-grpc-cu128-py314", "part-tritonclient-cu128-py314", "part-common-cu130-py314", "part-torch-cu130-py314", "part-grpc-cu130-py314", "part-onnxruntime-cu130-py314", "part-tritonclient-cu130-py314", "part-tensorrt-rtx-cu130-py314", "part-common-cu132-py314", "part-torch-cu132-py314", "part-grpc-cu132-py314", "part-onnxruntime-cu132-py314", "part-tritonclient-cu132-py314", "part-tensorrt-rtx-cu132-py314", "part-common-cpu-py314", "part-grpc-cpu-py314", "part-tritonclient-cpu-py314", "part-common-cu128-py311", "part-torch-cu128-py311", "part-grpc-cu128-py311", "part-tensorflow-cu128-py311", "part-onnxruntime-cu128-py311", "part-tritonclient-cu128-py311", "part-common-cu130-py311", "part-torch-cu130-py311", "part-grpc-cu130-py311", "part-onnxruntime-cu130-py311", "part-tritonclient-cu130-py311", "part-tensorrt-rtx-cu130-py311", "part-common-cu132-py311", "part-torch-cu132-py311", "part-grpc-cu132-py311", "part-onnxruntime-cu132-py311", "part-tritonclient-cu132-py311", "part-tensorrt-rtx-cu132-py311", "part-common-cpu-py311", "part-grpc-cpu-py311", "part-tensorflow-cpu-py311", "part-onnxruntime-cpu-py311", "part-tritonclient-cpu-py311", "part-common-cu128-py313", "part-torch-cu128-py313", "part-grpc-cu128-py313", "part-tensorflow-cu128-py313", "part-onnxruntime-cu128-py313", "part-tritonclient-cu128-py313", "part-common-cu130-py313", "part-torch-cu130-py313", "part-grpc-cu130-py313", "part-onnxruntime-cu130-py313", "part-tritonclient-cu130-py313", "part-tensorrt-rtx-cu130-py313", "part-common-cu132-py313", "part-torch-cu132-py313", "part-grpc-cu132-py313", "part-onnxruntime-cu132-py313", "part-tritonclient-cu132-py313", "part-tensorrt-rtx-cu132-py313", "part-common-cpu-py313", "part-torch-cpu-py313", "part-grpc-cpu-py313", "part-tensorflow-cpu-py313", "part-onnxruntime-cpu-py313", "part-tritonclient-cpu-py313",
+    "part-cuda-cu128", "part-cuda-cu130", "part-devel-cu130", "part-cuda-cu132", "part-devel-cu132", "part-cuda-cu121", "part-common-cu121-py38", "part-torch-cu121-py38", "part-grpc-cu121-py38", "part-onnxruntime-cc-cu121", "part-onnxruntime-cu121-py38", "part-common-cpu38-py38", "part-grpc-cpu38-py38", "part-tensorflow-cc-cpu38", "part-tensorflow-cpu38-py38", "part-common-cu128-py310", "part-torch-cu128-py310", "part-grpc-cu128-py310", "part-tensorflow-cc-cu128", "part-tensorflow-cu128-py310", "part-onnxruntime-cc-cu128", "part-onnxruntime-cu128-py310", "part-tritonclient-cu128-py310", "part-common-cu130-py310", "part-torch-cu130-py310", "part-grpc-cu130-py310", "part-tritonclient-cu130-py310", "part-tensorrt-rtx-cc-cu130", "part-tensorrt-rtx-cu130-py310", "part-common-cu132-py310", "part-grpc-cu132-py310", "part-tritonclient-cu132-py310", "part-tensorrt-rtx-cc-cu132", "part-tensorrt-rtx-cu132-py310", "part-common-cpu-py310", "part-torch-cpu-py310", "part-grpc-cpu-py310", "part-tensorflow-cc-cpu", "part-tensorflow-cpu-py310", "part-onnxruntime-cc-cpu", "part-onnxruntime-cpu-py310", "part-tritonclient-cpu-py310", "part-common-cu128-py312", "part-torch-cu128-py312", "part-grpc-cu128-py312", "part-tensorflow-cu128-py312", "part-onnxruntime-cu128-py312", "part-tritonclient-cu128-py312", "part-common-cu130-py312", "part-torch-cu130-py312", "part-grpc-cu130-py312", "part-onnxruntime-cc-cu130", "part-onnxruntime-cu130-py312", "part-tritonclient-cu130-py312", "part-tensorrt-rtx-cu130-py312", "part-common-cu132-py312", "part-torch-cu132-py312", "part-grpc-cu132-py312", "part-onnxruntime-cc-cu132", "part-onnxruntime-cu132-py312", "part-tritonclient-cu132-py312", "part-tensorrt-rtx-cu132-py312", "part-common-cpu-py312", "part-torch-cpu-py312", "part-grpc-cpu-py312", "part-tensorflow-cpu-py312", "part-onnxruntime-cpu-py312", "part-tritonclient-cpu-py312", "part-common-cu128-py314", "part-torch-cu128-py314", "part-grpc-cu128-py314", "part-tritonclient-cu128-py314", "part-common-cu130-py314", "part-torch-cu130-py314", "part-grpc-cu130-py314", "part-onnxruntime-cu130-py314", "part-tritonclient-cu130-py314", "part-tensorrt-rtx-cu130-py314", "part-common-cu132-py314", "part-torch-cu132-py314", "part-grpc-cu132-py314", "part-onnxruntime-cu132-py314", "part-tritonclient-cu132-py314", "part-tensorrt-rtx-cu132-py314", "part-common-cpu-py314", "part-grpc-cpu-py314", "part-tritonclient-cpu-py314", "part-common-cu128-py311", "part-torch-cu128-py311", "part-grpc-cu128-py311", "part-tensorflow-cu128-py311", "part-onnxruntime-cu128-py311", "part-tritonclient-cu128-py311", "part-common-cu130-py311", "part-torch-cu130-py311", "part-grpc-cu130-py311", "part-onnxruntime-cu130-py311", "part-tritonclient-cu130-py311", "part-tensorrt-rtx-cu130-py311", "part-common-cu132-py311", "part-torch-cu132-py311", "part-grpc-cu132-py311", "part-onnxruntime-cu132-py311", "part-tritonclient-cu132-py311", "part-tensorrt-rtx-cu132-py311", "part-common-cpu-py311", "part-grpc-cpu-py311", "part-tensorflow-cpu-py311", "part-onnxruntime-cpu-py311", "part-tritonclient-cpu-py311", "part-common-cu128-py313", "part-torch-cu128-py313", "part-grpc-cu128-py313", "part-tensorflow-cu128-py313", "part-onnxruntime-cu128-py313", "part-tritonclient-cu128-py313", "part-common-cu130-py313", "part-torch-cu130-py313", "part-grpc-cu130-py313", "part-onnxruntime-cu130-py313", "part-tritonclient-cu130-py313", "part-tensorrt-rtx-cu130-py313", "part-common-cu132-py313", "part-torch-cu132-py313", "part-grpc-cu132-py313", "part-onnxruntime-cu132-py313", "part-tritonclient-cu132-py313", "part-tensorrt-rtx-cu132-py313", "part-common-cpu-py313", "part-torch-cpu-py313", "part-grpc-cpu-py313", "part-tensorflow-cpu-py313", "part-onnxruntime-cpu-py313", "part-tritonclient-cpu-py313", "part-common-cpu314-py314", "part-grpc-cpu314-py314", "part-onnxruntime-cc-cpu314", "part-onnxruntime-cpu314-py314",
   ]
 }

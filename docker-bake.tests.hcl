@@ -5686,6 +5686,16 @@ target "lyrical-core-torch-onnx-cu132-test" {
   }
 }
 
+target "lyrical-core-onnx-cpu314-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
+  contexts  = { image = dependency("lyrical-core-onnx-cpu314", "ros-onnx", "lyrical-core-onnx-cpu314") }
+  args = {
+    TESTS  = "contract tools ros2 ros2-beside onnxruntime onnxruntime-build pip"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core onnxruntime=1.32.0"
+  }
+}
+
 target "lyrical-core-devel-cu132-test" {
   inherits  = ["_test"]
   platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
@@ -9076,6 +9086,7 @@ group "tests" {
     "humble-core-onnx-cpu-test", "humble-base-onnx-cpu-test", "humble-core-torch-onnx-cpu-test", "humble-core-tensorflow-onnx-cpu-test",
     "ros1-trixie-core-onnx-cpu-test", "ros1-trixie-core-torch-onnx-cpu-test", "ros1-trixie-core-tensorflow-onnx-cpu-test",
     "ros1-bookworm-core-onnx-cpu-test", "ros1-bookworm-base-onnx-cpu-test", "ros1-bookworm-core-tensorflow-onnx-cpu-test",
+    "lyrical-core-onnx-cpu314-test",
     "jazzy-core-devel-cu130-test", "jazzy-core-torch-devel-cu130-test",
     "humble-core-devel-cu130-test", "humble-core-torch-devel-cu130-test",
     "noetic-core-devel-cu130-test",

@@ -10,8 +10,11 @@ from memory_registry import NEXT, Publisher, publisher, steps
 from stubs import services
 
 from rosml.base.errors import RosmlError
+from rosml.images.bake import targets
+from rosml.images.builds import structure_tests
 from rosml.images.image_set import explain, locked
 from rosml.images.image_set.model import ImageSet
+from rosml.images.locks import resolve
 
 ENTRY = "addons:\n  extra: {parts: [extra], beside: [torch], tags: {distributions: [alpha], components: [base], stacks: [cu1]}}\n"
 MATRIX = SMALLER
@@ -45,6 +48,21 @@ def image_set(project: Path) -> ImageSet:
 @pytest.fixture
 def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Publisher:
     return publisher(project, services(project), monkeypatch)
+
+
+def test_a_release_may_need_variables_and_a_newer_glibc() -> None:
+    """Images have the variables, parts say them for joins, and locks and builds take wheels for that glibc."""
+    text = changed("    1.5.0: {", "    1.5.0: {glibc: '2.34', environment: {EXTRA_SENDS: '0'}, ", MATRIX)
+    found = parse(text)
+    assert structure_tests.expected_environment(found.image("alpha-base-extra-cu1"))["EXTRA_SENDS"] == "0"
+    assert "EXTRA_SENDS" not in structure_tests.expected_environment(found.image("alpha-base-torch-cu1"))
+    built = targets.of(found)
+    joined, part = built["alpha-base-extra-cu1"].join, built["part-extra-cu1-py312"]
+    assert joined and joined.environment["EXTRA_SENDS"] == "0"
+    assert (part.labels["io.rosml.extra.environment"], part.arguments["GLIBC"]) == ("EXTRA_SENDS=0", "2.34")
+    assert "GLIBC" not in built["part-torch-cu1-py312"].arguments
+    asked = {item.architecture: item.wheels for item in resolve.requests(found) if item.stack == "cpu"}
+    assert asked == {"amd64": "x86_64-manylinux_2_34", "arm64": "aarch64-manylinux_2_34"}
 
 
 def test_each_stack_and_python_is_tested_on_the_lowest_component(image_set: ImageSet) -> None:

@@ -21,7 +21,7 @@ def test_every_axis(real: ImageSet) -> None:
         *("core", "base", "robot", "perception", "desktop", "desktop-full", "core-run", "base-run")
     ]
     assert list(real.matrix.frameworks) == ["none", "cuda", "torch", "tensorflow", "ml"]
-    assert list(real.matrix.stacks) == ["cu128", "cu130", "cu132", "cu121", "cpu", "cpu38"]
+    assert list(real.matrix.stacks) == ["cu128", "cu130", "cu132", "cu121", "cpu", "cpu38", "cpu314"]
     assert len([image for image in real.images if not image.addons]) == 801
     named = {name: [image for image in real.images if image.addons == (name,)] for name in real.matrix.addons}
     assert all(named.values()), "each is tested somewhere"
@@ -81,6 +81,7 @@ def test_what_goes_with_pytorch(real: ImageSet) -> None:
         "cu132": ["torchvision"],
         "cu121": ["torchaudio", "torchvision"],
         "cpu": [],
+        "cpu314": [],
         "cpu38": [],
     }
 

@@ -176,6 +176,18 @@ def test_an_addon_without_a_framework(place: Place) -> None:
     assert found["io.rosml.parts"] == "common graph-cc graph"
 
 
+def test_the_variables_that_software_needs(place: Place) -> None:
+    quiet = part("graph", "cpu")
+    quiet = replace(quiet, labels={**quiet.labels, "io.rosml.graph.environment": "GRAPH_SENDS=0 GRAPH_LOGS=no"})
+    images = [place.ros(), *place.stack(GRAPH[1:-1], "cpu"), place.put(quiet, "graph-cpu-py311")]
+    for wrong in ("GRAPH_SENDS", "PATH=/tmp", "GRAPH_SENDS=0=1"):
+        damaged = replace(quiet, labels={**quiet.labels, "io.rosml.graph.environment": wrong})
+        error = place.refused(*images[:-1], place.put(damaged, "damaged"))
+        assert "is damaged" in error.message and "publish it again" in error.remedy
+    _, config = place.image(place.join(*images).manifests["linux/amd64"])
+    assert config["config"]["Env"][1:] == ["GRAPH_VERSION=1.23.2", "GRAPH_SENDS=0", "GRAPH_LOGS=no"]
+
+
 def test_addons_onto_an_image_that_has_a_framework(place: Place) -> None:
     """One after the other, or all at once with the framework: layers have the same order."""
     own = [
