@@ -40,7 +40,7 @@ fi
 # Where a program may have lost the image's variables, as in a login by ssh (components/onnxruntime/files.sh).
 if grep -q ORT_DISABLE_TELEMETRY "$libraries/$library"; then
   mkdir -p "$OUT/etc/profile.d"
-  echo 'export ORT_DISABLE_TELEMETRY="${ORT_DISABLE_TELEMETRY-1}"' >"$OUT/etc/profile.d/rosml-onnxruntime.sh"
+  echo "export ORT_DISABLE_TELEMETRY=\${ORT_DISABLE_TELEMETRY-1}" >"$OUT/etc/profile.d/rosml-onnxruntime.sh"
 fi
 
 cmake=$OUT/usr/local/lib/cmake/onnxruntime pkgconfig=$OUT/usr/local/lib/pkgconfig
