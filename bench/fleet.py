@@ -13,17 +13,16 @@ import logging
 import tarfile
 import time
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Any
 
-from rosml import ROOT
+from bench import local
 from rosml.base.clock import now
 from rosml.base.errors import RosmlError
 from rosml.base.side_by_side import side_by_side
 from rosml.base.terminal import show, table
 from rosml.base.units import duration, size
-from rosml.containerize import app_inputs, build
 from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME
 from rosml.containerize.rebase import image
 from rosml.containerize.rebase.fleet import Entry, Fleet
@@ -38,7 +37,6 @@ from rosml.registry import oci, references
 from rosml.registry.client import Registries, Registry
 
 NAMESPACE = "bench-fleet"
-BASE = "rosml/ros:ros1-bookworm-core"
 APPS, KINDS, BASES = 1000, 20, 10
 SECONDS, BYTES, LINKED = 1.0, 20_000, 20.0
 """What one app alone may take: to move by the facts, what is sent for it, and with the link check in the builder."""
@@ -122,14 +120,8 @@ def measure(services: Services, apps: int, say: Callable[[str], None]) -> tuple[
     Raises:
         RosmlError: no base image is there, or a build failed.
     """
-    options = {"base-image": f"{services.registry}/{BASE}", "image-name": f"{NAMESPACE}/example", "target": "run"}
-    options |= {"command": "roslaunch compass compass.launch", "tests": "false", "image-tag": "latest"}
-    folder = ROOT / "examples/ros1"
-    say("build the example")
-    started = time.monotonic()
-    built = build.App(folder, app_inputs.values(options, folder, {}), {}, services, say).build()
-    again = time.monotonic() - started
-    return Bench(services, built.images[0].reference, options["base-image"], say, apps).measure(), again
+    app, again = local.example(services, NAMESPACE, say)
+    return Bench(services, app, f"{services.registry}/{local.BASE}", say, apps).measure(), again
 
 
 @dataclass
@@ -156,8 +148,10 @@ class Bench:
         Raises:
             RosmlError: the registry does not answer or refuses.
         """
-        with Registries(self.services.ca_bundle) as registries, self._cleaned(registries):
-            registry = registries(self.services.registry)
+        with (
+            Registries(self.services.ca_bundle) as registries,
+            local.cleaned(registry := registries(self.services.registry), self.pushed, self.say),
+        ):
             with Transfer(registries) as transfer:
                 self.say(f"{BASES} base images and {self.apps} apps of {KINDS} kinds")
                 core, app = (next(iter(transfer.platforms(name).values())) for name in (self.base, self.app))
@@ -264,19 +258,3 @@ class Bench:
         data = registry.part(source.repository, found.layers[0])
         subject = oci.descriptor(oci.IMAGE, manifest)
         self.pushed.add((repository, registry.attach(repository, subject, artifact, data, media_type)))
-
-    @contextmanager
-    def _cleaned(self, registries: Registries) -> Iterator[None]:
-        """Removes at the end what was pushed. The registry itself collects its blobs."""
-        try:
-            yield
-        finally:
-            self.say("remove what was pushed")
-            registry = registries(self.services.registry)
-
-            def remove(item: tuple[str, str]) -> None:
-                with suppress(RosmlError):
-                    registry.delete(*item)
-                    registry.forget(*item)
-
-            side_by_side(remove, sorted(self.pushed))

@@ -1,8 +1,9 @@
 """`make bench`: both ways are built alike and counted rightly, and nothing is left; with local replacements for buildx and
-regctl. And the start of `rosml run`."""
+regctl. The start of `rosml run`. And joins of add-ons, in a registry in this process."""
 
 from __future__ import annotations
 
+import gzip
 import json
 import re
 import shutil
@@ -11,14 +12,18 @@ from pathlib import Path
 import pytest
 from bakes import printed
 from conftest import write_locks
+from rebasing import moving
 from stubs import buildx, calls, executable, services
 
-from bench import cli, second_image, start
+from bench import addons, cli, second_image, start
 from bench.second_image import Side
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.images.builds.push import COMPRESSION
 from rosml.images.image_set.model import ImageSet
+from rosml.images.join import file_lists
+from rosml.machine.services import Services
+from tests.e2e.parts import ADDONS, stack
 
 TARGET = "alpha-base-torch-cu1"
 
@@ -183,3 +188,29 @@ def test_the_start_of_a_container(monkeypatch: pytest.MonkeyPatch, capsys: pytes
     monkeypatch.setattr(start, "ROSML", ("true",))
     with pytest.raises(RosmlError, match="run --rm ubuntu true failed"):
         start.seconds()
+
+
+def test_joins_of_addons(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], registry: str
+) -> None:
+    """To an image, to the result, and to an app. Nothing is left, and what takes more than it may is an error."""
+    with moving(tmp_path, monkeypatch) as place:
+        base = place.base()
+        app = place.app(base)
+        made = place.registry.manifest("me/robot", "latest")
+        assert made
+        listed = gzip.compress(b"docker-ros/ws/install/lib/node\n", mtime=0)
+        place.registry.attach("me/robot", made.descriptor, file_lists.ARTIFACT, listed, file_lists.MEDIA_TYPE)
+        first, second = (stack(place.registry, "rosml/part", ADDONS[name]) for name in ("graph", "devel"))
+        before = {*place.server.manifests}
+        rows = addons.Bench(place.services, base, app, first, second, place.said.append).measure()
+        assert {*place.server.manifests} == before
+    assert [row.what.split()[-1] for row in rows] == ["add-on", "one", "add-on"]
+    assert all(row.seconds > 0 and 1_000 < row.uploaded < addons.BYTES for row in rows)
+    local = services(tmp_path, registry)
+    monkeypatch.setattr(Services, "load", lambda root: local)
+    monkeypatch.setattr(addons, "measure", lambda *_: rows)
+    assert command.run(cli.main, arguments=["--addons"]) == 0
+    monkeypatch.setattr(addons, "BYTES", 1_000)
+    assert command.run(cli.main, arguments=["--addons"]) == 1
+    assert capsys.readouterr().err.count("and at most 1.0 kB") == 3

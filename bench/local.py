@@ -1,0 +1,54 @@
+"""What measurements share that work in the local registry: an example app, and how they leave nothing there."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+
+from rosml import ROOT
+from rosml.base.errors import RosmlError
+from rosml.base.side_by_side import side_by_side
+from rosml.containerize import app_inputs, build
+from rosml.machine.services import Services
+from rosml.registry.client import Registry
+
+BASE = "rosml/ros:ros1-bookworm-core"
+
+
+def example(services: Services, namespace: str, say: Callable[[str], None]) -> tuple[str, float]:
+    """Builds the example on the base image that is in the local registry.
+
+    Returns:
+        Its reference, and the seconds that this took.
+
+    Raises:
+        RosmlError: no base image is there, or the build failed.
+    """
+    options = {"base-image": f"{services.registry}/{BASE}", "image-name": f"{namespace}/example", "target": "run"}
+    options |= {"command": "roslaunch compass compass.launch", "tests": "false", "image-tag": "latest"}
+    folder = ROOT / "examples/ros1"
+    say("build the example")
+    started = time.monotonic()
+    built = build.App(folder, app_inputs.values(options, folder, {}), {}, services, say).build()
+    return built.images[0].reference, time.monotonic() - started
+
+
+@contextmanager
+def cleaned(registry: Registry, pushed: set[tuple[str, str]], say: Callable[[str], None]) -> Iterator[None]:
+    """Removes at the end what was pushed. The registry itself collects its blobs.
+
+    Args:
+        pushed: repositories with digests; what is added meanwhile counts as well.
+    """
+    try:
+        yield
+    finally:
+        say("remove what was pushed")
+
+        def remove(item: tuple[str, str]) -> None:
+            with suppress(RosmlError):
+                registry.delete(*item)
+                registry.forget(*item)
+
+        side_by_side(remove, sorted(pushed))
