@@ -231,9 +231,9 @@ def image_set(project: Path) -> sets.ImageSet:
     return smaller(project)
 
 
-def smaller(project: Path) -> sets.ImageSet:
+def smaller(project: Path, text: str = SMALLER) -> sets.ImageSet:
     """The catalogue of the smaller matrix, whose locks are written into a project."""
-    found = parse(SMALLER)
+    found = parse(text)
     write_locks(project, found)
     return locked.with_locks(found, locked.current_locks(found, project))
 

@@ -10,13 +10,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from conftest import ROOT
-from memory_registry import DAY, NEXT, Publisher, Run, publisher, waiting
+from conftest import ROOT, SMALLER, changed, smaller
+from memory_registry import DAY, NEXT, MemoryRegistry, Publisher, Run, publisher, waiting
 from projects import BASE
 from scanning import World, advisory, rules
 from stubs import services
 
-from rosml.images.image_set import load
+from rosml.images.image_set import load, restricted
 from rosml.images.image_set.labels import COVERED
 from rosml.images.image_set.model import ImageSet, Part
 from rosml.images.publish import scan_results
@@ -30,6 +30,9 @@ from rosml.images.scan.policy import load as load_policy
 from rosml.images.scan.results import Results
 from rosml.images.scan.sbom import FORMAT, MEDIA_TYPE
 from rosml.images.scan.trivy import ScannerFailed
+
+HELD = changed("{name: torch, title: PyTorch", "{name: torch, distribution: restricted, title: PyTorch", SMALLER)
+"""The smaller matrix, whose part torch is restricted."""
 
 
 @pytest.fixture
@@ -265,6 +268,34 @@ def test_a_part_of_the_images_says_nothing_of_an_ignore_entry(
         patch.setattr(judging, "summarise", judge)
         scan(run, rules(), ScannerFailed("none", "rosml setup scanner"))
     assert found == [False, True, True]
+
+
+def test_what_may_not_go_to_a_registry_is_not_missing_there(
+    registry: Publisher, project: Path, world: World, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A run over everything that a public registry may have names entries that are in no image. One over fewer images does not, and
+    neither does an entry for an image that the registry may not have."""
+    monkeypatch.delenv(restricted.VARIABLE, raising=False)
+    image_set = smaller(project, HELD)
+    free = [image.target for image in image_set.images if not {"torch", "ml"} & {*image.target.split("-")}]
+    assert 1 < len(free) < len(image_set.images)
+    entry = "- {{id: CVE-2026-7, {}reason: not reachable, expires: 2027-01-31}}\n"
+    policy = rules(entry.format("") + entry.format("targets: '*torch*', "))
+
+    def useless(host: str, only: list[str]) -> list[str]:
+        registry.registry = MemoryRegistry(host=host)
+        run = registry.run(image_set, DAY, scanning=policy_digest(policy, DAY), only=only)
+        for step in ("build", "join", "test"):
+            STEPS[step](run)
+        trivy = world.trivy()
+        trivy.fetch(policy.policy.database)
+        return [text.partition(": ")[2].partition(":")[0] for text in scan(run, policy, trivy).problems]
+
+    assert useless("ghcr.io", free) == ["ignore[0]"]
+    assert useless("ghcr.io", free[1:]) == []
+    monkeypatch.setenv(restricted.VARIABLE, "registry.example.com")
+    assert useless("registry.example.com", free) == [], "it may have all"
+    assert useless("registry.example.com", []) == ["ignore[0]", "ignore[1]"]
 
 
 def test_a_set_leaves_out_what_the_matrix_that_it_extends_has(tmp_path: Path, real: ImageSet) -> None:

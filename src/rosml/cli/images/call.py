@@ -237,21 +237,13 @@ class Call:
         Raises:
             RosmlError: one that was named may not go there (exit code 2).
         """
-        from rosml.base.errors import RosmlError
         from rosml.base.problems import counted
         from rosml.images.image_set import restricted, selection
 
-        declared, left, told = restricted.Declared.of(self.image_set.matrix), set[str](), ""
         selected = selection.select(self.image_set, self.only)
-        for image in selected:
-            kinds = [self.image_set.part_by_name[name].kind for name in image.parts]
-            parts = restricted.of(self.image_set.matrix, kinds)
-            try:
-                told = told or restricted.require(parts, image.target, place.client.host, place.prefix, declared)
-            except RosmlError:
-                if not reading and (self.only or len(left) + 1 == len(selected)):
-                    raise
-                left.add(image.target)
+        left, told = restricted.refused(self.image_set, selected, place.client.host, place.prefix)
+        if left and not reading and (self.only or len(left) == len(selected)):
+            raise next(iter(left.values()))
         if told:
             say(told)
         if not left or self.only:

@@ -15,6 +15,7 @@ from rosml import MATRIX
 from rosml.base.errors import RosmlError
 from rosml.base.problems import some
 from rosml.images.image_set.labels import RESTRICTED
+from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix import extends, registries
 from rosml.images.matrix.model import HOST, NAME, Matrix
 from rosml.images.matrix.validate import validate
@@ -86,6 +87,33 @@ def named(labels: Mapping[str, str]) -> tuple[str, ...]:
 def of(matrix: Matrix, parts: Iterable[str]) -> tuple[str, ...]:
     """The restricted ones of some parts of a matrix."""
     return tuple(name for name in parts if matrix.part[name].restricted)
+
+
+def refused(
+    image_set: ImageSet, images: Iterable[Image], host: str, repository: str
+) -> tuple[dict[str, RosmlError], str]:
+    """The images that may not go to a registry, by their targets, each with the error that says so; and what to tell the user about
+    the others, as `require` gives it.
+
+    All other images of the set are everything that this registry may have: a run over these is a whole one.
+
+    Args:
+        image_set: what the owner of the set declared is in its matrix.
+        images: images of the set.
+        host: the registry, with its port if it has one.
+        repository: the path in it.
+
+    Raises:
+        RosmlError: the variable with private registries is wrong (exit code 2).
+    """
+    declared, found, told = Declared.of(image_set.matrix), dict[str, RosmlError](), ""
+    for image in images:
+        parts = of(image_set.matrix, [image_set.part_by_name[name].kind for name in image.parts])
+        try:
+            told = told or require(parts, image.target, host, repository, declared)
+        except RosmlError as error:
+            found[image.target] = error
+    return found, told
 
 
 def require(parts: Sequence[str], what: str, host: str, repository: str, declared: Declared) -> str:

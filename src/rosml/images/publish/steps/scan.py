@@ -11,6 +11,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
+from rosml.images.image_set import restricted
 from rosml.images.image_set.expand import expand
 from rosml.images.image_set.model import ImageSet
 from rosml.images.publish.run import Outcome, Run
@@ -62,9 +63,9 @@ def scan(
             results.add(entry)
 
     wanted = _wanted(run, lambda entry: _is_clean(entry, policy, database))
-    # Missing images do not count: they may lack a lock.
+    # Missing images do not count: they may lack a lock, or have restricted parts that may not go to this registry.
     there = {item.key for item in state.items if item.kind != "part"} & state.present
-    whole = wanted.keys() == there and len(state.images) == len(state.image_set.images)
+    whole = wanted.keys() == there and not _others(state)
     started, date, targets = time.monotonic(), _time(state.date), state.image_set.by_target
     missing = left_out(state.image_set)
     images = list(wanted.values())
@@ -89,6 +90,13 @@ def scan(
 def left_out(image_set: ImageSet) -> set[str]:
     """The targets that a set does not have, and the matrix that it extends has; none if it is no set."""
     return set(expand(image_set.base).by_target) - set(image_set.by_target) if image_set.base else set()
+
+
+def _others(state: State) -> set[str]:
+    """The targets that this registry may have, and that were not requested."""
+    every, place = state.image_set.images, state.place
+    refused, _ = restricted.refused(state.image_set, every, place.client.host, place.prefix)
+    return {image.target for image in every} - {image.target for image in state.images} - refused.keys()
 
 
 def _wanted(run: Run, clean: Callable[[Entry], bool]) -> dict[tuple[str, str], judge.Image]:
