@@ -24,18 +24,5 @@ if grep -q ORT_DISABLE_TELEMETRY "$OUT$SITE"/onnxruntime/capi/onnxruntime_pybind
   }
 fi
 
-# `pip install` of what depends on "onnxruntime" must find it where the wheel that carries it is called onnxruntime-gpu: pip would put
-# the one for the CPU over it. A package that says so, with the files of that wheel on its record: whoever replaces it replaces them.
-wheel=$(basename "$OUT$SITE"/onnxruntime*.dist-info)
-version=${wheel%.dist-info} version=${version##*-}
-alias=$OUT$SITE/onnxruntime-$version.dist-info
-if [[ ! -d $alias ]]; then
-  mkdir "$alias"
-  printf '%s\n' 'Metadata-Version: 2.1' 'Name: onnxruntime' "Version: $version" \
-    "Summary: Stands for ${wheel%%-*}, which is the same package under another name" \
-    "Requires-Dist: ${wheel%%-*}==$version" >"$alias/METADATA"
-  printf '%s\n' 'Wheel-Version: 1.0' 'Generator: rosml' 'Root-Is-Purelib: true' 'Tag: py3-none-any' >"$alias/WHEEL"
-  echo rosml >"$alias/INSTALLER"
-  for file in INSTALLER METADATA RECORD WHEEL; do echo "${alias##*/}/$file,,"; done >"$alias/RECORD"
-  cat "$OUT$SITE/$wheel/RECORD" >>"$alias/RECORD"
-fi
+# Wheels with CUDA are called onnxruntime-gpu, and what depends on ONNX Runtime asks for onnxruntime.
+"$here/../part/records.py" alias onnxruntime "$(basename "$OUT$SITE"/onnxruntime*.dist-info)"

@@ -8,6 +8,9 @@
   records.py link TARGET PATH...
                       makes files, or folders with all that is in them, links to another part's at TARGET/PATH, and
                       writes down what they were, so that a test can tell whether the other part's are the same
+  records.py alias NAME WHEEL
+                      has a package NAME stand for the one that the wheel carries under another name; WHEEL is its
+                      folder, such as onnxruntime_gpu-1.23.2.dist-info
 
 Patterns are those of the shell, below the folder of the packages; `*` matches slashes as well. Lines that begin with #
 say why. uv has checked the wheels themselves against the lock's hashes before; this is about what became of them.
@@ -136,6 +139,37 @@ def link(target: str, *paths: str) -> None:
     said.write_text(f"{summary(row for found in here.values() for row in found)}\n")
 
 
+def alias(name: str, wheel: str) -> None:
+    """Makes a package that stands for a wheel's. Nothing is made if the wheel has that name itself, or another wheel brings
+    such a package.
+
+    `pip install` of what depends on the name must find it: pip would put another wheel over this one. The files of the
+    wheel are on the package's record as well, so whoever replaces the package replaces them. Call it after `link`.
+    """
+    called, _, version = wheel[: -len(".dist-info")].rpartition("-")
+    folder = SITE / f"{name}-{version}.dist-info"
+    if folder.name == wheel:
+        return
+    if not folder.is_dir():
+        folder.mkdir()
+        files = {
+            "INSTALLER": ["rosml"],
+            "METADATA": [
+                "Metadata-Version: 2.1",
+                f"Name: {name}",
+                f"Version: {version}",
+                f"Summary: Stands for {called}, which is the same package under another name",
+                f"Requires-Dist: {called}=={version}",
+            ],
+            "RECORD": [f"{folder.name}/{file},," for file in ("INSTALLER", "METADATA", "RECORD", "WHEEL")],
+            "WHEEL": ["Wheel-Version: 1.0", "Generator: rosml", "Root-Is-Purelib: true", "Tag: py3-none-any"],
+        }
+        for file, lines in files.items():
+            (folder / file).write_text("".join(f"{line}\n" for line in lines), encoding="utf-8")
+    with (folder / "RECORD").open("ab") as record:
+        record.write((SITE / wheel / "RECORD").read_bytes())
+
+
 EXPECTED = "/usr/local/share/rosml/expected.d"
 """What a part takes another part's files to be: one file for each, by the name of the other part."""
 
@@ -180,5 +214,5 @@ def verify() -> None:
 
 
 if __name__ == "__main__":
-    commands: dict[str, Callable[..., None]] = {"prune": prune, "verify": verify, "link": link}
+    commands: dict[str, Callable[..., None]] = {"prune": prune, "verify": verify, "link": link, "alias": alias}
     commands[sys.argv[1]](*sys.argv[2:])

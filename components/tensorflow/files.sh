@@ -35,19 +35,6 @@ version=${version##*-}
 # so that it reads to the end: nm would fail where nobody listens.
 exports() { "$TRIPLET-nm" --dynamic --defined-only "$tensorflow/libtensorflow_cc.so.$soversion" | grep -c " $1" >/dev/null; }
 
-# `pip install` of what depends on "tensorflow" must find it, also where the wheel that carries it is called otherwise
-# (tensorflow-cpu): a package that says so. Some releases for arm64 bring one themselves.
-alias=$OUT$SITE/tensorflow-$version.dist-info
-if [[ ! -d $alias ]]; then
-  mkdir "$alias"
-  printf '%s\n' 'Metadata-Version: 2.1' 'Name: tensorflow' "Version: $version" \
-    "Summary: Stands for ${wheel%%-*}, which is the same package under another name" \
-    "Requires-Dist: ${wheel%%-*}==$version" >"$alias/METADATA"
-  printf '%s\n' 'Wheel-Version: 1.0' 'Generator: rosml' 'Root-Is-Purelib: true' 'Tag: py3-none-any' >"$alias/WHEEL"
-  echo rosml >"$alias/INSTALLER"
-  for file in INSTALLER METADATA RECORD WHEEL; do echo "${alias##*/}/$file,,"; done >"$alias/RECORD"
-fi
-
 # What tf.sysconfig.get_compile_flags() says, without running it: the target may be another architecture. TensorFlow
 # compiles Eigen with this alignment on all architectures:
 # https://github.com/tensorflow/tensorflow/blob/v2.13.1/third_party/eigen3/eigen_archive.BUILD
@@ -125,5 +112,6 @@ fill pkgconfig/tensorflow.pc "$OUT/usr/local/lib/pkgconfig"
 "$here/../part/records.py" link /usr/local/lib/rosml/tensorflow-cc \
   "tensorflow/libtensorflow_cc.so.$soversion" tensorflow/include
 
-# Whoever replaces the package that stands for it replaces this one: its files are on both records.
-if [[ ${alias##*/} != "$wheel" ]]; then cat "$OUT$SITE/$wheel/RECORD" >>"$alias/RECORD"; fi
+# What depends on TensorFlow asks for tensorflow, also if the wheel is called otherwise, such as tensorflow-cpu. Some releases
+# for arm64 bring such a package themselves.
+"$here/../part/records.py" alias tensorflow "$wheel"

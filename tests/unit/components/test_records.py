@@ -10,6 +10,7 @@ import re
 import subprocess
 import sys
 from collections.abc import Callable
+from importlib.metadata import distributions
 from pathlib import Path
 
 import pytest
@@ -202,6 +203,33 @@ def test_links_to_another_part_take_the_place_of_files(part: Part) -> None:
     expected = hashlib.sha256("\n".join(sorted(before)).encode()).hexdigest()
     assert (part.out / "usr/local/share/rosml/expected.d/other").read_text() == f"{expected}\n"
     assert part.run("verify").returncode == 0
+
+
+def test_a_package_stands_for_a_wheel_of_another_name(part: Part) -> None:
+    """pip finds it, and whoever replaces it replaces the wheel's files."""
+    done = part.run("alias", "other", "thing-1.dist-info")
+    assert done.returncode == 0, done.stderr
+    [found] = distributions(name="other", path=[str(part.site)])
+    assert (found.version, found.requires) == ("1", ["thing==1"])
+    own = [f"other-1.dist-info/{name}" for name in ("INSTALLER", "METADATA", "RECORD", "WHEEL")]
+    assert {str(path) for path in found.files or ()} == {*own, *part.recorded()}
+    assert part.run("verify").returncode == 0
+
+
+def test_a_wheel_of_that_name_stands_for_itself(part: Part) -> None:
+    before = part.record.read_bytes(), part.files()
+    assert part.run("alias", "thing", "thing-1.dist-info").returncode == 0
+    assert (part.record.read_bytes(), part.files()) == before
+
+
+def test_a_package_that_another_wheel_brings_stays(part: Part) -> None:
+    own = part.site / "other-1.dist-info"
+    own.mkdir()
+    (own / "METADATA").write_text("theirs\n")
+    (own / "RECORD").write_text("other-1.dist-info/RECORD,,\n")
+    assert part.run("alias", "other", "thing-1.dist-info").returncode == 0
+    assert (own / "METADATA").read_text() == "theirs\n"
+    assert (own / "RECORD").read_bytes() == b"other-1.dist-info/RECORD,,\n" + part.record.read_bytes()
 
 
 TAKEN = ("thing/lib/libthing.a", "thing/lib/deep/more", "thing/__init__.py")
