@@ -422,7 +422,7 @@ def test_versions_that_moved_are_the_text_of_a_pull_request() -> None:
     text = lock.markdown(moved, ["locks/cu1/amd64/py312/torch.txt"], {"stack cu2": "no answer"})
     assert "| cpu | torch | 2.10.0 | 2.11.0 | 6 |\n" in text
     assert "| cpu | gone | 1 | - | 1 |\n" in text
-    assert "- new: `locks/cu1/amd64/py312/torch.txt`\n- stack cu2: locks stay as they are: no answer\n" in text
+    assert "- new: `locks/cu1/amd64/py312/torch.txt`\n- stack cu2: no new lock: no answer\n" in text
     assert lock.markdown({}, [], {}) == "No version moved.\n"
 
 

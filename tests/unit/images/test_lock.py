@@ -526,7 +526,7 @@ def test_the_rest_of_a_stack_is_locked_where_that_index_does_not_answer(tmp_path
     assert "locks/cpu/amd64/3.12/tensorflow.txt" in locks.texts
     assert "locks/cpu/amd64/3.12/torch.txt" not in locks.texts
     assert locks.left_out.keys() == {
-        "stack cpu, Python 3.12, amd64 (torch and tensorflow)",
+        "stack cpu, Python 3.12, amd64 (torch)",
         "stack cpu, Python 3.14, amd64 (torch)",
     }
     reason = "PyTorch's own index does not answer (Name or service not known)"
@@ -541,6 +541,24 @@ def test_locks_stay_that_were_made_where_that_index_answers(tmp_path: Path) -> N
     locks = resolve.lock(parse(ELSEWHERE_MATRIX), tmp_path, fake_uv(tmp_path, UNREACHABLE, CPU_RESOLVED))
     kept = {Path(path).stem: text for path, text in locks.texts.items() if "cpu/amd64/3.12" in path}
     assert kept == {name: f"{name}==1\n" for name in ("common", "torch", "tensorflow")}
+
+
+@pytest.mark.parametrize("upgrade", [False, True])
+def test_a_lock_that_is_missing_beside_one_that_stays(tmp_path: Path, upgrade: bool) -> None:
+    """It is written, with the versions of what stays, and the message names what got no new lock alone."""
+    folder = tmp_path / "locks/cpu/amd64/3.12"
+    folder.mkdir(parents=True)
+    for name, package in {"common": "numpy", "torch": "torch"}.items():
+        (folder / f"{name}.txt").write_text(f"{package}==1\n")
+    uv = fake_uv(
+        tmp_path, UNREACHABLE.replace("case", 'cp out.txt "$here/seen-out.txt" 2>/dev/null; case', 1), CPU_RESOLVED
+    )
+    stack = ("cpu",)
+    locks = resolve.lock(parse(ELSEWHERE_MATRIX), tmp_path, uv, upgrade, stacks=stack)
+    assert locks.texts["locks/cpu/amd64/3.12/torch.txt"] == "torch==1\n"
+    assert "tensorflow-cpu==2.20.0" in locks.texts["locks/cpu/amd64/3.12/tensorflow.txt"]
+    assert "stack cpu, Python 3.12, amd64 (torch)" in locks.left_out
+    assert (tmp_path / "seen-out.txt").read_text() == "numpy==1\ntorch==1\n"
 
 
 def test_another_failure_of_that_request_is_one(tmp_path: Path) -> None:

@@ -126,7 +126,7 @@ def main(
     for path in sorted(locked.locks(own) & there - locks.texts.keys()):
         terminal.echo(f"{path}: belongs to nothing in {matrix.name}; delete it", err=as_json)
     for request, reason in locks.left_out.items():
-        terminal.echo(f"{request}: locks stay as they are: {reason}", err=True)
+        terminal.echo(f"{request}: no new lock: {reason}", err=True)
     for line in [*map(str, stopped), *([unknown] if unknown else [])]:
         terminal.echo(line, err=True)
     if stopped:
@@ -298,7 +298,7 @@ def to_json(
         moved: versions, and how many locks have each.
         stale: locks that changed, or would change.
         fresh: the new ones of these.
-        left_out: requests whose locks stay as they are, with the reason.
+        left_out: requests that got no new lock, with the reason.
         pinned: base images.
         stopped: versions that the scan will stop.
         unknown: why these are not known.
@@ -386,8 +386,8 @@ def rows_of(moved: Mapping[Move, int]) -> list[tuple[str, ...]]:
 
 
 def markdown(moved: Mapping[Move, int], fresh: Sequence[str], left_out: Mapping[Any, str]) -> str:
-    """The text of a pull request: the table, new locks, and locks that stay as they are, with the reason."""
+    """The text of a pull request: the table, new locks, and what got no new lock, with the reason."""
     text = github.table(COLUMNS, rows_of(moved)) if moved else "No version moved.\n"
     lines = [f"- new: `{path}`" for path in fresh]
-    lines += [f"- {request}: locks stay as they are: {reason}" for request, reason in left_out.items()]
+    lines += [f"- {request}: no new lock: {reason}" for request, reason in left_out.items()]
     return text + ("\n" + "\n".join(lines) + "\n" if lines else "")

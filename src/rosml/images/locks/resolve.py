@@ -484,8 +484,8 @@ def lock(
 ) -> Locks:
     """Resolves everything; writes nothing.
 
-    If PyTorch's own index does not answer, wheels that only that index has are left out. If they have locks from an earlier call,
-    these stay, with everything that was resolved with them; otherwise the rest of the stack is locked without them.
+    If PyTorch's own index does not answer, wheels that only that index has are left out. Their locks from an earlier call stay. If the
+    rest of the stack has all its locks, these stay as well; otherwise it is locked without those wheels.
 
     Args:
         image_set: the image set.
@@ -546,18 +546,22 @@ def _outcome(request: Request, root: Path, uv: Uv, upgrade: bool) -> _Outcome:
     }
     # An earlier lock gives only versions. Hashes come from the index again, as a wrong one would stay for ever.
     previous = "".join(f"{pin.name}=={pin.version}\n" for text in earlier.values() for pin in parse(text))
-    left_out: dict[str, str] = {}
+    left_out, kept = dict[str, str](), dict[str, str]()
     try:
         pins = resolve(request, uv, upgrade, previous)
     except Unreachable as error:
         if all(_path(request, part) in earlier for part in (shared_part(request.parts), *request.roots)):
             return _Outcome(request, kept=earlier, left_out={str(request): error.message})
-        here = {family: wanted for family, wanted in request.roots.items() if family not in request.elsewhere}
-        asked, request = request, replace(request, roots=here, elsewhere={})
-        left_out = {str(asked): error.message}
-        pins = resolve(request, uv, upgrade, previous) if here else []
+        away = {family: wanted for family, wanted in request.roots.items() if family in request.elsewhere}
+        own = [_path(request, part.name) for part in request.parts if part.release in away]
+        kept = {path: earlier[path] for path in own if path in earlier}
+        left_out = {str(replace(request, roots=away)): error.message}
+        here = {family: wanted for family, wanted in request.roots.items() if family not in away}
+        request = replace(request, roots=here, elsewhere={})
+        # What was resolved with a lock that stays has to go with it.
+        pins = resolve(request, uv, upgrade and not kept, previous) if here else []
     require_one_cuda(request, pins)
-    return _Outcome(request, pins, left_out=left_out)
+    return _Outcome(request, pins, kept, left_out)
 
 
 def _parts(outcome: _Outcome) -> dict[str, list[Pin]]:
