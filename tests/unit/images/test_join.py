@@ -154,6 +154,16 @@ def test_an_image(place: Place) -> None:
     assert not any(name.startswith("io.rosml.") for name in index.content["annotations"])
 
 
+def test_arguments_of_builds_are_left_out_of_the_history(place: Place) -> None:
+    """The steps after them repeat them: a join onto an app would send more than 10 kB."""
+    argument = {"created_by": "ARG ROS_TOOLS=vcstool", "empty_layer": True}
+    steps = [{"created_by": "RUN |1 ROS_TOOLS=vcstool install"}, {"created_by": "CMD bash", "empty_layer": True}]
+    base = ros(config={"history": [argument, *steps]}).put(place.registry, "me/ros", "arguments")
+    _, config = place.image(place.join(base, *place.stack()).manifests["linux/amd64"])
+    assert config["history"][:2] == steps
+    assert [entry for entry in config["history"] if not entry.get("empty_layer")] == [steps[0], *config["history"][2:]]
+
+
 GRAPH: tuple[str, ...] = ("cuda", "common", "graph-cc", "graph")
 
 

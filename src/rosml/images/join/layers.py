@@ -394,8 +394,14 @@ def _config(
         "diff_ids": [digest for source in (ros, *parts) for digest in source.diff_ids]
     }
     if config.get("history"):  # either every layer has an entry, or there is no history
-        config["history"] += [entry for part in parts for entry in _history(config, part)]
+        own = [entry for entry in config["history"] if not _is_argument(entry)]
+        config["history"] = [*own, *(entry for part in parts for entry in _history(config, part))]
     return config
+
+
+def _is_argument(entry: Mapping[str, Any]) -> bool:
+    """Whether an entry of the history is an argument of a build. The steps after it repeat it, and every image would carry it again."""
+    return bool(entry.get("empty_layer")) and str(entry.get("created_by")).startswith("ARG ")
 
 
 def _history(config: Mapping[str, Any], part: Source) -> list[dict[str, Any]]:
