@@ -660,7 +660,7 @@ target "noetic-core-onnx-cu121-test" {
   contexts  = { image = dependency("noetic-core-onnx-cu121", "ros-onnx", "noetic-core-onnx-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core onnxruntime=1.19.2 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core onnxruntime=1.19.2 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 gpu_driver=525 gpu_onnxruntime_amd64=sm_52,sm_60,sm_61,sm_70,sm_75,sm_80,compute_52,compute_60,compute_61,compute_70,compute_75,compute_80"
   }
 }
 
@@ -670,7 +670,7 @@ target "noetic-core-torch-onnx-cu121-test" {
   contexts  = { image = dependency("noetic-core-torch-onnx-cu121", "ros-torch-onnx", "noetic-core-torch-onnx-cu121") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core torch=2.4.1 onnxruntime=1.19.2 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-noetic-ros-core torch=2.4.1 onnxruntime=1.19.2 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5 torchaudio=2.4.1 torchvision=0.19.1 gpu_driver=525 gpu_torch_amd64=sm_50,sm_60,sm_70,sm_75,sm_80,sm_86,sm_90 gpu_onnxruntime_amd64=sm_52,sm_60,sm_61,sm_70,sm_75,sm_80,compute_52,compute_60,compute_61,compute_70,compute_75,compute_80"
   }
 }
 
@@ -1944,7 +1944,7 @@ target "humble-core-onnx-cu128-test" {
   contexts  = { image = dependency("humble-core-onnx-cu128", "ros-onnx", "humble-core-onnx-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_onnxruntime_amd64=sm_60,sm_70,sm_75,sm_80,sm_86,sm_90a,compute_90"
   }
 }
 
@@ -1954,7 +1954,7 @@ target "humble-base-onnx-cu128-test" {
   contexts  = { image = dependency("humble-base-onnx-cu128", "ros-onnx", "humble-base-onnx-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_onnxruntime_amd64=sm_60,sm_70,sm_75,sm_80,sm_86,sm_90a,compute_90"
   }
 }
 
@@ -1964,7 +1964,7 @@ target "humble-core-torch-onnx-cu128-test" {
   contexts  = { image = dependency("humble-core-torch-onnx-cu128", "ros-torch-onnx", "humble-core-torch-onnx-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core torch=2.10.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core torch=2.10.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_onnxruntime_amd64=sm_60,sm_70,sm_75,sm_80,sm_86,sm_90a,compute_90"
   }
 }
 
@@ -1974,7 +1974,7 @@ target "humble-core-tensorflow-onnx-cu128-test" {
   contexts  = { image = dependency("humble-core-tensorflow-onnx-cu128", "ros-tf-onnx", "humble-core-tensorflow-onnx-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tensorflow=2.20.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-humble-ros-core tensorflow=2.20.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90 gpu_onnxruntime_amd64=sm_60,sm_70,sm_75,sm_80,sm_86,sm_90a,compute_90"
   }
 }
 
@@ -3868,7 +3868,7 @@ target "jazzy-core-onnx-cu128-test" {
   contexts  = { image = dependency("jazzy-core-onnx-cu128", "ros-onnx", "jazzy-core-onnx-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_onnxruntime_amd64=sm_60,sm_70,sm_75,sm_80,sm_86,sm_90a,compute_90"
   }
 }
 
@@ -3878,7 +3878,7 @@ target "jazzy-base-onnx-cu128-test" {
   contexts  = { image = dependency("jazzy-base-onnx-cu128", "ros-onnx", "jazzy-base-onnx-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_onnxruntime_amd64=sm_60,sm_70,sm_75,sm_80,sm_86,sm_90a,compute_90"
   }
 }
 
@@ -3888,7 +3888,7 @@ target "jazzy-core-torch-onnx-cu128-test" {
   contexts  = { image = dependency("jazzy-core-torch-onnx-cu128", "ros-torch-onnx", "jazzy-core-torch-onnx-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.10.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.10.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_onnxruntime_amd64=sm_60,sm_70,sm_75,sm_80,sm_86,sm_90a,compute_90"
   }
 }
 
@@ -3898,7 +3898,7 @@ target "jazzy-core-tensorflow-onnx-cu128-test" {
   contexts  = { image = dependency("jazzy-core-tensorflow-onnx-cu128", "ros-tf-onnx", "jazzy-core-tensorflow-onnx-cu128") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorflow onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tensorflow=2.20.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core tensorflow=2.20.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90 gpu_onnxruntime_amd64=sm_60,sm_70,sm_75,sm_80,sm_86,sm_90a,compute_90"
   }
 }
 
@@ -3908,7 +3908,7 @@ target "jazzy-core-onnx-cu130-test" {
   contexts  = { image = dependency("jazzy-core-onnx-cu130", "ros-onnx", "jazzy-core-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580 gpu_onnxruntime_amd64=sm_75,sm_80,sm_86,sm_89,sm_90a,sm_120a gpu_onnxruntime_arm64=sm_89,sm_90a,sm_120a,sm_121a"
   }
 }
 
@@ -3918,7 +3918,7 @@ target "jazzy-base-onnx-cu130-test" {
   contexts  = { image = dependency("jazzy-base-onnx-cu130", "ros-onnx", "jazzy-base-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580 gpu_onnxruntime_amd64=sm_75,sm_80,sm_86,sm_89,sm_90a,sm_120a gpu_onnxruntime_arm64=sm_89,sm_90a,sm_120a,sm_121a"
   }
 }
 
@@ -3928,7 +3928,7 @@ target "jazzy-core-torch-onnx-cu130-test" {
   contexts  = { image = dependency("jazzy-core-torch-onnx-cu130", "ros-torch-onnx", "jazzy-core-torch-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.14.1 onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.14.1 onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120 gpu_onnxruntime_amd64=sm_75,sm_80,sm_86,sm_89,sm_90a,sm_120a gpu_onnxruntime_arm64=sm_89,sm_90a,sm_120a,sm_121a"
   }
 }
 
@@ -3938,7 +3938,7 @@ target "jazzy-core-onnx-cu132-test" {
   contexts  = { image = dependency("jazzy-core-onnx-cu132", "ros-onnx", "jazzy-core-onnx-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580 gpu_onnxruntime_amd64=sm_75,sm_80,sm_86,sm_89,sm_90a,sm_120a gpu_onnxruntime_arm64=sm_89,sm_90a,sm_120a,sm_121a"
   }
 }
 
@@ -3948,7 +3948,7 @@ target "jazzy-core-torch-onnx-cu132-test" {
   contexts  = { image = dependency("jazzy-core-torch-onnx-cu132", "ros-torch-onnx", "jazzy-core-torch-onnx-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.15.0 onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core torch=2.15.0 onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120 gpu_onnxruntime_amd64=sm_75,sm_80,sm_86,sm_89,sm_90a,sm_120a gpu_onnxruntime_arm64=sm_89,sm_90a,sm_120a,sm_121a"
   }
 }
 
@@ -5642,7 +5642,7 @@ target "lyrical-core-onnx-cu130-test" {
   contexts  = { image = dependency("lyrical-core-onnx-cu130", "ros-onnx", "lyrical-core-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580 gpu_onnxruntime_amd64=sm_75,sm_80,sm_86,sm_89,sm_90a,sm_120a gpu_onnxruntime_arm64=sm_89,sm_90a,sm_120a,sm_121a"
   }
 }
 
@@ -5652,7 +5652,7 @@ target "lyrical-base-onnx-cu130-test" {
   contexts  = { image = dependency("lyrical-base-onnx-cu130", "ros-onnx", "lyrical-base-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580 gpu_onnxruntime_amd64=sm_75,sm_80,sm_86,sm_89,sm_90a,sm_120a gpu_onnxruntime_arm64=sm_89,sm_90a,sm_120a,sm_121a"
   }
 }
 
@@ -5662,7 +5662,7 @@ target "lyrical-core-torch-onnx-cu130-test" {
   contexts  = { image = dependency("lyrical-core-torch-onnx-cu130", "ros-torch-onnx", "lyrical-core-torch-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.14.1 onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.14.1 onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120 gpu_onnxruntime_amd64=sm_75,sm_80,sm_86,sm_89,sm_90a,sm_120a gpu_onnxruntime_arm64=sm_89,sm_90a,sm_120a,sm_121a"
   }
 }
 
@@ -5672,7 +5672,7 @@ target "lyrical-core-onnx-cu132-test" {
   contexts  = { image = dependency("lyrical-core-onnx-cu132", "ros-onnx", "lyrical-core-onnx-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580 gpu_onnxruntime_amd64=sm_75,sm_80,sm_86,sm_89,sm_90a,sm_120a gpu_onnxruntime_arm64=sm_89,sm_90a,sm_120a,sm_121a"
   }
 }
 
@@ -5682,7 +5682,7 @@ target "lyrical-core-torch-onnx-cu132-test" {
   contexts  = { image = dependency("lyrical-core-torch-onnx-cu132", "ros-torch-onnx", "lyrical-core-torch-onnx-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.15.0 onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-lyrical-ros-core torch=2.15.0 onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120 gpu_onnxruntime_amd64=sm_75,sm_80,sm_86,sm_89,sm_90a,sm_120a gpu_onnxruntime_arm64=sm_89,sm_90a,sm_120a,sm_121a"
   }
 }
 
@@ -7456,7 +7456,7 @@ target "ros1-bookworm-core-onnx-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-core-onnx-cu128", "ros-onnx", "ros1-bookworm-core-onnx-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_onnxruntime_amd64=sm_60,sm_70,sm_75,sm_80,sm_86,sm_90a,compute_90"
   }
 }
 
@@ -7466,7 +7466,7 @@ target "ros1-bookworm-base-onnx-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-base-onnx-cu128", "ros-onnx", "ros1-bookworm-base-onnx-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_onnxruntime_amd64=sm_60,sm_70,sm_75,sm_80,sm_86,sm_90a,compute_90"
   }
 }
 
@@ -7476,7 +7476,7 @@ target "ros1-bookworm-core-torch-onnx-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-core-torch-onnx-cu128", "ros-torch-onnx", "ros1-bookworm-core-torch-onnx-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_onnxruntime_amd64=sm_60,sm_70,sm_75,sm_80,sm_86,sm_90a,compute_90"
   }
 }
 
@@ -7486,7 +7486,7 @@ target "ros1-bookworm-core-tensorflow-onnx-cu128-test" {
   contexts  = { image = dependency("ros1-bookworm-core-tensorflow-onnx-cu128", "ros-tf-onnx", "ros1-bookworm-core-tensorflow-onnx-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorflow onnxruntime onnxruntime-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.20.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.20.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90 gpu_onnxruntime_amd64=sm_60,sm_70,sm_75,sm_80,sm_86,sm_90a,compute_90"
   }
 }
 
@@ -7496,7 +7496,7 @@ target "ros1-bookworm-core-onnx-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-core-onnx-cu130", "ros-onnx", "ros1-bookworm-core-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580 gpu_onnxruntime_amd64=sm_75,sm_80,sm_86,sm_89,sm_90a,sm_120a gpu_onnxruntime_arm64=sm_89,sm_90a,sm_120a,sm_121a"
   }
 }
 
@@ -7506,7 +7506,7 @@ target "ros1-bookworm-base-onnx-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-base-onnx-cu130", "ros-onnx", "ros1-bookworm-base-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev packages_base=rosbash,ros-base,ros-base-dev,ros-base-python-dev onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580 gpu_onnxruntime_amd64=sm_75,sm_80,sm_86,sm_89,sm_90a,sm_120a gpu_onnxruntime_arm64=sm_89,sm_90a,sm_120a,sm_121a"
   }
 }
 
@@ -7516,7 +7516,7 @@ target "ros1-bookworm-core-torch-onnx-cu130-test" {
   contexts  = { image = dependency("ros1-bookworm-core-torch-onnx-cu130", "ros-torch-onnx", "ros1-bookworm-core-torch-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120 gpu_onnxruntime_amd64=sm_75,sm_80,sm_86,sm_89,sm_90a,sm_120a gpu_onnxruntime_arm64=sm_89,sm_90a,sm_120a,sm_121a"
   }
 }
 
@@ -7526,7 +7526,7 @@ target "ros1-bookworm-core-onnx-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-core-onnx-cu132", "ros-onnx", "ros1-bookworm-core-onnx-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580 gpu_onnxruntime_amd64=sm_75,sm_80,sm_86,sm_89,sm_90a,sm_120a gpu_onnxruntime_arm64=sm_89,sm_90a,sm_120a,sm_121a"
   }
 }
 
@@ -7536,7 +7536,7 @@ target "ros1-bookworm-core-torch-onnx-cu132-test" {
   contexts  = { image = dependency("ros1-bookworm-core-torch-onnx-cu132", "ros-torch-onnx", "ros1-bookworm-core-torch-onnx-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120 gpu_onnxruntime_amd64=sm_75,sm_80,sm_86,sm_89,sm_90a,sm_120a gpu_onnxruntime_arm64=sm_89,sm_90a,sm_120a,sm_121a"
   }
 }
 
@@ -8728,7 +8728,7 @@ target "ros1-trixie-core-onnx-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-core-onnx-cu128", "ros-onnx", "ros1-trixie-core-onnx-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_onnxruntime_amd64=sm_60,sm_70,sm_75,sm_80,sm_86,sm_90a,compute_90"
   }
 }
 
@@ -8738,7 +8738,7 @@ target "ros1-trixie-core-torch-onnx-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-core-torch-onnx-cu128", "ros-torch-onnx", "ros1-trixie-core-torch-onnx-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_onnxruntime_amd64=sm_60,sm_70,sm_75,sm_80,sm_86,sm_90a,compute_90"
   }
 }
 
@@ -8748,7 +8748,7 @@ target "ros1-trixie-core-tensorflow-onnx-cu128-test" {
   contexts  = { image = dependency("ros1-trixie-core-tensorflow-onnx-cu128", "ros-tf-onnx", "ros1-trixie-core-tensorflow-onnx-cu128") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorflow onnxruntime onnxruntime-build pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.20.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.20.0 onnxruntime=1.23.2 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 gpu_driver=525 gpu_tensorflow_amd64=sm_60,sm_70,sm_80,sm_89,compute_90 gpu_onnxruntime_amd64=sm_60,sm_70,sm_75,sm_80,sm_86,sm_90a,compute_90"
   }
 }
 
@@ -8758,7 +8758,7 @@ target "ros1-trixie-core-onnx-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-core-onnx-cu130", "ros-onnx", "ros1-trixie-core-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 gpu_driver=580 gpu_onnxruntime_amd64=sm_75,sm_80,sm_86,sm_89,sm_90a,sm_120a gpu_onnxruntime_arm64=sm_89,sm_90a,sm_120a,sm_121a"
   }
 }
 
@@ -8768,7 +8768,7 @@ target "ros1-trixie-core-torch-onnx-cu130-test" {
   contexts  = { image = dependency("ros1-trixie-core-torch-onnx-cu130", "ros-torch-onnx", "ros1-trixie-core-torch-onnx-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 onnxruntime=1.31.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7 torchaudio=2.11.0 torchvision=0.29.1 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120 gpu_onnxruntime_amd64=sm_75,sm_80,sm_86,sm_89,sm_90a,sm_120a gpu_onnxruntime_arm64=sm_89,sm_90a,sm_120a,sm_121a"
   }
 }
 
@@ -8778,7 +8778,7 @@ target "ros1-trixie-core-onnx-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-core-onnx-cu132", "ros-onnx", "ros1-trixie-core-onnx-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda onnxruntime onnxruntime-build pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 gpu_driver=580 gpu_onnxruntime_amd64=sm_75,sm_80,sm_86,sm_89,sm_90a,sm_120a gpu_onnxruntime_arm64=sm_89,sm_90a,sm_120a,sm_121a"
   }
 }
 
@@ -8788,7 +8788,7 @@ target "ros1-trixie-core-torch-onnx-cu132-test" {
   contexts  = { image = dependency("ros1-trixie-core-torch-onnx-cu132", "ros-torch-onnx", "ros1-trixie-core-torch-onnx-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda torch onnxruntime onnxruntime-build pip"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.15.0 onnxruntime=1.31.1 cuda=13.2.86 cudnn=9.26.0.51 nccl=2.30.7 torchvision=0.29.2 gpu_driver=580 gpu_torch_amd64=sm_75,sm_80,sm_86,sm_90,sm_100,sm_120 gpu_torch_arm64=sm_80,sm_90,sm_100,sm_110,sm_120 gpu_onnxruntime_amd64=sm_75,sm_80,sm_86,sm_89,sm_90a,sm_120a gpu_onnxruntime_arm64=sm_89,sm_90a,sm_120a,sm_121a"
   }
 }
 

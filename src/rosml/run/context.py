@@ -159,6 +159,7 @@ class Host:
         connects: whether something listens at an address; a path has the root already.
         owns: whether an address, or the address of a name, is this machine's own.
         echoes: whether a multicast packet to a port comes back.
+        architecture: of its processor, as images name it: `amd64`; empty if unknown.
     """
 
     root: Path
@@ -167,6 +168,7 @@ class Host:
     connects: Callable[[Address], bool] = _nothing
     owns: Callable[[str], bool] = _nowhere
     echoes: Callable[[int], bool] = _nowhere
+    architecture: str = ""
 
     def path(self, place: str) -> Path:
         """The file at an absolute path."""

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from rosml.base.errors import RosmlError
+from rosml.base.problems import listed
+from rosml.run import chips
 from rosml.run.context import Context, Engine, Host
 from rosml.run.devices import groups
 from rosml.run.plugin import NOTHING, Added, Plugin
@@ -13,6 +15,9 @@ from rosml.run.words import Line
 
 DRIVER = "io.rosml.gpu.driver"
 """The label of an image that names the oldest driver on which its CUDA runs (docs/gpus.md)."""
+
+BUILT = re.compile(r"io\.rosml\.gpu\.([a-z][a-z0-9-]{0,23})\.([a-z][a-z0-9]{0,23})")
+"""The labels that say for which GPUs a library was built, on which architecture."""
 
 CDI = ["--device", "nvidia.com/gpu=all"]
 JETSON = ("/dev/nvmap", "/etc/nv_tegra_release")
@@ -41,7 +46,7 @@ def gpu(context: Context) -> Added:
     if not words:
         return Added(notes=[lacking(context.engine)])
     _check_driver(context)
-    return Added(words)
+    return Added(words, notes=tuple(_not_built_for(context)))
 
 
 def is_nvidia(host: Host) -> bool:
@@ -80,6 +85,20 @@ def _check_driver(context: Context) -> None:
         return
     text = f"{context.line.image} needs NVIDIA's driver {needed} or newer, and this machine has {found}"
     raise RosmlError(text, "take an image with an older CUDA, or update the driver; --no-gpu computes on the CPU")
+
+
+def _not_built_for(context: Context) -> Iterator[tuple[str, str]]:
+    """The libraries of the image that have no code for a GPU of this machine."""
+    here = chips.capabilities(context.host)
+    for label, said in context.image.labels.items():
+        known, built = BUILT.fullmatch(label), said.split()
+        lacking = [f"sm_{major}{minor}" for major, minor in here if not chips.covers(built, (major, minor))]
+        if known and known[2] == context.host.architecture and lacking:
+            library, image = known[1], context.line.image
+            text = (
+                f"{library} in {image} was built for {' '.join(built)}, and this machine has the GPU {listed(lacking)}"
+            )
+            yield text, f"take an image of another stack, or let {library} compute on the CPU"
 
 
 def driver(host: Host) -> str:

@@ -13,6 +13,9 @@ from rosml.run.context import Address, Host
 ROOT = Path("/")
 """The root of the machine's files."""
 
+ARCHITECTURES = {"x86_64": "amd64", "aarch64": "arm64"}
+"""The names of architectures in images, by the kernel's."""
+
 PATIENCE = 0.3
 """Seconds to wait for an answer, such as a display's."""
 
@@ -25,7 +28,9 @@ GROUP = "239.255.0.1"
 
 def host(environment: Mapping[str, str]) -> Host:
     """This machine."""
-    return Host(ROOT, environment, os.uname().nodename, connects, owns, echoes)
+    system = os.uname()
+    architecture = ARCHITECTURES.get(system.machine, "")
+    return Host(ROOT, environment, system.nodename, connects, owns, echoes, architecture)
 
 
 def connects(address: Address) -> bool:

@@ -7,6 +7,7 @@ import hashlib
 import json
 import os
 import shutil
+import struct
 import subprocess
 import sys
 from collections.abc import Callable
@@ -227,10 +228,28 @@ def built_for(root: Root) -> None:
     root.file("modules/torch/lib/libtorch_python.so", "code\0sm_90 is a word\0sm_80 sm_90\0 code")
     info = "class sysconfig: get_build_info = lambda: {'cuda_compute_capabilities': ['sm_60', 'compute_90']}\n"
     root.file("modules/tensorflow.py", info)
+    root.file("modules/onnxruntime/__init__.py")
+    cuda_provider(root, [("sm", 80), ("sm", 90), ("compute", 90)])
     root.program("dpkg", "echo amd64")
     root.env |= {"PYTHONPATH": str(root.folder / "modules"), "EXPECT_CUDA": "12.8.90"}
+    root.env["EXPECT_GPU_ONNXRUNTIME_AMD64"] = "sm_80,sm_90a,compute_90"
     root.env |= {"EXPECT_GPU_TORCH_AMD64": "sm_80,sm_90", "EXPECT_GPU_TENSORFLOW_AMD64": "sm_60,compute_90"}
     root.env["NVIDIA_REQUIRE_CUDA"] = "cuda>=12.0"
+
+
+def cuda_provider(root: Root, several: list[tuple[str, int]]) -> None:
+    """ONNX Runtime's library with kernels for several architectures, three times, and for one alone twice. Its code for sm_90 and later
+    has that GPU's own instructions."""
+    content = b"code"
+    for kinds in [several, several, [("sm", 120)], several[1:], several, [("sm", 120)]]:
+        entries = b""
+        for kind, number in kinds:
+            own = 1 << 20 if kind == "sm" and number >= 90 else 0
+            entries += (
+                struct.pack("<H2xIQ12xI8xQ16x", 2 if kind == "sm" else 1, 64, 8, number, 0x8011 | own) + b"8 bytes."
+            )
+        content += struct.pack("<IHHQ", 0xBA55ED50, 1, 16, len(entries)) + entries + bytes(8)
+    root.file("modules/onnxruntime/capi/libonnxruntime_providers_cuda.so").write_bytes(content)
 
 
 def runtime(root: Root) -> None:
@@ -246,6 +265,7 @@ GOOD: dict[str, Callable[[Root], None]] = {
     "dangling_links.sh": links,
     "gpus.py torch": built_for,
     "gpus.py tensorflow": built_for,
+    "gpus.py onnxruntime": built_for,
     "gpus.py driver": built_for,
     "locale.sh": language,
     "no_traces.sh": clean,
@@ -359,6 +379,16 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
         "gpus.py torch",
         text("modules/torch/lib/libtorch_python.so", "code\0code"),
         "torch: [], expected ['sm_80', 'sm_90']",
+    ),
+    "ONNX Runtime without code for an old GPU": (
+        "gpus.py onnxruntime",
+        lambda root: cuda_provider(root, [("sm", 90), ("compute", 90)]),
+        "onnxruntime: ['sm_90a', 'compute_90'], expected ['sm_80', 'sm_90a', 'compute_90']",
+    ),
+    "ONNX Runtime for the CPU": (
+        "gpus.py onnxruntime",
+        gone("modules/onnxruntime/capi/libonnxruntime_providers_cuda.so"),
+        "onnxruntime: [], expected ['sm_80', 'sm_90a', 'compute_90']",
     ),
     "a driver that nobody asks for": ("gpus.py driver", forget("NVIDIA_REQUIRE_CUDA"), "None, expected cuda>=12.0"),
     "a driver without CUDA": ("gpus.py driver", forget("EXPECT_CUDA"), "cuda>=12.0, expected None"),

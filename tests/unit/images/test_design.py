@@ -95,14 +95,15 @@ def rows(page: str, head: str) -> list[list[str]]:
 
 def test_the_page_about_gpus_says_what_the_labels_do(real: ImageSet) -> None:
     matrix = real.matrix
-    said = {row[0]: row[1:] for row in rows("docs/gpus.md", "| stack | driver |")}
-    columns = ("driver", "torch.amd64", "torch.arm64", "tensorflow.amd64")
+    titles = {"torch": "PyTorch", "tensorflow": "TensorFlow", "onnxruntime": "ONNX Runtime"}
+    found = []
     for name, stack in matrix.stacks.items():
-        parts = [part.name for part in matrix.parts if part.release in (None, *stack.releases)]
-        found = rules.gpu(matrix, name, parts)
-        assert found.keys() <= set(columns)
-        assert said.pop(name, None) == ([found.get(column, "") for column in columns] if found else None), name
-    assert not said
+        facts = rules.gpu(matrix, name, [part.name for part in matrix.parts if part.release in (None, *stack.releases)])
+        built = {family: [facts.pop(f"{family}.{x}", "") for x in ("amd64", "arm64")] for family in titles}
+        driver = facts.pop("driver", "")
+        assert not facts, "a column or a library that the page lacks"
+        found += [[name, driver, titles[family], *columns] for family, columns in built.items() if any(columns)]
+    assert sorted(rows("docs/gpus.md", "| stack | driver |")) == sorted(found)
 
 
 def test_the_page_about_parts_says_what_goes_with_pytorch(real: ImageSet) -> None:
@@ -114,7 +115,7 @@ def test_the_page_about_parts_says_what_goes_with_pytorch(real: ImageSet) -> Non
             assert other == company[package] if package in company else other.startswith("none"), (name, package)
 
 
-@pytest.mark.parametrize("family", ["torch", "tensorflow"])
+@pytest.mark.parametrize("family", ["torch", "tensorflow", "onnxruntime"])
 def test_every_release_with_cuda_says_what_it_was_built_for(real: ImageSet, family: str) -> None:
     for version, release in real.matrix.releases[family].items():
         cuda = [name for name in release.wheels if real.matrix.stacks[name].accelerator == "cuda"]

@@ -22,7 +22,7 @@ from desks import BARE, DOCKER, OURS, PODMAN, Desk, plain
 from rosml.base.errors import RosmlError
 from rosml.cli.run import run
 from rosml.images.image_set import labels
-from rosml.run import devices, gpu, host, plugins, sockets, xauthority
+from rosml.run import chips, devices, gpu, host, plugins, sockets, xauthority
 from rosml.run.context import Address, Context, Engine, Host, Image, Person
 from rosml.run.plugin import Added, Plugin, in_order
 from rosml.run.words import split
@@ -45,9 +45,14 @@ class Machine:
 
     def file(self, place: str, content: bytes = b"") -> Path:
         """Makes a file."""
+        path = self.path(place)
+        path.write_bytes(content)
+        return path
+
+    def path(self, place: str) -> Path:
+        """A path of the machine, in a folder that is there."""
         path = self.root / place.lstrip("/")
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(content)
         return path
 
     def socket(self, place: str) -> None:
@@ -58,7 +63,7 @@ class Machine:
         self, *words: str, engine: Engine | None = None, image: Image | None = None, me: Person = ME
     ) -> Context:
         """What is known."""
-        there = Host(self.root, self.environment, "robot", self.listens.__contains__)
+        there = Host(self.root, self.environment, "robot", self.listens.__contains__, architecture="amd64")
         return Context(split([*words, "ros:jazzy"], OWN), engine or Engine(), me, image or Image(), there)
 
 
@@ -228,8 +233,98 @@ def test_a_driver_that_is_too_old(machine: Machine, needed: str, version: str, f
     assert gpu.gpu(disabled).words == ["--gpus", "all"]
 
 
-def test_the_label_is_that_of_images() -> None:
+def test_the_labels_are_those_of_images() -> None:
     assert f"{labels.GPU}driver" == gpu.DRIVER
+    assert [gpu.BUILT.fullmatch(name) is not None for name in labels.about_gpus({"torch.amd64": "", "driver": ""})] == [
+        True,
+        False,
+    ]
+
+
+def pci(machine: Machine, *numbers: str) -> None:
+    """Graphics cards that NVIDIA's driver has, by their numbers."""
+    machine.file(CARD)
+    for slot, number in enumerate(numbers):
+        device = machine.file(f"/sys/devices/pci0000:00/0000:0{slot}:00.0/device", f"0x{number}\n".encode()).parent
+        link = machine.path(f"{chips.DRIVEN}/0000:0{slot}:00.0")
+        link.symlink_to(device)
+    machine.file(f"{chips.DRIVEN}/new_id")
+
+
+@pytest.mark.parametrize(
+    ("number", "capability"),
+    [  # as the list of PCI devices names them: a P100, a GTX 1080, an MX150, a V100, an RTX 2080, a GTX 1650, an A100, an RTX 3090,
+        # an RTX 3060, an H100, an RTX 4090, an L4, a B200, a B300, Thor, an RTX 5090, an RTX 5070, a GB10, one that nobody knows
+        *(("15f8", (6, 0)), ("1b80", (6, 1)), ("1d10", (6, 1)), ("1db4", (7, 0)), ("1e82", (7, 5)), ("1f82", (7, 5))),
+        *(("20b0", (8, 0)), ("2204", (8, 6)), ("2503", (8, 6)), ("2330", (9, 0)), ("2684", (8, 9)), ("27b8", (8, 9))),
+        *(
+            ("2901", (10, 0)),
+            ("3182", (10, 3)),
+            ("2b00", (11, 0)),
+            ("2b85", (12, 0)),
+            ("2f04", (12, 0)),
+            ("2e12", (12, 1)),
+        ),
+        ("ffff", None),
+    ],
+)
+def test_the_kind_of_a_gpu(machine: Machine, number: str, capability: tuple[int, int] | None) -> None:
+    pci(machine, number, number)
+    assert chips.capabilities(machine.context().host) == ([capability] if capability else [])
+
+
+@pytest.mark.parametrize(
+    ("board", "capability"),
+    [
+        (b"nvidia,p3971-0089+p3834-0008\0nvidia,p3834-0008\0nvidia,tegra264\0", (11, 0)),
+        (b"nvidia,p3737-0000+p3701-0005\0nvidia,p3701-0005\0nvidia,tegra234\0", (8, 7)),
+        (b"raspberrypi,4-model-b\0brcm,bcm2711\0", None),
+        (b"nvidia,tegra999\0", None),
+    ],
+)
+def test_the_kind_of_a_jetson(machine: Machine, board: bytes, capability: tuple[int, int] | None) -> None:
+    machine.file(chips.BOARD, board)
+    assert chips.capabilities(machine.context().host) == ([capability] if capability else [])
+
+
+@pytest.mark.parametrize(
+    ("built", "runs", "fails"),
+    [
+        ("sm_80", [(8, 0), (8, 6), (8, 7)], [(7, 5), (9, 0), (12, 0)]),
+        ("sm_86", [(8, 6), (8, 9)], [(8, 0)]),
+        ("sm_90a", [(9, 0)], [(10, 0)]),
+        ("sm_100a", [(10, 0)], [(10, 3)]),
+        ("sm_100f", [(10, 0), (10, 3)], [(11, 0)]),
+        ("sm_120a sm_121a", [(12, 0), (12, 1)], [(11, 0)]),
+        ("compute_90", [(9, 0), (12, 1)], [(8, 9)]),
+        ("compute_90a", [(9, 0)], [(10, 0)]),
+        ("compute_100f", [(10, 3)], [(12, 0)]),
+        ("sm_80 gfx90a", [(12, 0)], []),
+        ("\x1b[31m", [(8, 0)], []),
+        ("", [], [(8, 0)]),
+    ],
+)
+def test_what_code_runs_on(built: str, runs: list[chips.Capability], fails: list[chips.Capability]) -> None:
+    assert [each for each in [*runs, *fails] if chips.covers(built.split(), each)] == runs
+
+
+def test_a_library_that_was_not_built_for_the_gpu(machine: Machine) -> None:
+    """The warning names that one alone, and the container starts with the GPU."""
+    pci(machine, "2901", "2330")
+    built = {"torch.amd64": "sm_80 sm_90 sm_100", "torch.arm64": "sm_80", "onnxruntime.amd64": "sm_80 sm_90a sm_120a"}
+    image = Image(
+        labels={"io.rosml.gpu.driver": "580", **{f"io.rosml.gpu.{name}": value for name, value in built.items()}}
+    )
+    found = gpu.gpu(machine.context(image=image, engine=Engine(nvidia=True)))
+    assert found.words == ["--gpus", "all"]
+    assert [*found.notes] == [
+        (
+            "onnxruntime in ros:jazzy was built for sm_80 sm_90a sm_120a, and this machine has the GPU sm_100",
+            "take an image of another stack, or let onnxruntime compute on the CPU",
+        )
+    ]
+    assert not gpu.gpu(machine.context(image=Image(), engine=Engine(nvidia=True))).notes
+    assert not gpu.gpu(machine.context("--no-gpu", image=image, engine=Engine(nvidia=True))).notes
 
 
 # ---- X11 -------------------------------------------------------------------------------------------------------------
