@@ -85,6 +85,16 @@ def test_each_stack_and_python_is_tested_on_the_lowest_component(image_set: Imag
         assert image_set.by_target[image.target] == image, "nothing else changes"
 
 
+def test_a_budget_counts_what_no_framework_has(image_set: ImageSet) -> None:
+    """So it holds for the part itself, beside a framework as well, although no image has a tag."""
+    found = parse(changed("  parts:\n    cu1:", "  budgets: {cpu: {extra: 1, torch: 9}}\n  parts:\n    cu1:", MATRIX))
+    for target in ("alpha-core-extra-cpu", "alpha-core-torch-extra-cpu"):
+        image = found.image(target)
+        assert not image.tags and (image.budget, image.budgeted) == (1, ("extra-cpu-py312",)), target
+    torch = found.image("alpha-core-torch-cpu")
+    assert (torch.budget, torch.budgeted) == (9, torch.parts)
+
+
 def test_images_that_only_test_get_no_tag_and_no_index(registry: Publisher, image_set: ImageSet) -> None:
     run = registry.publish(image_set)
     assert not run.failed

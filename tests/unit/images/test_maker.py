@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, cast
 
@@ -169,12 +169,16 @@ def test_an_image_that_is_gone(stage: Stage) -> None:
     assert not stage.bakes()
 
 
-@pytest.mark.parametrize(("budget", "failures"), [(4, 1), (5, 0)])
-def test_parts_beyond_the_budget_fail(stage: Stage, budget: int, failures: int) -> None:
-    """The tag's budget is a test like any other."""
+@pytest.mark.parametrize(
+    ("budget", "counted", "failures"),
+    [(4, slice(None), 1), (5, slice(None), 0), (1, slice(1, 2), 1), (2, slice(1, 2), 0)],
+)
+def test_parts_beyond_the_budget_fail(stage: Stage, budget: int, counted: slice, failures: int) -> None:
+    """The budget is a test like any other. That of an add-on counts its own parts alone."""
     image_set = parse(changed("  parts:\n    cu1:", f"  budgets: {{cu1: {{torch: {budget}}}}}\n  parts:\n    cu1:"))
     stage.image_set = locked.with_locks(image_set, {lock for part in image_set.parts for lock in part.locks})
     image = stage.image_set.image("alpha-base-torch-cu1")
+    image = replace(image, budgeted=image.parts[counted])
     stage.registry.content = of_layers(*[2_000_000] * len(image.parts), 1)
     for name in image.tests:
         stage.write(f"report/{name}.json", results(one=True))
@@ -183,7 +187,7 @@ def test_parts_beyond_the_budget_fail(stage: Stage, budget: int, failures: int) 
     parts = {image.parent: MANIFEST}
     found = maker.test(image, "amd64", MANIFEST, parts, image.tests)
     assert len(found.failures) == failures
-    assert found.failures[:1] == ("size: the parts keep within the tag's budget",)[:failures]
+    assert found.failures[:1] == ("size: the parts keep within their budget",)[:failures]
 
 
 @pytest.mark.parametrize(

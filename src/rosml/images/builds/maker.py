@@ -225,7 +225,8 @@ class BuildKitMaker:
         given = self.variables(image, architecture) | {"DIGESTS": json.dumps(digests)}
         file = write_excerpt(self.services, self.image_set, image.target, image.test_target)
         reference = self.place.reference(image.repository, digest)
-        size = sum(sizes[-len(image.parts) :]) if image.parts else 0
+        of_parts = zip(image.parts, sizes[-len(image.parts) :], strict=False)
+        size = sum(size for part, size in of_parts if part in image.budgeted)
         room = disk.tested_mb(self._sizes, image, self._there)
         self._make_room(room, *image.parts, image.parent, *([] if image.stack else [image.target]))
         report, folder = structure_tests.run(self.services, image, architecture, reference, file, given, names, size)

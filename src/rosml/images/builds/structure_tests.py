@@ -42,14 +42,14 @@ class Outcome:
 
 
 def within_budget(budget: int, found: int) -> Outcome:
-    """The test of a tag's size budget.
+    """The test of a size budget.
 
     Args:
-        budget: how many MB (10^6 bytes) the parts may have in the registry.
+        budget: how many MB (10^6 bytes) the budgeted parts may have in the registry.
         found: how many bytes they have.
     """
     detail = f"{found / 1e6:.0f} MB; matrix.yaml: disk.budgets allows {budget} MB"
-    return Outcome("size", "the parts keep within the tag's budget", found <= budget * 1_000_000, 0.0, detail)
+    return Outcome("size", "the parts keep within their budget", found <= budget * 1_000_000, 0.0, detail)
 
 
 @dataclass(frozen=True)
@@ -177,7 +177,7 @@ def run(
         bake_file: has the image's test target.
         variables: of the bake file.
         names: of the tests' files.
-        parts: bytes of the image's parts in the registry, for the budget.
+        parts: bytes of the budgeted parts in the registry.
 
     Returns:
         The report, and the folder with the report of each file.

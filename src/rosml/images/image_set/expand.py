@@ -185,9 +185,18 @@ def _image(
             *(part.disk for part in kind.parts),
         ),
         budget=matrix.disk.budgets.get(kind.stack or "", {}).get(kind.addon or kind.framework),
+        budgeted=tuple(part.name for part in _budgeted(matrix, kind)),
         addons=kind.addons,
         combination="-".join([kind.framework, *kind.addons]).removeprefix(f"{names.NONE}-"),
     )
+
+
+def _budgeted(matrix: Matrix, kind: _Kind) -> Iterator[Part]:
+    """The parts that a budget counts. What frameworks have is in theirs, so that the one of an add-on holds beside any of them."""
+    if not kind.addon or not kind.stack:
+        return iter(kind.parts)
+    others = {part for parts in rules.frameworks(matrix, kind.stack).values() for part in parts}
+    return (part for part in kind.parts if part.kind not in others)
 
 
 @dataclass(frozen=True)

@@ -107,7 +107,8 @@ class Image:
         damaged: locks of `unlocked` that exist, but are damaged or do not match the matrix.
         lost: locks of `unlocked` that should exist, since they wait for no other index.
         disk: the forecast of its size with everything below it.
-        budget: MB that its parts may have together in the registry; None for any.
+        budget: MB that parts of it may have together in the registry; None for any.
+        budgeted: those parts: all, or, if it has an add-on, those that no framework of the stack has.
     """
 
     target: str
@@ -141,6 +142,7 @@ class Image:
     lost: tuple[str, ...] = ()
     damaged: tuple[str, ...] = ()
     budget: int | None = None
+    budgeted: tuple[str, ...] = ()
     addons: tuple[str, ...] = ()
     combination: str = ""
 

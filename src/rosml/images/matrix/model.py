@@ -526,7 +526,8 @@ class Disk(Facts):
     parts: dict[Name, dict[Name, Size]] = Field(description="stack -> part -> size")
     budgets: dict[Name, dict[Name, Megabytes]] = Field(
         default={},
-        description="stack -> framework -> MB that its parts may have together in the registry; more fails the tests",
+        description="stack -> framework or add-on -> MB that its parts may have together in the registry, those of an add-on without"
+        " what frameworks of the stack have; more fails the tests",
     )
 
 
