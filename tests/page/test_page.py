@@ -235,7 +235,10 @@ WORDS: dict[str, Callable[[Image, Published], bool]] = {
     "ros 2": lambda i, p: on(i, p, ros=2),
     "ros2": lambda i, p: on(i, p, ros=2),
     "ros 3": lambda i, p: False,
-    "jetson": lambda i, _: carries(i, "cuda") and "linux/arm64" in i.platforms,
+    "jetson": lambda i, _: (
+        carries(i, "cuda") and "linux/arm64" in i.platforms and not i.addons
+    ),  # ONNX Runtime has no code for it
+    "onnxruntime": lambda i, _: "onnx" in i.addons,
     "x86 lyrical core-run": lambda i, _: (i.distribution, i.component) == ("lyrical", "core-run"),
     "aarch64": lambda i, _: "linux/arm64" in i.platforms,
     "pytorch": lambda i, _: carries(i, "torch"),
@@ -540,6 +543,52 @@ def test_an_image_says_what_changed_since_the_build_before(window: Windows) -> N
         ["ros-core", "1.1", "1.2", "Debian"],
         ["tzdata", "1", "removed", "Debian"],
     ]
+
+
+def test_an_image_says_which_addons_it_can_take(window: Windows, published: Published) -> None:
+    """With the commands, for the parts that it lacks."""
+    page = window().open(f"#/image/{TORCH}")
+    section = page.locator("section", has=page.locator("#addons"))
+    taken = image(published, TORCH).takes
+    assert texts(section, "summary") == ["onnx: onnxruntime", "triton: tritonclient"] and [*taken] == ["onnx", "triton"]
+    section.locator("summary").first.click()
+    name = f"{REGISTRY}/ros-torch:ros1-bookworm-base-cu128"
+    parts = "grpc-cu128-py311,onnxruntime-cc-cu128,onnxruntime-cu128-py311"
+    assert texts(section, "pre")[:2] == [
+        f"rosml containerize --base-image {name} --addons onnx",
+        f"rosml join {name} {REGISTRY}/part:{{{parts}}} --tag NAME",
+    ]
+    plain = window().open("#/image/ros1-trixie-core")
+    summaries = texts(plain.locator("section", has=plain.locator("#addons")), "summary")
+    assert "onnx-cpu: onnxruntime" in summaries
+    assert "tensorrt-rtx-cu130: TensorRT-RTX for linux/amd64, in private registries alone" in summaries
+
+
+@pytest.mark.parametrize(
+    ("text", "hint"),
+    [
+        (
+            "nvcc",
+            "nvcc is the add-on devel. Images of cu130, cu132 can take it, and images of ROS alone, in private registries. For example ros1-",
+        ),
+        ("jazzy tensorrt", "TensorRT-RTX is the add-on tensorrt-rtx. Images of cu130, cu132 can take it"),
+        (
+            "onnxruntime",
+            "onnxruntime is the add-on onnx. Images of cu128, cu130, cu132, cu121, cpu, cpu314 can take it",
+        ),
+        ("jazzy torch", ""),
+    ],
+)
+def test_an_addon_is_found_though_no_tag_has_it(window: Windows, text: str, hint: str) -> None:
+    page = window().open()
+    page.get_by_label("Search names").fill(text)
+    (found,) = texts(page, ".hints")
+    assert found.startswith(hint) if hint else not found
+    if text == "onnxruntime":
+        assert all("-onnx-" in target for target in listed(page)) and listed(page)
+    if text == "nvcc":
+        page.locator(".hints a").click()
+        assert page.locator("#addons").is_visible()
 
 
 def test_a_page_without_packages_offers_none(browser: Any, published: Published, tmp_path: Path) -> None:

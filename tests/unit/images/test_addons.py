@@ -5,14 +5,17 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 from conftest import SMALLER, changed, parse, write_locks
 from memory_registry import NEXT, Publisher, publisher, steps
 from stubs import services
 
 from rosml.base.errors import RosmlError
+from rosml.cli.images import listing
 from rosml.images.bake import targets
 from rosml.images.builds import structure_tests
-from rosml.images.image_set import explain, locked
+from rosml.images.catalogue import tags_page
+from rosml.images.image_set import addons, explain, locked
 from rosml.images.image_set.model import ImageSet
 from rosml.images.locks import resolve
 
@@ -134,6 +137,59 @@ def test_it_is_explained(image_set: ImageSet) -> None:
         assert words in (explain.why_not(image_set, name) or ""), name
 
 
+def test_what_an_image_can_take(image_set: ImageSet) -> None:
+    """With the parts that it lacks: one with a framework has some. Not what it has, nor what its Python or its stack lacks."""
+    images, matrix = image_set.by_target, image_set.matrix
+    (torch,) = addons.fitting(matrix, images["alpha-base-torch-cu1"])
+    assert (torch.called, torch.parts, torch.platforms) == ("extra", ("extra-cu1-py312",), ("linux/amd64",))
+    assert torch.joins("ros-torch:alpha") == "rosml join ros-torch:alpha part:extra-cu1-py312 --tag NAME"
+    plain = {item.called: item for item in addons.fitting(matrix, images["alpha-base"])}
+    assert {*plain} == {"extra-cu1", "extra-cpu"}
+    assert plain["extra-cu1"].parts == ("cuda-cu1", "common-cu1-py312", "extra-cu1-py312")
+    assert "part:{cuda-cu1,common-cu1-py312,extra-cu1-py312} --tag" in plain["extra-cu1"].joins("ros:alpha")
+    assert plain["extra-cpu"].platforms == ("linux/amd64", "linux/arm64")
+    assert not [*addons.fitting(matrix, images["alpha-base-extra-cu1"])]
+    secret = parse(changed("slot: 4}", "slot: 4, distribution: restricted}", MATRIX))
+    assert {item.restricted for item in addons.fitting(secret.matrix, secret.by_target["alpha-base"])} == {True}
+
+
+def test_an_image_says_what_it_can_take(image_set: ImageSet) -> None:
+    told = "\n".join(explain.explained(image_set, "alpha-base-torch-cu1").reasons)
+    assert "can take the add-on extra: rosml containerize --base-image ros-torch:alpha-base-cu1 " in told
+    assert "--addons extra, or rosml join ros-torch:alpha-base-cu1 part:extra-cu1-py312 --tag NAME" in told
+    told = "\n".join(explain.explained(image_set, "alpha-base").reasons)
+    assert (
+        "extra-cu1 and extra-cpu; for example: rosml containerize --base-image ros:alpha-base --addons extra-cu1"
+        in told
+    )
+    assert "add-on" not in "\n".join(explain.explained(image_set, "alpha-core-extra-cpu").reasons)
+
+
+@pytest.mark.parametrize("name", ["extra", "Extra"])
+def test_an_addon_is_explained_by_any_of_its_names(image_set: ImageSet, name: str) -> None:
+    found = explain.explained(image_set, name)
+    assert (found.target, found.exists) == ("extra", True) and found.head.startswith("extra is an add-on: ")
+    assert "cu1: Extra 1.5.0 for linux/amd64, Python 3.12 and 3.14" in found.reasons
+    assert "tags with it: ros-extra:alpha-base-cu1" in found.reasons
+    assert any(
+        "rosml containerize --base-image ros" in reason and "--addons extra" in reason for reason in found.reasons
+    )
+    assert any("rosml join ros" in reason and "extra-c" in reason for reason in found.reasons)
+
+
+def test_the_list_has_tags_first_and_says_who_has_none(real: ImageSet) -> None:
+    done = CliRunner().invoke(listing.main, ["onnx"])
+    tagged = [image for image in real.images if "onnx" in image.addons and image.tags]
+    assert f"{len(tagged)} images, " in done.output and "none: a test" not in done.output
+    assert done.output.splitlines()[-1].endswith(
+        " more images without a tag test onnx, which go onto other images: rosml explain onnx"
+    )
+    done = CliRunner().invoke(listing.main, ["devel"])
+    assert "none: a test" in done.output and done.output.splitlines()[-1].startswith(
+        "without a tag, these test devel, "
+    )
+
+
 @pytest.mark.parametrize(
     ("old", "new", "says"),
     [
@@ -160,3 +216,11 @@ def test_parts_come_after_those_of_frameworks() -> None:
         RosmlError, match="extra comes before torch in 'parts', which framework torch takes; move it behind"
     ):
         parse("\n".join([*others[:first], last, *others[first:], ""]))
+
+
+def test_the_page_of_tags_has_addons(image_set: ImageSet) -> None:
+    """Each with its stacks; and tags with one, by their component if that is the only one."""
+    table = tags_page.tables(image_set)
+    assert "| `extra` | Extra 1.5.0 | `cu1` | 3.12, 3.14 | linux/amd64 | any registry |" in table
+    assert "| `extra` | Extra 1.5.0 | `cpu` | 3.12, 3.14 | linux/amd64, linux/arm64 | any registry |" in table
+    assert "| `ros-extra:<distribution>-base-cu1` | " in table and "ros-torch-extra" not in table

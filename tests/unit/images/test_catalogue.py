@@ -283,6 +283,27 @@ def test_words_for_a_search_come_from_the_matrix(found: Published, real: ImageSe
     bare = set(image(found, "ros1-bookworm-core").search)
     assert {"debian 12", "bookworm", "debian:bookworm"} <= bare and not {"gpu", "cuda", "jetson", "lts"} & bare
     assert not {"jetson", "aarch64"} & set(image(found, "jazzy-wheels-core-torch-cu130").search), "for amd64 alone"
+    onnx = set(image(found, "jazzy-base-onnx-cu130").search)
+    assert {"onnx", "onnxruntime", "aarch64"} <= onnx and "jetson" not in onnx, "it was built for other GPUs"
+
+
+def test_addons_are_in_it(found: Published, real: ImageSet) -> None:
+    """With the words by which people look for them; and each image has those that it can take."""
+    assert {name: addon.restricted for name, addon in found.addons.items()} == {
+        "onnx": False,
+        "devel": True,
+        "triton": False,
+        "tensorrt-rtx": True,
+    }
+    assert (found.addons["devel"].title, found.addons["devel"].stacks) == ("nvcc", ("cu130", "cu132"))
+    assert {"onnx", "onnxruntime"} <= {*found.addons["onnx"].words} and "nvcc" in found.addons["devel"].words
+    item = image(found, "jazzy-base-torch-cu130")
+    assert (item.addons, [*item.takes]) == ((), ["onnx", "devel", "triton", "tensorrt-rtx"])
+    assert item.takes["tensorrt-rtx"].platforms == ("linux/amd64",)
+    assert item.takes["devel"].parts == ("devel-cu130",)
+    assert image(found, "jazzy-base-onnx-cu130").addons == ("onnx",)
+    assert image(found, "jazzy-base").takes["onnx-cpu"].addon == "onnx"
+    assert all({*taken.parts} <= {*real.part_by_name} for each in found.images for taken in each.takes.values())
 
 
 def test_only_some(shelf: Shelf) -> None:

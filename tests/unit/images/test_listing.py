@@ -90,6 +90,8 @@ def test_a_group_that_does_not_exist(small: ImageSet) -> None:
         (["ros2"], "name a distribution: foxy, humble, "),
         (["jazzy", "pytorch"], "rosml list jazzy torch"),
         (["jazzy,torch"], "rosml list jazzy torch"),
+        (["onnxruntime"], "rosml list onnx"),
+        (["nvcc"], "rosml list devel"),
         (["jazzy-base-torch-cu130"], "rosml list jazzy base torch cu130"),
         (["me/rosml/ros-torch:jazzy-base-cu130"], "rosml explain jazzy-base-torch-cu130"),
     ],

@@ -26,6 +26,8 @@ from rosml.cli.checkout import Command
 def main(name: str, matrix: Path, as_json: bool) -> None:
     """Says why an image exists, or why it does not; or what a part is.
 
+    Of an image it says which add-ons it can take as well, and of an add-on what it brings.
+
     NAME is a target or a tag, with or without the registry. Leave out the date of a dated tag: the matrix has no dates.
 
     \b
@@ -33,6 +35,7 @@ def main(name: str, matrix: Path, as_json: bool) -> None:
       rosml explain jazzy-robot
       rosml explain ros-torch:jazzy-base-cu128
       rosml explain part:torch-cu128-py311
+      rosml explain onnx
     """
     from rosml.images.image_set import load
     from rosml.images.image_set.explain import explained

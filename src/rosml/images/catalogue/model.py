@@ -175,6 +175,23 @@ class Tagged(Fact):
     moves: tuple[Move, ...] = Field(description="as far as records of runs are kept, newest first")
 
 
+class AddOn(Fact):
+    """An add-on: parts that go onto any image of their stacks."""
+
+    title: str = Field(description="what it brings, such as onnxruntime")
+    words: tuple[str, ...] = Field(description="words by which people look for it")
+    stacks: tuple[str, ...]
+    restricted: bool = Field(description="whether images with it go to private registries alone")
+
+
+class Taken(Fact):
+    """An add-on that an image can take."""
+
+    addon: str
+    parts: tuple[str, ...] = Field(description="the parts that the image lacks, for `rosml join`, in their order")
+    platforms: tuple[str, ...]
+
+
 class Image(Tagged):
     """An image that the matrix describes."""
 
@@ -183,6 +200,10 @@ class Image(Tagged):
     component: str
     framework: str
     stack: str | None
+    addons: tuple[str, ...] = Field(description="the add-ons that it has")
+    takes: dict[str, Taken] = Field(
+        description="the add-ons that it can take besides, as `rosml containerize --addons` names them: onnx, or onnx-cpu if it has no stack"
+    )
     only_runs: bool = Field(description="without compilers: for programs that are built elsewhere")
     platforms: tuple[str, ...] = Field(description="those that the matrix allows; a build has its own")
     promised: dict[str, str] = Field(description="versions that the matrix gives it")
@@ -223,6 +244,7 @@ class Published(Fact):
     registry: str = Field(description="registry and path, to be put before a repository's name")
     source: str | None = Field(description="the project's address")
     distributions: dict[str, Distribution]
+    addons: dict[str, AddOn]
     words: dict[Status, str] = Field(description="what people call each status")
     images: tuple[Image, ...]
     parts: tuple[Part, ...]

@@ -19,6 +19,7 @@ from rosml.images.catalogue.model import (
     FORMAT,
     SIGNER,
     WORDS,
+    AddOn,
     Build,
     Distribution,
     Image,
@@ -32,17 +33,19 @@ from rosml.images.catalogue.model import (
     Sharing,
     Size,
     Tag,
+    Taken,
     Tests,
     Vulnerability,
     status,
 )
 from rosml.images.catalogue.words import words
+from rosml.images.image_set import addons
 from rosml.images.image_set import model as sets
 from rosml.images.image_set.labels import COVERED, PREFIX
 from rosml.images.image_set.model import repository_of, tags_of
 from rosml.images.image_set.selection import select
 from rosml.images.matrix import rules
-from rosml.images.matrix.names import DATED
+from rosml.images.matrix.names import DATED, our_words
 from rosml.images.records import tag_moves
 from rosml.images.records.store import INDEX, Entry, Records, date_of
 from rosml.images.scan.judge import NAMED
@@ -137,6 +140,7 @@ class Gatherer:
             created=created,
             registry=str(self.place),
             source=self.image_set.matrix.source,
+            addons={name: self._addon(name) for name in self.image_set.matrix.addons},
             distributions={name: self._distribution(name) for name in dict.fromkeys(i.distribution for i in images)},
             words=WORDS,
             images=tuple(image for image in described if image.target in asked),
@@ -155,6 +159,18 @@ class Gatherer:
                 names.add(link.target)
                 link = self.image_set.by_target.get(link.parent)
         return tuple(image for image in self.image_set.images if image.target in names and image.tags)
+
+    def _addon(self, name: str) -> AddOn:
+        matrix = self.image_set.matrix
+        entries = [matrix.part[part] for part in matrix.addons[name].parts]
+        called = [name, *(word for word, ours in our_words(matrix).items() if ours == name)]
+        there = {part.stack for part in self.image_set.parts if part.kind == entries[-1].name}
+        return AddOn(
+            title=entries[-1].title or name,
+            words=tuple(dict.fromkeys(called)),
+            stacks=tuple(stack for stack in matrix.stacks if stack in there),
+            restricted=any(entry.restricted for entry in entries),
+        )
 
     def _distribution(self, name: str) -> Distribution:
         facts = self.image_set.matrix.distributions[name]
@@ -271,6 +287,11 @@ class Gatherer:
             component=image.component,
             framework=image.combination,
             stack=image.stack,
+            addons=image.addons,
+            takes={
+                item.called: Taken(addon=item.addon, parts=item.parts, platforms=item.platforms)
+                for item in addons.fitting(self.image_set.matrix, image)
+            },
             only_runs=rules.only_runs(self.image_set.matrix, image.component),
             platforms=image.platforms,
             promised=image.versions,

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.image_set import missing
 from rosml.images.image_set.model import Image, ImageSet
-from rosml.images.matrix import rules
+from rosml.images.matrix import names, rules
 
 BEGIN = "<!-- images: written by rosml generate -->"
 END = "<!-- /images -->"
@@ -50,19 +51,27 @@ def _between(name: str, page: str, begin: str, end: str, table: str) -> str:
 
 
 def tables(image_set: ImageSet) -> str:
-    """Images without a lock; distributions with their components; then frameworks with their versions and distributions."""
+    """Images without a lock; distributions with their components; frameworks with their versions and distributions; add-ons."""
     head = ["distribution", "ROS", "system, Python", "components", "end of life", "images"]
     lines = [*_unlocked(image_set), f"| {' | '.join(head)} |", "| --- " * len(head) + "|"]
     lines += [*_distributions(image_set)]
     head = ["image", "content", "distributions", "platforms"]
     lines += ["", f"| {' | '.join(head)} |", "| --- " * len(head) + "|", *_contents(image_set)]
+    if image_set.matrix.addons:
+        head = ["add-on", "brings", "stacks", "Python", "platforms", "goes to"]
+        lines += [
+            "",
+            "[Add-ons](addons.md) go onto any image of their stacks, also onto one that has no tag with them:",
+            "",
+        ]
+        lines += [f"| {' | '.join(head)} |", "| --- " * len(head) + "|", *_addons(image_set)]
     return "\n".join(lines) + "\n"
 
 
 def _unlocked(image_set: ImageSet) -> Iterator[str]:
     """The images that lack a lock, and how to make it; nothing if all can be built."""
     rows: dict[str, dict[str, None]] = {}
-    lacking = [image for image in image_set.images if not image.locked]
+    lacking = [image for image in image_set.images if image.tags and not image.locked]
     for image in lacking:
         rows.setdefault(f"{image.repository}:<d>-<c>-{image.stack}", {})[image.distribution] = None
     if lacking:
@@ -95,7 +104,8 @@ def _contents(image_set: ImageSet) -> Iterator[str]:
             rows.setdefault((image.repository, image.stack), []).append(image)
     for images in rows.values():
         first = images[0]
-        tag = "-".join(filter(None, ["<distribution>-<component>", first.stack]))
+        components = {image.component for image in images}
+        tag = names.main_tag("<distribution>", components.pop() if len(components) == 1 else "<component>", first.stack)
         locked = dict.fromkeys(image.distribution for image in images if image.locked)
         others = dict.fromkeys(image.distribution for image in images if not image.locked)
         where = ", ".join(locked) if len(locked) < len(image_set.matrix.distributions) else "all"
@@ -108,6 +118,25 @@ def _contents(image_set: ImageSet) -> Iterator[str]:
         platforms = ", ".join(dict.fromkeys(platform for image in images for platform in image.platforms))
         facts = [f"`{first.repository}:{tag}`", _content(image_set, first), where, platforms]
         yield f"| {' | '.join(facts)} |"
+
+
+def _addons(image_set: ImageSet) -> Iterator[str]:
+    """A row for each version of an add-on, and for what it exists."""
+    matrix = image_set.matrix
+    for addon, entry in matrix.addons.items():
+        main = matrix.part[entry.parts[-1]]
+        where = "private registries" if any(matrix.part[name].restricted for name in entry.parts) else "any registry"
+        rows: dict[tuple[str, str, str], list[str]] = {}
+        for stack, facts in matrix.stacks.items():
+            parts = [part for part in image_set.parts if (part.kind, part.stack) == (main.name, stack)]
+            brings = ", ".join(f"{item.title} {item.version}" for item in rules.brought(matrix, [main.name], facts))
+            pythons = sorted({part.python for part in parts}, key=lambda text: [*map(int, re.findall("[0-9]+", text))])
+            platforms = dict.fromkeys(platform for part in parts for platform in part.platforms)
+            if parts:
+                key = brings or main.title or addon, ", ".join(pythons), ", ".join(platforms)
+                rows.setdefault(key, []).append(f"`{stack}`")
+        for (brings, python, on), stacks in rows.items():
+            yield f"| {' | '.join([f'`{addon}`', brings, ', '.join(stacks), python, on, where])} |"
 
 
 def _content(image_set: ImageSet, image: Image) -> str:

@@ -11,8 +11,9 @@ from rosml.images.matrix.names import our_words
 _DEBIAN = {"bookworm": "12", "trixie": "13"}
 """Numbers of Debian's releases, which base images name by codename alone: https://www.debian.org/releases/"""
 
-_JETSON = "arm64"
-"""The architecture of NVIDIA's boards: images with CUDA for it are those that a Jetson may run (docs/gpus.md)."""
+_JETSON, _THOR = "arm64", "sm_110"
+"""The architecture of NVIDIA's boards, and the newest one's GPU: a Jetson may run images with CUDA whose libraries were built for both
+(docs/gpus.md)."""
 
 
 def words(image_set: ImageSet, image: Image) -> tuple[str, ...]:
@@ -43,11 +44,17 @@ def _machine(image_set: ImageSet, image: Image) -> Iterator[str]:
     stack = matrix.stacks[image.stack]
     yield stack.accelerator
     if stack.cuda:
-        yield from (*NVIDIA, f"cuda {stack.cuda}", "jetson" * (_JETSON in image.architectures))
+        yield from (*NVIDIA, f"cuda {stack.cuda}", "jetson" * _on_jetson(image))
     for name, value in image.gpu.items():
         yield from [f"{name} {value}"] if name == "driver" else value.split()
 
 
+def _on_jetson(image: Image) -> bool:
+    built = [value.split() for name, value in image.gpu.items() if name.endswith(f".{_JETSON}")]
+    return _JETSON in image.architectures and all(_THOR in kinds for kinds in built)
+
+
 def _content(image_set: ImageSet, image: Image) -> Iterator[str]:
-    has = {image.framework, *(item.name for item in image.brought), *image.architectures}
+    has = {image.framework, *image.addons, *(item.name for item in image.brought), *image.architectures}
+    yield from image.addons
     yield from (word for word, ours in our_words(image_set.matrix).items() if ours in has)

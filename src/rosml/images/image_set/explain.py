@@ -11,11 +11,11 @@ from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, some, unknown
-from rosml.images.image_set import apt_repository, missing
+from rosml.images.image_set import addons, apt_repository, missing
 from rosml.images.image_set.expand import FLOATING
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix import names, rules
-from rosml.images.matrix.model import Matrix
+from rosml.images.matrix.model import ANY_PYTHON, Matrix
 
 
 @dataclass(frozen=True)
@@ -82,6 +82,11 @@ def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.en
         text = f"no part named {part_tag[1]!r}; there is {some(begun)}"
         text = text if begun else unknown("part", part_tag[1], image_set.part_by_name)
         raise RosmlError(text, "see all with: rosml part", exit_code=2)
+    if addon := next(
+        (text for text in (name, names.our_word(image_set.matrix, name)) if text in image_set.matrix.addons), ""
+    ):
+        head = f"{addon} is an add-on: it goes onto any image of its stacks, without an image of its own."
+        return Explained(addon, True, tuple(_of_addon(image_set, addon)), head)
     if name in image_set.groups:
         listed_by = "rosml list" if name in ("parts", "tests") else f"rosml list {name}"
         text = f"{name}: a group of {counted(len(image_set.groups[name]), 'target')}; see them with: {listed_by}"
@@ -259,6 +264,51 @@ def _where_from(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Ite
         yield f"{'this time, ' * this_time}packages come from {kind}, {found.address}"
 
 
+def _of_addon(image_set: ImageSet, addon: str) -> Iterator[str]:
+    """What an add-on brings, where it exists, and how you take it."""
+    matrix = image_set.matrix
+    entries = [matrix.part[part] for part in matrix.addons[addon].parts]
+    yield f"its parts: {listed([entry.name for entry in entries])}"
+    if any(entry.restricted for entry in entries):
+        yield "its licence keeps it out of public registries: docs/licences.md"
+    for stack in matrix.stacks:
+        there = [part for part in image_set.parts if (part.kind, part.stack) == (entries[-1].name, stack)]
+        platforms = dict.fromkeys(platform for part in there for platform in part.platforms)
+        pythons = sorted({part.python for part in there} - {ANY_PYTHON}, key=lambda text: [*map(int, text.split("."))])
+        brought = rules.brought(matrix, [entries[-1].name], matrix.stacks[stack])
+        what = listed([f"{item.title} {item.version}" for item in brought]) or entries[-1].title or addon
+        if there:
+            yield f"{stack}: {what} for {listed([*platforms])}{f', Python {listed(pythons)}' if pythons else ''}"
+    images = [image for image in image_set.images if addon in image.addons]
+    tags = [image.tags[0] for image in images if image.tags]
+    yield f"tags with it: {some(tags)}" if tags else "no tag has it"
+    yield f"{counted(len(images) - len(tags), 'image')} without a tag for its tests: rosml list {addon}"
+    usual = [image_set.by_target[target] for target in matrix.default.targets if target in image_set.by_target]
+    for image in (*usual, *image_set.images):
+        taken = next((item for item in addons.fitting(matrix, image) if image.tags and item.addon == addon), None)
+        if taken:
+            yield f"onto the base image of your packages, for example: {_containerize(image, taken)}"
+            yield f"onto an image in a registry, for example: {taken.joins(image.tags[0])}"
+            break
+
+
+def _containerize(image: Image, addon: addons.Fitting) -> str:
+    return f"rosml containerize --base-image {image.tags[0]} --addons {addon.called}"
+
+
+def _taken(matrix: Matrix, image: Image) -> Iterator[str]:
+    """The add-ons that an image with a tag can take, each with its commands."""
+    found = [*addons.fitting(matrix, image)] if image.tags else []
+    if found and not image.stack:
+        called = listed([item.called for item in found])
+        yield f"add-ons that it can take: {called}; for example: {_containerize(image, found[0])}"
+        return
+    for item in found:
+        only = f" for {listed(item.platforms)}" * (item.platforms != image.platforms)
+        private = " (private registries alone)" * item.restricted
+        yield f"it can take the add-on {item.addon}{only}{private}: {_containerize(image, item)}, or {item.joins(image.tags[0])}"
+
+
 def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator[str]:
     system, distribution = matrix.operating_systems[image.os], matrix.distributions[image.distribution]
     yield f"{image.distribution} (ROS {image.ros}) has the component {image.component} and stands on {image.os}"
@@ -297,6 +347,7 @@ def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator
         if architecture not in image.architectures and reason:
             yield f"not for {architecture}: {reason}"
     yield f"tags: {listed(image.tags)}" if image.tags else f"tags: none; it tests {listed(image.addons)}"
+    yield from _taken(matrix, image)
     yield f"a publishing run tests it with {listed(image.tests)}"
     if image.shared:
         yield f"what it shares with others is tested in {listed(image.proven_by)}: {listed(image.shared)}"

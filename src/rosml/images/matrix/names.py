@@ -24,8 +24,11 @@ NONE = "none"
 
 
 def our_words(matrix: Matrix) -> dict[str, str]:
-    """Words that people try in names and groups, and ours for each: titles of parts, names of repositories, machines."""
+    """Words that people try in names and groups, and ours for each: titles of parts, parts of add-ons, names of repositories, machines."""
     titles = {part.title.lower(): part.name for part in matrix.parts if part.title}
+    for addon, entry in matrix.addons.items():
+        known = dict.fromkeys(entry.parts, addon)
+        titles |= known | {title: known[part] for title, part in titles.items() if part in known}
     repositories = {facts.repository.removeprefix(f"{ROS}-"): name for name, facts in matrix.frameworks.items()}
     return {**titles, **repositories, "x86_64": "amd64", "aarch64": "arm64"}
 

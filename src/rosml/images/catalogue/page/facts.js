@@ -9,6 +9,7 @@
     torch: "PyTorch",
     tensorflow: "TensorFlow",
     ml: "PyTorch and TensorFlow",
+    ...Object.fromEntries(Object.entries(catalogue.addons).map(([name, addon]) => [name, addon.title])),
   };
   const CARRIED = { torch: "PyTorch", tensorflow: "TensorFlow", cuda: "CUDA", cudnn: "cuDNN", nccl: "NCCL" };
 
@@ -182,6 +183,20 @@
     });
   }
 
+  /** The add-ons that a text may mean: one of its words is one of theirs, or the beginning of one. */
+  function addonsMeant(text) {
+    const said = text.toLowerCase().split(/[\s:/]+/).filter((word) => word.length > 2);
+    return Object.entries(catalogue.addons)
+      .filter(([, addon]) => said.some((word) => addon.words.some((known) => known.startsWith(word))))
+      .map(([name]) => name);
+  }
+
+  /** An image that can take an add-on, published if there is one. */
+  function taker(addon) {
+    const able = catalogue.images.filter((image) => Object.values(image.takes).some((item) => item.addon === addon));
+    return able.find(present) || able[0];
+  }
+
   /** The present build of every published image on a platform. */
   function published(platform) {
     return catalogue.images
@@ -248,6 +263,8 @@
     sortedVersions,
     changes,
     published,
+    addonsMeant,
+    taker,
     endOfLife,
     badgeNodes,
   });

@@ -66,6 +66,33 @@
     );
   }
 
+  /** The add-ons that a published image can take, and the commands for that. */
+  function more(image) {
+    const reference = r.reference(image, r.mainTag(image));
+    const items = Object.entries(image.takes).map(([name, { addon, parts, platforms }]) => {
+      const { title, restricted } = r.catalogue.addons[addon];
+      const only = platforms.length < image.platforms.length ? ` for ${platforms.join(", ")}` : "";
+      const braced = parts.length > 1 ? `{${parts.join(",")}}` : parts[0];
+      return el(
+        "details",
+        null,
+        el("summary", null, `${name}: ${title}${only}${restricted ? ", in private registries alone" : ""}`),
+        r.snippet(
+          `rosml containerize --base-image ${reference} --addons ${name}`,
+          `Copy the command that takes ${name} for your packages`,
+          "Onto the base image of your packages",
+        ),
+        r.snippet(
+          `rosml join ${reference} ${r.catalogue.registry}/part:${braced} --tag NAME`,
+          `Copy the command that joins ${name} and this image`,
+          "Onto this image, in a registry",
+        ),
+      );
+    });
+    if (!items.length) return null;
+    return el("section", { "aria-labelledby": "addons" }, el("h2", { id: "addons" }, "Add-ons that it can take"), items);
+  }
+
   const KINDS = { main: "full name", versions: "with versions", floating: "short name", dated: "of a day, never moves" };
 
   /** A bar of parts, each as wide as its share of the bytes. */
@@ -412,7 +439,7 @@
     const build = r.present(image);
     if (build) {
       main.append(
-        ...[use(image), news(image)].filter(Boolean),
+        ...[use(image), more(image), news(image)].filter(Boolean),
         el(
           "section",
           { "aria-labelledby": "inside" },

@@ -56,10 +56,10 @@
 
   function content(image) {
     const facts = r.catalogue.distributions[image.distribution];
-    const carried = ["torch", "tensorflow", "cuda"].filter((name) => name in image.promised);
+    const carried = Object.keys(image.promised).filter((name) => !["cudnn", "nccl"].includes(name));
     return [
       `ROS ${facts.ros} ${image.component}`,
-      ...carried.map((name) => `${r.CARRIED[name]} ${image.promised[name]}`),
+      ...carried.map((name) => `${r.CARRIED[name] || name} ${image.promised[name]}`),
     ];
   }
 
@@ -214,6 +214,20 @@
   const NONE =
     "No image matches. Take a filter away, or ask why one does not exist: rosml explain <name>.";
 
+  /** That what is looked for is an add-on, which images take that have no tag with it. */
+  function hint(name) {
+    const { title, stacks, restricted } = r.catalogue.addons[name];
+    const image = r.taker(name);
+    return el(
+      "p",
+      null,
+      title === name ? `${name} is an add-on. ` : `${title} is the add-on ${name}. `,
+      `Images of ${stacks.join(", ")} can take it, and images of ROS alone`,
+      restricted ? ", in private registries. " : ". ",
+      image ? ["For example ", el("a", { href: `#/image/${image.target}` }, image.target), ": its page has the commands."] : "",
+    );
+  }
+
   function usualStatus() {
     return [...state.chosen.status].join(",") === usual();
   }
@@ -234,6 +248,7 @@
     const meant = state.text.trim() ? rows.filter((row) => test(row.image)) : [];
     state.wide = usualStatus() && Boolean(usual()) && meant.length > 0 && !meant.some((row) => row.build);
     ui.shown = find(test);
+    ui.hints.replaceChildren(...r.addonsMeant(state.text).map(hint));
     ui.body.replaceChildren();
     more(ui, FIRST);
     const counts = Object.fromEntries(Object.keys(GROUPS).map((name) => [name, countOf(name, test)]));
@@ -400,6 +415,7 @@
     ui.clear = clearButton(ui);
     ui.every = everyButton(ui);
     ui.none = el("p", { class: "notice", hidden: true });
+    ui.hints = el("div", { class: "hints", role: "status", "aria-live": "polite" });
     // A browser lays a long table out slowly: the next rows come when the end of those that are there is near.
     new IntersectionObserver(
       (entries) => {
@@ -425,6 +441,7 @@
       ),
       filters(ui),
       el("div", { class: "bar" }, ui.summary, ui.every, ui.clear),
+      ui.hints,
       table(ui),
       ui.rest,
       ui.none,
