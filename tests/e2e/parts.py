@@ -35,7 +35,11 @@ PARTS = tuple(ENTRIES)[:5]
 ADDONS = {"graph": ("cuda", "common", "graph-cc", "graph"), "devel": ("cuda", "devel")}
 OWN = {"graph-cc": "graph", "graph": "graph", "devel": "devel"}
 """The add-on of each part that is its own."""
-GPU = {"cuda": {"driver": "525"}, "torch": {"torch.amd64": "sm_80 sm_90"}}
+GPU = {
+    "cuda": {"driver": "525"},
+    "torch": {"torch.amd64": "sm_80 sm_90"},
+    "graph": {"graph.amd64": "sm_80 sm_90a"},
+}
 """What parts with CUDA say of GPUs."""
 FRAMEWORKS = {
     "cuda": ("cuda",),

@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 from conftest import SMALLER, changed, parse, write_locks
-from memory_registry import NEXT, Publisher, publisher, steps
+from memory_registry import DAY, NEXT, Publisher, publisher, steps
+from scanning import World, advisory, rules
 from stubs import services
 
 from rosml.base.errors import RosmlError
@@ -18,6 +19,8 @@ from rosml.images.catalogue import tags_page
 from rosml.images.image_set import addons, explain, locked
 from rosml.images.image_set.model import ImageSet
 from rosml.images.locks import resolve
+from rosml.images.publish.steps import STEPS
+from rosml.images.publish.steps.scan import policy_digest, scan
 
 ENTRY = "addons:\n  extra: {parts: [extra], beside: [torch], tags: {distributions: [alpha], components: [base], stacks: [cu1]}}\n"
 MATRIX = SMALLER
@@ -117,6 +120,24 @@ def test_a_part_whose_test_failed_gets_no_tag(registry: Publisher, image_set: Im
     run = registry.publish(image_set, poisoned=poisoned)
     assert run.failed
     assert "extra-cpu-py312" in registry.tagged("part") and "extra-cpu-py314" not in registry.tagged("part")
+
+
+def test_what_the_policy_stops_in_an_addon_gets_no_tag(
+    registry: Publisher, image_set: ImageSet, tmp_path: Path
+) -> None:
+    """Its part is scanned in the images that test it, although none of them has a tag. Others have no part in that."""
+    world = World(tmp_path, advisories={"extra": [advisory("CVE-2026-3", "CRITICAL", "3.0")]})
+    world.trivy().fetch(rules().policy.database)
+    run = registry.run(image_set, scanning=policy_digest(rules(), DAY))
+    for step in ("build", "join", "test"):
+        STEPS[step](run)
+    scan(run, rules(), world.trivy())
+    for step in ("index", "promote"):
+        STEPS[step](run)
+    stopped = {key[0] for key, entry in run.state.known.items() if entry.scan.get("failing") == ["CVE-2026-3"]}
+    assert stopped == TRIALS | {"alpha-base-extra-cu1"}
+    assert not [tag for tag in registry.tagged("part") if tag.startswith("extra-")]
+    assert "alpha-base-cu1" in registry.tagged("ros-torch") and registry.tagged("ros-extra") == {}
 
 
 def test_who_asks_for_the_addon_alone_gets_its_tests(registry: Publisher, image_set: ImageSet) -> None:

@@ -20,9 +20,10 @@ from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.cli.images import join as script
 from rosml.images.image_set import labels
-from rosml.images.join import file_lists
+from rosml.images.join import facts, file_lists
 from rosml.images.join.file_lists import Files
 from rosml.images.join.joiner import Joiner, JoinReport
+from rosml.images.scan.sbom import MEDIA_TYPE
 from rosml.registry import failures, oci, references
 from rosml.registry.client import Registry
 from rosml.registry.references import Reference
@@ -213,7 +214,12 @@ def test_addons_onto_an_image_that_has_a_framework(place: Place) -> None:
     assert found["org.opencontainers.image.description"].endswith("PyTorch 2.10.0, CUDA 12.8.90, GRAPH 1.23.2")
     assert found["org.opencontainers.image.version"] == "ros1-bookworm-core-cu128-torch2.10.0-graph1.23.2"
     assert (found["io.rosml.framework"], found["io.rosml.addons"]) == ("torch", "graph")
-    assert (found["io.rosml.torch"], found["io.rosml.gpu.driver"]) == ("2.10.0", "525")
+    assert found["io.rosml.torch"] == "2.10.0"
+    assert {name.removeprefix(labels.GPU): text for name, text in found.items() if name.startswith(labels.GPU)} == {
+        "driver": "525",
+        "torch.amd64": "sm_80 sm_90",
+        "graph.amd64": "sm_80 sm_90a",
+    }
     assert found["io.rosml.parts"] == "cuda common torch graph-cc graph"
     _, config = place.image(first.manifests["linux/amd64"])
     assert {"TORCH_VERSION=2.10.0", "GRAPH_VERSION=1.23.2", "CUDA_VERSION=12.8.90"} <= {*config["config"]["Env"]}
@@ -225,6 +231,29 @@ def test_addons_onto_an_image_that_has_a_framework(place: Place) -> None:
     once = place.join(place.ros(), *reversed(own), *torch, tag="once")
     assert told(place, once)["io.rosml.parts"] == "cuda common torch devel graph-cc graph"
     assert told(place, once)["io.rosml.addons"] == "devel graph"
+
+
+def test_the_index_of_a_join_leads_to_the_sboms_of_all_that_is_in_it(place: Place) -> None:
+    """By the digests of the ROS image, of the framework's parts and of the add-on's, to each of which one is attached."""
+    own = [part(kind).put(place.registry, "me/part", f"{kind}-cu128") for kind in ("graph-cc", "graph")]
+    base = place.join(place.ros(), *(torch := place.stack()), tag="torch")
+    place.join(base.reference, *own, tag="both")
+    made = set()
+    for name in (f"{place.server.address}/me/ros:ros1-bookworm-core", *torch, *own):
+        where = references.parse(name)
+        index = place.registry.manifest(where.repository, where.reference)
+        assert index
+        (member,) = index.members
+        image = place.registry.manifest(where.repository, member.digest)
+        assert image
+        place.registry.attach(where.repository, image.descriptor, MEDIA_TYPE, b"{}", MEDIA_TYPE)
+        made.add((where.repository, member.digest))
+    index = place.registry.manifest("me/mine", "both")
+    assert index
+    (member,) = index.members
+    found = facts.components(place.registry, "me/mine", member.digest, member.annotations)
+    assert {*found} == made and len(found) == 6
+    assert all(place.registry.referrers(*component, MEDIA_TYPE) for component in found)
 
 
 def test_an_addon_onto_an_app(place: Place) -> None:
