@@ -278,13 +278,15 @@ def test_what_goes_with_a_release_may_be_in_another_part() -> None:
 
 
 def test_a_release_of_another_index(tmp_path: Path) -> None:
-    """Locks ask it, and so do the builds of those parts whose packages it has."""
+    """Locks ask it, and so do the builds of those parts whose packages it has. tests/unit/images/test_pytorch_index.py calls uv."""
     image_set = parse(TAKEN)
-    found = {item.indexes for item in resolve.requests(image_set) if "torch" in item.roots}
-    assert found == {("https://pypi.example.com/simple",)}
+    found = [item.indexes for item in resolve.requests(image_set) if "torch" in item.roots]
+    address = "https://pypi.example.com/simple"
+    assert found and all(item == {"torch": address, "torchvision": address} for item in found)
     wanted = next(item for item in resolve.requests(image_set) if item.indexes)
     resolve.resolve(wanted, resolve.Uv(fake_uv(tmp_path)))
-    assert " --index https://pypi.example.com/simple" in calls(tmp_path)[0]
+    assert " pyproject.toml in.txt " in calls(tmp_path)[0]
+    assert "torch" not in (tmp_path / "seen-in.txt").read_text()
     known = targets.of(image_set)
     asking = {part.kind for part in image_set.parts if known[part.target].arguments.get("INDEX")}
     assert asking == {"torch", "vision"}

@@ -17,7 +17,7 @@ import threading
 import zipfile
 from collections.abc import Iterator
 from contextlib import closing
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import pytest
@@ -44,12 +44,14 @@ def wheel(name: str, version: str) -> tuple[str, bytes]:
 
 @dataclass
 class Index:
-    """The local replacement: its proxy's address, its CA, the hosts that were asked for wheels of PyTorch."""
+    """The local replacement: its proxy's address, its CA, the hosts that were asked for wheels of PyTorch, and all that was asked."""
 
     folder: Path
     wheels: dict[str, tuple[str, bytes]]
     port: int = 0
     asked: set[str] = field(default_factory=set)
+    paths: list[tuple[str, str]] = field(default_factory=list)
+    lock: threading.Lock = field(default_factory=threading.Lock)
 
     @property
     def environment(self) -> dict[str, str]:
@@ -79,8 +81,11 @@ class Index:
             host = _head(client).split()[1].partition(":")[0]
             client.sendall(b"HTTP/1.1 200 OK\r\n\r\n")
             try:
-                with self.certificate(host).wrap_socket(client, server_side=True) as inside:
+                with self.lock:  # two requests for one host make its certificate once
+                    context = self.certificate(host)
+                with context.wrap_socket(client, server_side=True) as inside:
                     path = _head(inside).split()[1]
+                    self.paths.append((host, path))
                     if "torch" in path:
                         self.asked.add(host)
                     status, body = self.answer(path)
@@ -196,3 +201,41 @@ def test_an_index_without_the_wheel(uv: str, monkeypatch: pytest.MonkeyPatch, in
     with pytest.raises(RosmlError, match="does not resolve") as caught:
         resolve.resolve(REQUEST, resolve.Uv(uv))
     assert not isinstance(caught.value, resolve.Unreachable)
+
+
+MINE = "https://pypi.example.com/simple"
+OF_ANOTHER = replace(
+    REQUEST,
+    roots={"torch": "mine==1.0"},
+    elsewhere={},
+    beside={"torch": ("mine-libs==1.0",)},
+    indexes={"mine": MINE, "mine-libs": MINE},
+)
+
+
+@pytest.fixture
+def another(index: Index, monkeypatch: pytest.MonkeyPatch) -> Index:
+    """The local replacement as an index of somebody's own, and as the usual one."""
+    index.wheels |= {"mine": wheel("mine", "1.0"), "mine-libs": wheel("mine_libs", "1.0")}
+    for key, value in index.environment.items():
+        monkeypatch.setenv(key, value)
+    return index
+
+
+def test_another_index_is_asked_for_its_packages_alone(another: Index, uv: str) -> None:
+    pins = resolve.resolve(OF_ANOTHER, resolve.Uv(uv))
+    assert {pin.name: pin.version for pin in pins} == {"mine": "1.0", "mine-libs": "1.0", "numpy": "1.26.4"}
+    assert set(resolve.split(pins, OF_ANOTHER.roots, OF_ANOTHER.parts, OF_ANOTHER.beside)["torch"]) >= {pins[0]}
+    [usual] = {host for host, path in another.paths if "numpy" in path}
+    assert {host for host, path in another.paths if "mine" in path} == {"pypi.example.com"} != {usual}
+
+
+@pytest.mark.parametrize("there", [None, ("mine_libs-1.0.tar.gz", b""), wheel("mine_libs", "0.9")])
+def test_another_index_without_a_wheel_is_named(another: Index, uv: str, there: tuple[str, bytes] | None) -> None:
+    """Nothing of that name, a source package in its place, as the usual index has for wheels of NVIDIA's, or another version."""
+    del another.wheels["mine-libs"]
+    if there:
+        another.wheels["mine-libs"] = there
+    with pytest.raises(RosmlError, match="does not resolve") as caught:
+        resolve.resolve(OF_ANOTHER, resolve.Uv(uv))
+    assert f"put the wheel of mine-libs on {MINE}" in caught.value.remedy

@@ -16,6 +16,7 @@ system lacks.
 from __future__ import annotations
 
 import fnmatch
+import json
 import os
 import re
 import subprocess
@@ -77,7 +78,7 @@ class Request:
         beside: requirements of the packages that go with each framework.
         adapted: requirements of each framework that replace its wheel's, as lines of locks.
         overrides: the same as requirements.
-        indexes: further indexes of Python packages, which are asked first.
+        indexes: packages that come from another index than the usual one, and the address of that index.
     """
 
     stack: str
@@ -96,7 +97,7 @@ class Request:
     beside: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     adapted: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     overrides: tuple[str, ...] = ()
-    indexes: tuple[str, ...] = ()
+    indexes: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def asks_pytorch(self) -> bool:
@@ -179,7 +180,13 @@ def requests(image_set: ImageSet) -> Iterator[Request]:
                             }
                         )
                     ),
-                    indexes=tuple(dict.fromkeys(release.index for release in releases.values() if release.index)),
+                    indexes={
+                        package_name(requirement): release.index
+                        for family, release in releases.items()
+                        if release.index
+                        for requirement in (wanted[family], *release.company(part.stack))
+                        if requirement
+                    },
                 )
     yield from _ros_requests(image_set)
 
@@ -276,7 +283,9 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
     wanted += [requirement for family in request.roots for requirement in request.beside.get(family, ())]
     with tempfile.TemporaryDirectory() as folder:
         base = Path(folder)
-        (base / "in.txt").write_text("\n".join([*wanted, *request.added, f"numpy{request.numpy}"]) + "\n")
+        apart = [requirement for requirement in wanted if package_name(requirement) in request.indexes]
+        usual = [requirement for requirement in wanted if requirement not in apart]
+        (base / "in.txt").write_text("\n".join([*usual, *request.added, f"numpy{request.numpy}"]) + "\n")
         # The system's packages are constraints, not overrides: a release that asks for more would not work there, unless
         # matrix.yaml says that it does (adapted).
         # But ROS's wheels need some of it that has no wheel (empy): no Python is below 3, so it is left out, and
@@ -298,8 +307,9 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
             "split",
         ]
         command += ["--no-emit-index-url", "--constraint", "constraints.txt", "in.txt", "--output-file", "out.txt"]
-        for index in request.indexes:
-            command += ["--index", index]
+        if apart:
+            (base / "pyproject.toml").write_text(_from_indexes(apart, request.indexes))
+            command.insert(command.index("in.txt"), "pyproject.toml")
         if request.asks_pytorch:
             command += ["--torch-backend", "cpu"]
         if overrides:
@@ -314,10 +324,32 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
         if status != 0:
             raise RosmlError(
                 f"{request} does not resolve:\n{said.strip()}",
-                remedy="relax the stack's versions or constraints in matrix.yaml, or check that the index answers",
+                remedy=_remedy(request.indexes, said),
             )
         pins = parse(output.read_text(errors="replace") if output.exists() else "")
     return pins if request.asks_pytorch else _with_known_wheels(request, pins)
+
+
+def _from_indexes(requirements: Sequence[str], indexes: Mapping[str, str]) -> str:
+    """A project's file, by which uv asks one index alone for each of these packages, and that index for nothing else."""
+    known = list(dict.fromkeys(indexes.values()))
+    lines = ["[project]", 'name = "matrix"', 'version = "0"', f"dependencies = {json.dumps(list(requirements))}"]
+    lines += ["[tool.uv.sources]", *(f'{name} = {{index = "i{known.index(at)}"}}' for name, at in indexes.items())]
+    for number, address in enumerate(known):
+        lines += ["[[tool.uv.index]]", f'name = "i{number}"', f"url = {json.dumps(address)}", "explicit = true"]
+    return "\n".join(lines) + "\n"
+
+
+def _remedy(indexes: Mapping[str, str], said: str) -> str:
+    """What to do, if uv found no solution: what matters first is whether another index has what is taken from it."""
+    for name, address in indexes.items():
+        if (
+            f"{name} was not found" in said
+            or f"no version of {name}=" in said
+            or re.search(rf"{name}==\S+ has no", said)
+        ):
+            return f"put the wheel of {name} on {address}; a source package in its place is not enough"
+    return "relax the stack's versions or constraints in matrix.yaml, or check that the index answers"
 
 
 def compile_command(python: str, wheels: str) -> list[str]:

@@ -352,7 +352,8 @@ class Release(Facts):
     )
     index: Annotated[str, Field(pattern=URL, max_length=200)] | None = Field(
         default=None,
-        description="another index of Python packages, without a password, that is asked first for all that the release needs",
+        description="another index of Python packages, without a password, that has the release's package and what goes with"
+        " it; it is asked for nothing else",
     )
     gpus: dict[Name, Annotated[tuple[Word, ...], Field(min_length=1)]] = Field(
         default={},
