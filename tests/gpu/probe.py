@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What PyTorch and TensorFlow do with the GPU that is here: each result is compared with the CPU's.
+"""What PyTorch, TensorFlow and TensorRT for RTX do with the GPU that is here: each result is compared with the CPU's.
 
   docker run --rm --gpus all -v "$PWD/tests/gpu:/probe:ro" <image> /probe/run.sh
 
@@ -136,7 +136,69 @@ def tensorflow_probes() -> Iterator[tuple[str, Probe]]:
     }.items()
 
 
-PROBES = {"torch": torch_probes, "tensorflow": tensorflow_probes}
+def tensorrt_rtx_probes() -> Iterator[tuple[str, Probe]]:
+    """TensorRT for RTX: an engine is built, compiled for this GPU and run. Only the driver is called besides."""
+    import ctypes
+    import struct
+
+    import tensorrt_rtx as trt
+
+    values = [0.5, -1.0, 2.0, 0.25]
+
+    def called(function: str, *arguments: Any) -> None:
+        code = getattr(ctypes.CDLL("libcuda.so.1"), function)(*arguments)
+        assert code == 0, f"{function}: error {code} of the driver"
+
+    def device() -> str:
+        name, chosen, context = ctypes.create_string_buffer(100), ctypes.c_int(), ctypes.c_void_p()
+        called("cuInit", 0)
+        called("cuDeviceGet", ctypes.byref(chosen), 0)
+        called("cuDeviceGetName", name, 100, chosen)
+        called("cuDevicePrimaryCtxRetain", ctypes.byref(context), chosen)
+        called("cuCtxSetCurrent", context)
+        return f"{name.value.decode()}, tensorrt_rtx {trt.__version__}"
+
+    def built() -> Any:
+        """tanh(x * 3), as the plan of an engine for every GPU."""
+        builder = trt.Builder(logger)
+        network = builder.create_network(0)
+        x = network.add_input("x", trt.float32, (len(values),))
+        three = network.add_constant((len(values),), trt.Weights(trt.float32, weights_at, len(values))).get_output(0)
+        product = network.add_elementwise(x, three, trt.ElementWiseOperation.PROD).get_output(0)
+        y = network.add_activation(product, trt.ActivationType.TANH).get_output(0)
+        y.name = "y"
+        network.mark_output(y)
+        return builder.build_serialized_network(network, builder.create_builder_config())
+
+    def engine() -> str:
+        import math
+
+        plan = built()
+        assert plan is not None, "no engine was built: see its messages above"
+        size, found = 4 * len(values), (ctypes.c_float * len(values))()
+        places = {"x": ctypes.c_uint64(), "y": ctypes.c_uint64()}
+        for place in places.values():
+            called("cuMemAlloc_v2", ctypes.byref(place), ctypes.c_size_t(size))
+        called("cuMemcpyHtoD_v2", places["x"], struct.pack(f"{len(values)}f", *values), ctypes.c_size_t(size))
+        loaded = trt.Runtime(logger).deserialize_cuda_engine(plan)
+        assert loaded is not None, "the engine does not load on this GPU: see its messages above"
+        context = loaded.create_execution_context()
+        for name, place in places.items():
+            context.set_tensor_address(name, place.value)
+        assert context.execute_async_v3(0), "the engine does not run: see its messages above"
+        called("cuCtxSynchronize")
+        called("cuMemcpyDtoH_v2", found, places["y"], ctypes.c_size_t(size))
+        difference = max(abs(y - math.tanh(3 * x)) for x, y in zip(values, found))
+        assert difference <= 1e-2, f"differs from the CPU by {difference}"
+        return "within 0.01 of the CPU"
+
+    logger = trt.Logger(trt.Logger.WARNING)
+    weights = (ctypes.c_float * len(values))(*[3.0] * len(values))
+    weights_at = ctypes.addressof(weights)
+    yield from {"device": device, "engine": engine}.items()
+
+
+PROBES = {"torch": torch_probes, "tensorflow": tensorflow_probes, "tensorrt_rtx": tensorrt_rtx_probes}
 
 
 def main() -> int:
@@ -162,7 +224,7 @@ def main() -> int:
     if as_json:
         print(json.dumps({"outcomes": outcomes}, indent=1))
     if not outcomes:
-        print("there is neither torch nor tensorflow here", file=sys.stderr)
+        print("there is none of torch, tensorflow and tensorrt_rtx here", file=sys.stderr)
         return 2
     return 0 if all(outcome["passed"] for outcome in outcomes) else 1
 

@@ -121,7 +121,8 @@ if "numpy" not in before:
     *start, last = re.findall("numpy.*<([0-9.]+)", CONSTRAINTS.read_text())[0].split(".")
     wheel("numpy", ".".join([*start, str(int(last) - 1), "999"]))
 releases = os.environ.get("EXPECT_RELEASES", "").split(",")
-carried = [name for name in releases if name and f"EXPECT_{name.upper().replace('-', '_')}" in os.environ]
+modules = [name.replace("-", "_") for name in releases if name]  # as files of wheels spell names
+carried = [name for name in modules if f"EXPECT_{name.upper()}" in os.environ]
 wheel("wantsframeworks", "1.0", ["numpy", *carried])
 too_far = {"numpy": "3", "empy": "4"}
 if int(before["setuptools"].split(".")[0]) < 80:  # Ubuntu 26.04 has a newer one itself
