@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 import sys
@@ -14,8 +15,9 @@ from projects import copy_for_generator
 from rosml.base.errors import RosmlError
 from rosml.images.bake import targets
 from rosml.images.bake.inputs import Inputs
-from rosml.images.image_set import load, restricted
+from rosml.images.image_set import load, lock_file, restricted
 from rosml.images.image_set.model import ImageSet
+from rosml.images.matrix import names
 from tests import walk
 from tests.walk import follow, insert, section
 
@@ -184,24 +186,86 @@ def test_an_addon(project: Path, real: ImageSet) -> None:
     assert sum(len(image.tags) for image in made.images) == sum(len(image.tags) for image in real.images) + 4
 
 
+def tensorrt(title: str) -> str:
+    """A file of the page about TensorRT."""
+    [text] = [block.text for name in ("The set", "Its files") for block in section(name) if block.title == title]
+    return text
+
+
 def test_tensorrt_from_an_index_of_ones_own(tmp_path: Path) -> None:
     """A set whose parts are restricted: their packages are asked of that index, and no public registry gets them."""
-    [text] = [block.text for block in section("TensorRT from your own index") if block.title == "set.yaml"]
-    (tmp_path / "set.yaml").write_text(text)
+    (tmp_path / "set.yaml").write_text(tensorrt("set.yaml"))
     made = load.without_locks(tmp_path / "set.yaml", ROOT)
-    image = made.image(made.matrix.default.targets[0])
-    assert image.parts == tuple(
-        f"{name}-cu130{'' if name in ('cuda', 'tensorrt-cc') else '-py312'}"
-        for name in ("cuda", "common", "torch", "tensorrt-cc", "tensorrt")
+    image = made.image("jazzy-core-tensorrt-cu130")
+    assert image.parts[-4:] == (
+        "onnxruntime-cc-cu130",
+        "onnxruntime-cu130-py312",
+        "tensorrt-cc-cu130",
+        "tensorrt-cu130-py312",
     )
     assert image.architectures == ("amd64",) and image.versions["tensorrt"] == "10.16.1.11"
+    assert "tensorrt" in image.tests and "onnxruntime" in image.tests
     known = targets.of(made)
     assert known[image.target].labels["io.rosml.restricted"] == "tensorrt-cc tensorrt"
     asking = {part.kind for part in made.parts if known[part.target].arguments.get("INDEX")}
     assert asking == {"tensorrt-cc", "tensorrt"}
     assert known["part-tensorrt-cu130-py312"].arguments["SHOWS"] == "tensorrt-cc"
+    # What `rosml locks` writes is the lock of the parts, whatever other releases of the stack are called.
+    hashed = f"10.16.1.11 \\\n    --hash=sha256:{'0' * 64}\n"
+    for part in (item for item in made.parts if item.kind in asking):
+        head = f"{names.lock_head(part.stack, 'amd64', part.python, part.kind)}\n# Made by 'rosml locks' from matrix.yaml; do not edit.\n"
+        package = "tensorrt-cu13-libs" if part.kind == "tensorrt-cc" else "tensorrt-cu13-bindings"
+        assert lock_file.current(f"{head}{package}=={hashed}", part, made.matrix, "amd64")
     declared = restricted.Declared.of(made.matrix, {})
     host, _, path = made.matrix.registry.partition("/")
     assert restricted.require(["tensorrt"], image.target, host, path, declared) == ""
     with pytest.raises(RosmlError, match="is a public registry"):
         restricted.require(["tensorrt"], image.target, "ghcr.io", path, declared)
+
+
+NEEDED = ("libnvinfer.so.10", "libnvinfer_plugin.so.10", "libnvonnxparser.so.10")
+"""What ONNX Runtime's provider and the module of Python link, as `readelf -d` says of 1.19.2 to 1.31.1 and of 10.16.1.11."""
+
+
+def followed(path: Path, root: Path) -> Path:
+    """Where a path of an image leads, whose root is a folder."""
+    while path.is_symlink():
+        leads = path.readlink()
+        path = root / str(leads)[1:] if leads.is_absolute() else path.parent / leads
+    return path
+
+
+def test_tensorrts_libraries_are_where_the_loader_looks(tmp_path: Path) -> None:
+    """ONNX Runtime's provider and programs in C++ have no path to them: they are in a default one."""
+    out, triplet = tmp_path / "out", "x86_64-linux-gnu"
+    cc, python = "/usr/local/lib/rosml/tensorrt-cc", "/usr/local/lib/python3.12/dist-packages"
+    version = "10.16.1.11"
+    for file, text in {
+        **{f"{cc}/tensorrt_libs/{name}": name for name in (*NEEDED, "libnvinfer_builder_resource_sm90.so.10.16.1")},
+        f"{cc}/tensorrt_libs/__init__.py": "",
+        f"{python}/tensorrt_bindings/__init__.py": f"__version__ = '{version}'\nLogger = print\n",
+        f"{python}/tensorrt_bindings/plugin/__init__.py": "__all__ = ['register']\nregister = print\n",
+        f"{python}/tensorrt_cu13_bindings-{version}.dist-info/RECORD": "tensorrt_bindings/__init__.py,,\n",
+    }.items():
+        (out / file[1:]).parent.mkdir(parents=True, exist_ok=True)
+        (out / file[1:]).write_text(text)
+    libraries = out / "usr/lib" / triplet
+    libraries.mkdir(parents=True)
+    (tmp_path / "components").mkdir()
+    (tmp_path / "components/part").symlink_to(ROOT / "components/part")
+    for part, site in (("tensorrt-cc", cc), ("tensorrt", python)):
+        script = tmp_path / f"components/{part}/files.sh"
+        script.parent.mkdir(parents=True)
+        script.write_text(tensorrt(f"components/{part}/files.sh"))
+        environment = {"PATH": os.environ["PATH"], "OUT": str(out), "SITE": site, "TRIPLET": triplet}
+        subprocess.run(["bash", script], env=environment, check=True)
+    for name in NEEDED:
+        for called in (name, f"{name.partition('.so')[0]}.so"):
+            assert followed(libraries / called, out).read_text() == name
+    asks = "import tensorrt, tensorrt.plugin, importlib.metadata as m; print(tensorrt.__version__, tensorrt.plugin.register.__name__, m.version('tensorrt'))"
+    isolated = [sys.executable, "-I", "-c", f"import sys; sys.path.insert(0, {str(out / python[1:])!r}); {asks}"]
+    assert subprocess.run(isolated, capture_output=True, text=True, check=True).stdout.split() == [
+        version,
+        "print",
+        version,
+    ]
