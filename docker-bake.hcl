@@ -1206,7 +1206,7 @@ target "part-tritonclient-cu130-py310" {
 
 target "_files-tensorrt-rtx-cc-cu130" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_BOOKWORM }
   args = {
     PART         = "tensorrt-rtx-cc"
@@ -1214,6 +1214,7 @@ target "_files-tensorrt-rtx-cc-cu130" {
     PYTHON       = "any"
     WHEEL_PYTHON = "3.11"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.35"
   }
 }
 
@@ -1237,7 +1238,7 @@ target "part-tensorrt-rtx-cc-cu130" {
 
 target "_files-tensorrt-rtx-cu130-py310" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_UBUNTU_22_04 }
   args = {
     PART         = "tensorrt-rtx"
@@ -1245,6 +1246,7 @@ target "_files-tensorrt-rtx-cu130-py310" {
     PYTHON       = "3.10"
     WHEEL_PYTHON = "3.10"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.35"
     SLOT         = "10"
     SHOWS        = "tensorrt-rtx-cc"
   }
@@ -1369,7 +1371,7 @@ target "part-tritonclient-cu132-py310" {
 
 target "_files-tensorrt-rtx-cc-cu132" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_BOOKWORM }
   args = {
     PART         = "tensorrt-rtx-cc"
@@ -1377,6 +1379,7 @@ target "_files-tensorrt-rtx-cc-cu132" {
     PYTHON       = "any"
     WHEEL_PYTHON = "3.11"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.35"
   }
 }
 
@@ -1400,7 +1403,7 @@ target "part-tensorrt-rtx-cc-cu132" {
 
 target "_files-tensorrt-rtx-cu132-py310" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_UBUNTU_22_04 }
   args = {
     PART         = "tensorrt-rtx"
@@ -1408,6 +1411,7 @@ target "_files-tensorrt-rtx-cu132-py310" {
     PYTHON       = "3.10"
     WHEEL_PYTHON = "3.10"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.35"
     SLOT         = "10"
     SHOWS        = "tensorrt-rtx-cc"
   }
@@ -2108,7 +2112,7 @@ target "part-tritonclient-cu130-py312" {
 
 target "_files-tensorrt-rtx-cu130-py312" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
     PART         = "tensorrt-rtx"
@@ -2116,6 +2120,7 @@ target "_files-tensorrt-rtx-cu130-py312" {
     PYTHON       = "3.12"
     WHEEL_PYTHON = "3.12"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.35"
     SLOT         = "10"
     SHOWS        = "tensorrt-rtx-cc"
   }
@@ -2350,7 +2355,7 @@ target "part-tritonclient-cu132-py312" {
 
 target "_files-tensorrt-rtx-cu132-py312" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
     PART         = "tensorrt-rtx"
@@ -2358,6 +2363,7 @@ target "_files-tensorrt-rtx-cu132-py312" {
     PYTHON       = "3.12"
     WHEEL_PYTHON = "3.12"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.35"
     SLOT         = "10"
     SHOWS        = "tensorrt-rtx-cc"
   }
@@ -2886,7 +2892,7 @@ target "part-tritonclient-cu130-py314" {
 
 target "_files-tensorrt-rtx-cu130-py314" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_UBUNTU_26_04 }
   args = {
     PART         = "tensorrt-rtx"
@@ -2894,6 +2900,7 @@ target "_files-tensorrt-rtx-cu130-py314" {
     PYTHON       = "3.14"
     WHEEL_PYTHON = "3.14"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.35"
     SLOT         = "10"
     SHOWS        = "tensorrt-rtx-cc"
   }
@@ -3092,7 +3099,7 @@ target "part-tritonclient-cu132-py314" {
 
 target "_files-tensorrt-rtx-cu132-py314" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_UBUNTU_26_04 }
   args = {
     PART         = "tensorrt-rtx"
@@ -3100,6 +3107,7 @@ target "_files-tensorrt-rtx-cu132-py314" {
     PYTHON       = "3.14"
     WHEEL_PYTHON = "3.14"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.35"
     SLOT         = "10"
     SHOWS        = "tensorrt-rtx-cc"
   }
@@ -3630,7 +3638,7 @@ target "part-tritonclient-cu130-py311" {
 
 target "_files-tensorrt-rtx-cu130-py311" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_BOOKWORM }
   args = {
     PART         = "tensorrt-rtx"
@@ -3638,6 +3646,7 @@ target "_files-tensorrt-rtx-cu130-py311" {
     PYTHON       = "3.11"
     WHEEL_PYTHON = "3.11"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.35"
     SLOT         = "10"
     SHOWS        = "tensorrt-rtx-cc"
   }
@@ -3836,7 +3845,7 @@ target "part-tritonclient-cu132-py311" {
 
 target "_files-tensorrt-rtx-cu132-py311" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_BOOKWORM }
   args = {
     PART         = "tensorrt-rtx"
@@ -3844,6 +3853,7 @@ target "_files-tensorrt-rtx-cu132-py311" {
     PYTHON       = "3.11"
     WHEEL_PYTHON = "3.11"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.35"
     SLOT         = "10"
     SHOWS        = "tensorrt-rtx-cc"
   }
@@ -4442,7 +4452,7 @@ target "part-tritonclient-cu130-py313" {
 
 target "_files-tensorrt-rtx-cu130-py313" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_TRIXIE }
   args = {
     PART         = "tensorrt-rtx"
@@ -4450,6 +4460,7 @@ target "_files-tensorrt-rtx-cu130-py313" {
     PYTHON       = "3.13"
     WHEEL_PYTHON = "3.13"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.35"
     SLOT         = "10"
     SHOWS        = "tensorrt-rtx-cc"
   }
@@ -4648,7 +4659,7 @@ target "part-tritonclient-cu132-py313" {
 
 target "_files-tensorrt-rtx-cu132-py313" {
   inherits  = ["_files"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { os = OS_TRIXIE }
   args = {
     PART         = "tensorrt-rtx"
@@ -4656,6 +4667,7 @@ target "_files-tensorrt-rtx-cu132-py313" {
     PYTHON       = "3.13"
     WHEEL_PYTHON = "3.13"
     ACCELERATOR  = "cuda"
+    GLIBC        = "2.35"
     SLOT         = "10"
     SHOWS        = "tensorrt-rtx-cc"
   }
@@ -11107,7 +11119,7 @@ target "_none-triton-cpu-py311" {
 }
 
 target "_none-tensorrt-rtx-cu130-py314" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                  = dependency("lyrical-core", "ros", "lyrical-core")
     part-cuda            = dependency("cuda-cu130", "part", "_files-cuda-cu130")
@@ -11156,7 +11168,7 @@ target "_none-tensorrt-rtx-cu130-py314" {
 }
 
 target "_none-tensorrt-rtx-cu130-py312" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                  = dependency("jazzy-core", "ros", "jazzy-core")
     part-cuda            = dependency("cuda-cu130", "part", "_files-cuda-cu130")
@@ -11205,7 +11217,7 @@ target "_none-tensorrt-rtx-cu130-py312" {
 }
 
 target "_none-tensorrt-rtx-cu130-py310" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                  = dependency("humble-core", "ros", "humble-core")
     part-cuda            = dependency("cuda-cu130", "part", "_files-cuda-cu130")
@@ -11254,7 +11266,7 @@ target "_none-tensorrt-rtx-cu130-py310" {
 }
 
 target "_none-tensorrt-rtx-cu130-py313" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                  = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
     part-cuda            = dependency("cuda-cu130", "part", "_files-cuda-cu130")
@@ -11303,7 +11315,7 @@ target "_none-tensorrt-rtx-cu130-py313" {
 }
 
 target "_none-tensorrt-rtx-cu130-py311" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                  = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
     part-cuda            = dependency("cuda-cu130", "part", "_files-cuda-cu130")
@@ -11352,7 +11364,7 @@ target "_none-tensorrt-rtx-cu130-py311" {
 }
 
 target "_none-tensorrt-rtx-cu132-py314" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                  = dependency("lyrical-core", "ros", "lyrical-core")
     part-cuda            = dependency("cuda-cu132", "part", "_files-cuda-cu132")
@@ -11401,7 +11413,7 @@ target "_none-tensorrt-rtx-cu132-py314" {
 }
 
 target "_none-tensorrt-rtx-cu132-py312" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                  = dependency("jazzy-core", "ros", "jazzy-core")
     part-cuda            = dependency("cuda-cu132", "part", "_files-cuda-cu132")
@@ -11450,7 +11462,7 @@ target "_none-tensorrt-rtx-cu132-py312" {
 }
 
 target "_none-tensorrt-rtx-cu132-py310" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                  = dependency("humble-core", "ros", "humble-core")
     part-cuda            = dependency("cuda-cu132", "part", "_files-cuda-cu132")
@@ -11499,7 +11511,7 @@ target "_none-tensorrt-rtx-cu132-py310" {
 }
 
 target "_none-tensorrt-rtx-cu132-py313" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                  = dependency("ros1-trixie-core", "ros", "ros1-trixie-core")
     part-cuda            = dependency("cuda-cu132", "part", "_files-cuda-cu132")
@@ -11548,7 +11560,7 @@ target "_none-tensorrt-rtx-cu132-py313" {
 }
 
 target "_none-tensorrt-rtx-cu132-py311" {
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts = {
     ros                  = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
     part-cuda            = dependency("cuda-cu132", "part", "_files-cuda-cu132")

@@ -2090,7 +2090,7 @@ target "humble-core-triton-cpu-test" {
 
 target "humble-core-tensorrt-rtx-cu130-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("humble-core-tensorrt-rtx-cu130", "ros-tensorrt-rtx", "humble-core-tensorrt-rtx-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorrt-rtx pip"
@@ -2100,7 +2100,7 @@ target "humble-core-tensorrt-rtx-cu130-test" {
 
 target "humble-core-tensorrt-rtx-cu132-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("humble-core-tensorrt-rtx-cu132", "ros-tensorrt-rtx", "humble-core-tensorrt-rtx-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorrt-rtx pip"
@@ -4074,7 +4074,7 @@ target "jazzy-core-triton-cpu-test" {
 
 target "jazzy-core-tensorrt-rtx-cu130-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("jazzy-core-tensorrt-rtx-cu130", "ros-tensorrt-rtx", "jazzy-core-tensorrt-rtx-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorrt-rtx pip"
@@ -4084,7 +4084,7 @@ target "jazzy-core-tensorrt-rtx-cu130-test" {
 
 target "jazzy-core-tensorrt-rtx-cu132-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("jazzy-core-tensorrt-rtx-cu132", "ros-tensorrt-rtx", "jazzy-core-tensorrt-rtx-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorrt-rtx pip"
@@ -5758,7 +5758,7 @@ target "lyrical-core-triton-cpu-test" {
 
 target "lyrical-core-tensorrt-rtx-cu130-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("lyrical-core-tensorrt-rtx-cu130", "ros-tensorrt-rtx", "lyrical-core-tensorrt-rtx-cu130") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorrt-rtx pip"
@@ -5768,7 +5768,7 @@ target "lyrical-core-tensorrt-rtx-cu130-test" {
 
 target "lyrical-core-tensorrt-rtx-cu132-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("lyrical-core-tensorrt-rtx-cu132", "ros-tensorrt-rtx", "lyrical-core-tensorrt-rtx-cu132") }
   args = {
     TESTS  = "contract tools ros2 ros2-beside cuda tensorrt-rtx pip"
@@ -7662,7 +7662,7 @@ target "ros1-bookworm-core-triton-cpu-test" {
 
 target "ros1-bookworm-core-tensorrt-rtx-cu130-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("ros1-bookworm-core-tensorrt-rtx-cu130", "ros-tensorrt-rtx", "ros1-bookworm-core-tensorrt-rtx-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorrt-rtx pip"
@@ -7672,7 +7672,7 @@ target "ros1-bookworm-core-tensorrt-rtx-cu130-test" {
 
 target "ros1-bookworm-core-tensorrt-rtx-cu132-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("ros1-bookworm-core-tensorrt-rtx-cu132", "ros-tensorrt-rtx", "ros1-bookworm-core-tensorrt-rtx-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorrt-rtx pip"
@@ -8904,7 +8904,7 @@ target "ros1-trixie-core-triton-cpu-test" {
 
 target "ros1-trixie-core-tensorrt-rtx-cu130-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("ros1-trixie-core-tensorrt-rtx-cu130", "ros-tensorrt-rtx", "ros1-trixie-core-tensorrt-rtx-cu130") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorrt-rtx pip"
@@ -8914,7 +8914,7 @@ target "ros1-trixie-core-tensorrt-rtx-cu130-test" {
 
 target "ros1-trixie-core-tensorrt-rtx-cu132-test" {
   inherits  = ["_test"]
-  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  platforms = PLATFORM == "" ? ["linux/amd64", "linux/arm64"] : [PLATFORM]
   contexts  = { image = dependency("ros1-trixie-core-tensorrt-rtx-cu132", "ros-tensorrt-rtx", "ros1-trixie-core-tensorrt-rtx-cu132") }
   args = {
     TESTS  = "contract tools ros1 ros1-beside cuda tensorrt-rtx pip"

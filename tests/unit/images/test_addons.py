@@ -56,7 +56,7 @@ def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Publisher:
     return publisher(project, services(project), monkeypatch)
 
 
-def test_a_release_may_need_variables_and_a_newer_glibc() -> None:
+def test_a_release_may_need_variables_and_a_newer_glibc(real: ImageSet) -> None:
     """Images have the variables, parts say them for joins, and locks and builds take wheels for that glibc."""
     text = changed("    1.5.0: {", "    1.5.0: {glibc: '2.34', environment: {EXTRA_SENDS: '0'}, ", MATRIX)
     found = parse(text)
@@ -67,6 +67,8 @@ def test_a_release_may_need_variables_and_a_newer_glibc() -> None:
     assert joined and joined.environment["EXTRA_SENDS"] == "0"
     assert (part.labels["io.rosml.extra.environment"], part.arguments["GLIBC"]) == ("EXTRA_SENDS=0", "2.34")
     assert "GLIBC" not in built["part-torch-cu1-py312"].arguments
+    libraries = targets.of(real)["part-tensorrt-rtx-cc-cu130"]  # it takes packages beside the release, and is none
+    assert libraries.arguments["GLIBC"] == real.matrix.release("cu130", "tensorrt-rtx").glibc
     asked = {item.architecture: item.wheels for item in resolve.requests(found) if item.stack == "cpu"}
     assert asked == {"amd64": "x86_64-manylinux_2_34", "arm64": "aarch64-manylinux_2_34"}
 

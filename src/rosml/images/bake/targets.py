@@ -313,7 +313,7 @@ def _part(matrix: Matrix, part: Part) -> Iterator[tuple[str, Target]]:
         "WHEEL_PYTHON": matrix.operating_systems[part.os].python,
         "ACCELERATOR": matrix.stacks[part.stack].accelerator,
     }
-    if (family := matrix.part[part.kind].release) and (glibc := matrix.release(part.stack, family).glibc):
+    if glibc := rules.glibc(matrix, part.stack, part.kind):
         arguments["GLIBC"] = glibc
     if slot := matrix.part[part.kind].slot:
         arguments["SLOT"] = f"{slot:02}"

@@ -215,13 +215,22 @@ def company(matrix: Matrix, stack: str | None, families: Iterable[str]) -> dict[
 
 def index(matrix: Matrix, stack: str, part: str) -> str:
     """The index of Python packages that is asked first for those of a part; empty if that is the usual one."""
+    return next((release.index for release in _inside(matrix, stack, part) if release.index), "")
+
+
+def glibc(matrix: Matrix, stack: str, part: str) -> str:
+    """The glibc that wheels of a part ask for; empty if none is newer than the architectures' own."""
+    return max((release.glibc for release in _inside(matrix, stack, part) if release.glibc), default="")
+
+
+def _inside(matrix: Matrix, stack: str, part: str) -> Iterator[Release]:
+    """The releases of a stack that have packages in a part: its own, and those whose company it takes."""
     entry = matrix.part[part]
-    for family, version in matrix.stacks[stack].releases.items():
-        release = matrix.releases[family][version]
-        taken = any(fnmatchcase(name, pattern) for name in release.company(stack) for pattern in entry.takes)
-        if release.index and (taken or entry.release == family):
-            return release.index
-    return ""
+    for family in matrix.stacks[stack].releases:
+        release = matrix.release(stack, family)
+        company = release.company(stack)
+        if entry.release == family or any(fnmatchcase(name, pattern) for name in company for pattern in entry.takes):
+            yield release
 
 
 def gpu(matrix: Matrix, stack: str | None, parts: Iterable[str]) -> dict[str, str]:
