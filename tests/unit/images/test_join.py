@@ -583,6 +583,24 @@ def test_what_is_no_ros_image(place: Place) -> None:
         assert f"{name} is not there" in place.refused(name, *own).message
 
 
+@pytest.mark.parametrize(
+    ("which", "label", "value"),
+    [
+        ("ros", "parts", "common common"),
+        ("ros", "stack", "../x"),
+        ("part", "brings", "a:b"),
+        ("part", "torch", '1"\nRUN x'),
+    ],
+)
+def test_labels_that_are_damaged(which: str, label: str, value: str, place: Place) -> None:
+    """What else may be wrong with them: test_told.py."""
+    images = {"ros": ros(), "part": part("torch")}
+    images[which] = replace(images[which], labels={**images[which].labels, f"io.rosml.{label}": value})
+    others = place.stack(("cuda", "common"))
+    error = place.refused(place.put(images["ros"], "ros"), *others, place.put(images["part"], "torch"))
+    assert "is damaged" in error.message and error.exit_code == 2
+
+
 def test_what_is_no_image(place: Place) -> None:
     subject = references.parse(_by_digest(place, place.ros())).reference
     entries = [name for name in place.server.tags["me/ros"] if name.startswith("sha256-")]

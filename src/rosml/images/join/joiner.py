@@ -26,6 +26,9 @@ from rosml.registry import oci, references
 from rosml.registry.client import Registry
 from rosml.registry.references import Reference
 
+UNLISTED = "use one that has it: for an app, the run image, built without --no-sbom; or continue with --allow-unlisted"
+"""The remedy for an image without a list of its files."""
+
 
 @dataclass
 class JoinReport(Transferred):
@@ -60,6 +63,7 @@ class Joiner:
         allow_unlisted: bool = False,
         say: Callable[[str], None] = lambda _: None,
         declared: Callable[[], Declared] = restricted.of_this_machine,
+        unlisted: str = UNLISTED,
     ) -> None:
         """
         Args:
@@ -67,8 +71,10 @@ class Joiner:
             allow_unlisted: continue if an image has no list of files.
             say: prints a line for people.
             declared: gives where restricted parts may go.
+            unlisted: the remedy for an image without a list of files.
         """
         self.allow_unlisted = allow_unlisted
+        self._unlisted = unlisted
         self._transfer = Transfer(registries, say, declared)
         self._lists = Lists()
         self._say = say
@@ -181,14 +187,13 @@ class Joiner:
         """Checks by their lists that no two images carry the same file.
 
         Raises:
-            RosmlError: two carry the same file (exit code 2); or an image has no list, unless `allow_unlisted` is set.
+            RosmlError: two carry the same file, or an image has no list, unless `allow_unlisted` is set (exit code 2).
         """
         lists = list(self._transfer.pool.map(lambda source: self._files(source, sources), sources))
         if unlisted := [source.name for source, files in zip(sources, lists, strict=True) if files is None]:
             text = f"{listed(unlisted)} has no list of its files, so it may carry the same file as another image"
             if not self.allow_unlisted:
-                remedy = "use one that has it: for an app, the run image, built without --no-sbom"
-                raise RosmlError(text, f"{remedy}; or continue with --allow-unlisted")
+                raise RosmlError(text, self._unlisted, exit_code=2)
             self._say(text)
             result.unlisted += [name for name in unlisted if name not in result.unlisted]
         known: list[tuple[Source, Files]] = [

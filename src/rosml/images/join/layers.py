@@ -15,6 +15,7 @@ from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.image_set import labels, restricted
+from rosml.images.join import told
 from rosml.images.matrix import names
 from rosml.images.matrix.model import ANY_PYTHON
 from rosml.images.matrix.rules import Brought
@@ -173,6 +174,7 @@ def _require_ros(ros: Source) -> None:
     if own := ros.labels.get(labels.OWN):
         text = f"{ros.name} has CUDA or a framework from its base image: {own}"
         raise RosmlError(text, "use it as it is; parts need a base image without these", exit_code=2)
+    told.require(ros.labels, ros.name)
     _require_whole(ros)
 
 
@@ -184,6 +186,7 @@ def _require_part(part: Source) -> None:
             raise RosmlError(
                 text, "use a part from the repository part, made by this version or a later one", exit_code=2
             )
+    told.require(part.labels, part.name)
     _require_whole(part)
 
 
@@ -273,7 +276,7 @@ def _by_kind(ros: Source, parts: Sequence[Source]) -> dict[str, Source]:
 
 def _shared(parts: Sequence[Source]) -> dict[str, tuple[str, ...]]:
     """The frameworks that take all of some parts, the smallest first, with their parts."""
-    known = [_combinations(item, _FRAMEWORKS) for item in parts]
+    known = [labels.combinations(item.labels.get(_FRAMEWORKS, "")) for item in parts]
     shared = {name: kinds for name, kinds in known[0].items() if all(name in other for other in known)}
     for name, kinds in shared.items():
         if any(other[name] != kinds for other in known):
@@ -286,7 +289,7 @@ def _addons(parts: Sequence[Source]) -> dict[str, tuple[str, ...]]:
     """The add-ons whose own parts are among some parts, by name, with their parts and those that these need."""
     found: dict[str, tuple[str, ...]] = {}
     for item in parts:
-        for name, kinds in _combinations(item, labels.ADDONS).items():
+        for name, kinds in labels.combinations(item.labels.get(labels.ADDONS, "")).items():
             if found.setdefault(name, kinds) != kinds:
                 text = f"the parts are of different releases: they name different parts of add-on {name}"
                 raise RosmlError(text, "use parts that were published together", exit_code=2)
@@ -315,13 +318,6 @@ def _incomplete(ros: Source, parts: Sequence[Source], missing: Sequence[str], wh
     return RosmlError(text, f"add {lacking}: {why}", exit_code=2)
 
 
-def _combinations(part: Source, label: str) -> dict[str, tuple[str, ...]]:
-    try:
-        return labels.combinations(part.labels.get(label, ""))
-    except ValueError:
-        raise RosmlError(f"{part.name}: its label {label} is damaged", "publish it again", exit_code=2) from None
-
-
 def _require_fit(ros: Source, part: Source) -> None:
     if part.platform != ros.platform:
         text = f"{part.name} is for {part.platform}, and {ros.name} for {ros.platform}"
@@ -337,12 +333,7 @@ def _brought(parts: Sequence[Source]) -> tuple[Brought, ...]:
     """What parts bring, without duplicates: releases first, then facts of the stack."""
     found: dict[str, tuple[Brought, str]] = {}
     for part in parts:
-        try:
-            brings = list(labels.brought_by(part.labels))
-        except ValueError:
-            text = f"{part.name}: its label {labels.BRINGS} is damaged"
-            raise RosmlError(text, "publish it again", exit_code=2) from None
-        for item in brings:
+        for item in labels.brought_by(part.labels):
             known, whose = found.setdefault(item.name, (item, part.name))
             if known.version != item.version:
                 text = f"{whose} has {item.name} {known.version}, and {part.name} has {item.version}"

@@ -135,6 +135,21 @@ class Transfer:
             if "unknown" not in key  # attestations of buildx
         }
 
+    def one(self, name: str, manifest: oci.Manifest | None = None) -> Source:
+        """The image of a complete reference for one platform, whichever it is.
+
+        Args:
+            name: the reference.
+            manifest: its manifest or index, if it was read already.
+
+        Raises:
+            RosmlError: it is for none (exit code 2); or as in `platforms`.
+        """
+        found = self.members(name, references.parse(name), manifest) if manifest else self.platforms(name)
+        for source in found.values():
+            return source
+        raise RosmlError(f"{name} is for no platform", "publish it again", exit_code=2)
+
     def source(
         self,
         name: str,

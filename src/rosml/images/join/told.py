@@ -1,0 +1,85 @@
+"""What the labels of images and parts say about joins. Anybody may write anything there, so this checks and limits all of it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+
+from rosml.base.errors import RosmlError
+from rosml.images.image_set import labels
+from rosml.images.matrix.model import ANY_PYTHON, NAME, PYTHON, WORD
+
+MOST = 64
+"""How many parts or add-ons an image has at most, and how much software a part."""
+
+LONGEST = 64
+"""The length of the longest word."""
+
+_VERSION = r"[0-9A-Za-z][0-9A-Za-z.+!_-]*"
+_WORDS = dict.fromkeys(("part", "distribution", "component", "framework", "stack"), NAME) | {
+    "python": f"{PYTHON}|^{ANY_PYTHON}$"
+}
+
+
+def require(said: Mapping[str, str], name: str, remedy: str = "publish it again") -> None:
+    """Checks the labels that say what an image or part is, and what goes together.
+
+    Args:
+        said: the labels.
+        name: the user's name of the image.
+        remedy: of the error.
+
+    Raises:
+        RosmlError: a label is damaged (exit code 2).
+    """
+    for label in (*(labels.PREFIX + word for word in _WORDS), labels.PARTS, labels.ADDONS, _FRAMEWORKS, labels.BRINGS):
+        wrong = _wrong(said, label) if said.get(label) else ""
+        if wrong:
+            raise RosmlError(f"{name}: its label {label} is damaged: {wrong}", remedy, exit_code=2)
+
+
+_FRAMEWORKS = f"{labels.PREFIX}frameworks"
+
+
+def _wrong(said: Mapping[str, str], label: str) -> str:
+    """What is wrong with a label that is there; empty if nothing is."""
+    text = said[label]
+    if pattern := _WORDS.get(label.removeprefix(labels.PREFIX)):
+        return "" if _is(pattern, text) else f"{text[:LONGEST]!r} is no name"
+    if label == labels.BRINGS:
+        return _wrong_software(said)
+    if label == labels.PARTS or not said.get(f"{labels.PREFIX}part"):
+        return _wrong_names(text.split())
+    try:
+        found = labels.combinations(text)
+    except ValueError:
+        return f"{text[:LONGEST]!r} names no parts"
+    return _wrong_names([*found]) or next(filter(None, map(_wrong_names, found.values())), "")
+
+
+def _wrong_names(names: Sequence[str]) -> str:
+    if len(names) > MOST:
+        return f"it has {len(names):,} names, and at most {MOST} are read"
+    if twice := next((name for number, name in enumerate(names) if name in names[:number]), ""):
+        return f"{twice[:LONGEST]!r} is there twice"
+    wrong = next((name for name in names if not _is(NAME, name)), None)
+    return "" if wrong is None else f"{wrong[:LONGEST]!r} is no name"
+
+
+def _wrong_software(said: Mapping[str, str]) -> str:
+    try:
+        found = list(labels.brought_by(said))
+    except ValueError:
+        return f"{said[labels.BRINGS][:LONGEST]!r} names no software"
+    unfit: Iterator[str] = (
+        text
+        for item in found
+        for text, pattern in ((item.name, NAME), (item.version, _VERSION), (item.short, NAME), (item.title, WORD))
+        if text and not _is(pattern, text)
+    )
+    wrong = next(unfit, "")
+    return f"{wrong[:LONGEST]!r} is no name or version" if wrong else _wrong_names([item.name for item in found])
+
+
+def _is(pattern: str, text: str) -> bool:
+    return len(text) <= LONGEST and re.fullmatch(pattern, text) is not None

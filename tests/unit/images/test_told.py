@@ -1,0 +1,60 @@
+"""Labels of images and parts that say absurd things. Each join reads them by the same function: test_join.py."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import pytest
+
+from rosml.base.errors import RosmlError
+from rosml.images.join import told
+from tests.e2e.parts import part, ros
+
+MANY = " ".join(f"p{number}" for number in range(100_000))
+PART = dict(part("graph", "cpu").labels)
+
+
+def label(name: str, value: str) -> dict[str, str]:
+    return {f"io.rosml.{name}": value}
+
+
+@pytest.mark.parametrize(
+    "said", [ros().labels, PART, part("cuda").labels, {}, label("parts", ""), label("python", "any")]
+)
+def test_what_our_own_say(said: Mapping[str, str]) -> None:
+    told.require(said, "x")
+
+
+@pytest.mark.parametrize(
+    ("said", "why"),
+    [
+        (label("parts", MANY), "it has 100,000 names, and at most 64 are read"),
+        (label("addons", MANY), "it has 100,000 names, and at most 64 are read"),
+        (label("parts", "common common"), "'common' is there twice"),
+        (label("parts", "common ../../x"), "'../../x' is no name"),
+        (label("addons", "\x1b[31m"), r"'\x1b[31m' is no name"),
+        (label("addons", "x" * 65), f"'{'x' * 64}' is no name"),
+        (label("stack", "../../cpu"), "'../../cpu' is no name"),
+        (label("stack", "cpu\n"), r"'cpu\n' is no name"),
+        (label("python", "3.11/../x"), "'3.11/../x' is no name"),
+        (label("distribution", "jazzy\nremedy: x"), r"'jazzy\nremedy: x' is no name"),
+        (PART | label("part", "Graph"), "'Graph' is no name"),
+        (PART | label("addons", "graph"), "'graph' names no parts"),
+        (PART | label("addons", "graph="), "'' is no name"),
+        (PART | label("addons", "graph=common,common"), "'common' is there twice"),
+        (PART | label("addons", f"graph={MANY.replace(' ', ',')}"), "it has 100,000 names"),
+        (PART | label("frameworks", "x=../y"), "'../y' is no name"),
+        (PART | label("brings", "graph:graph"), "'graph:graph' names no software"),
+        (PART | label("brings", "ld/x::") | label("ld/x", "1"), "'ld/x' is no name or version"),
+        (PART | label("graph", '1"\nRUN x'), "is no name or version"),
+        (PART | label("graph", "$PATH"), "'$PATH' is no name or version"),
+        (PART | label("brings", "graph:graph:\x1b[1m"), r"'\x1b[1m' is no name or version"),
+        (PART | label("brings", "graph:: graph::"), "'graph' is there twice"),
+    ],
+)  # fmt: skip
+def test_what_is_damaged(said: Mapping[str, str], why: str) -> None:
+    with pytest.raises(RosmlError) as caught:
+        told.require(said, "ghcr.io/me/x:1")
+    message = caught.value.message
+    assert message.startswith("ghcr.io/me/x:1: its label io.rosml.") and " is damaged: " in message and why in message
+    assert len(message) < 300 and message.isprintable() and caught.value.exit_code == 2 and caught.value.remedy
