@@ -223,6 +223,12 @@ def running(place: Place, key: str) -> None:
     place.desk.engine(images={place.image: OURS}, containers={"r": ["running", "/r", place.image, config]})
 
 
+def test_an_addon_makes_another_image(place: Place) -> None:
+    for number, words in enumerate(([], ["--addons", "graph"], ["--addons", "graph"], ["--addons", "other"])):
+        place.call(*words)
+        assert place.made == (1, 2, 2, 3)[number]
+
+
 def test_a_second_call_enters_the_container_of_the_first(place: Place) -> None:
     argv = place.call()
     key = next(word for word in argv if word.startswith(f"{dev.LABEL}=")).partition("=")[2]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import shlex
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -32,7 +32,7 @@ LABEL = "io.rosml.dev"
 WORKSPACE = "/docker-ros/ws"
 """The workspace in the image."""
 
-RESERVED = ("base-image", "build")
+RESERVED = ("base-image", "addons", "build")
 """The command's own options, beside those of `rosml run`: no file with defaults may set one."""
 
 BUILT_IN = ("mwd", "mws")
@@ -72,6 +72,7 @@ class Dev(run.Run):
     options_metavar="[OPTIONS OF ROSML, DOCKER OR PODMAN]",
 )
 @click.option("--base-image", default="", metavar="IMAGE", help="the image to build on, as for rosml containerize")
+@click.option("--addons", default="", metavar="NAMES", help="add-ons for it, such as onnx,devel")
 @click.option("--build", is_flag=True, help="make the image again, with the newest base image and .repos")
 @click.option("--no-defaults", is_flag=True, expose_value=False, help="read neither .rosml.toml nor your own run.toml")
 @click.option(
@@ -80,7 +81,7 @@ class Dev(run.Run):
 @container.showing
 @click.argument("folder", default=".")
 @click.pass_context
-def main(context: click.Context, /, folder: str, base_image: str, build: bool) -> None:
+def main(context: click.Context, /, folder: str, base_image: str, addons: str, build: bool) -> None:
     """Opens a shell in a container with all that the ROS packages of FOLDER need, as you. FOLDER is mounted there as
     /docker-ros/ws/src/target. The words after -- are a command instead of the shell, and the exit code is its own.
 
@@ -112,7 +113,7 @@ def main(context: click.Context, /, folder: str, base_image: str, build: bool) -
         raise RosmlError("--platform: the image is for this machine", "leave it out", exit_code=2)
     line = replace(line, engine=tuple(paths.resolved(given, caller.folder) for given in line.engine))
     caller = replace(caller, folder=str(place))
-    values = _values(place, base_image)
+    values = _values(place, {"base-image": base_image, "addons": addons})
     program = engine.program(os.environ)
     desk.require_yours(place, caller.uid)
     key = desk.key(place, values)
@@ -140,15 +141,18 @@ def _place(folder: str) -> Path:
     return place.resolve()
 
 
-def _values(folder: Path, base_image: str) -> Values:
+def _values(folder: Path, options: Mapping[str, str]) -> Values:
     """The inputs of the image.
+
+    Args:
+        options: the inputs that options name; empty ones do not count.
 
     Raises:
         RosmlError: the folder has no packages, or an input is wrong (exit code 2).
     """
     from rosml.containerize import app_inputs, desk, manifest
 
-    given = {"base-image": base_image} if base_image else {}
+    given = {name: value for name, value in options.items() if value}
     manifest.require(folder, given, os.environ)
     return desk.values(app_inputs.values({**given, "push": "false"}, folder, os.environ), folder)
 
