@@ -1435,3 +1435,11 @@ def test_images_go_to_docker_where_there_is_one(
     monkeypatch.setattr(shutil, "which", lambda name: None)
     own = names.Names(dataclasses.replace(values, image_name="robot"), "robot", users)
     assert own.reference("run").startswith(services.registry)
+
+
+def test_it_says_where_images_are_that_nobody_pushed() -> None:
+    lines = [*containerize.where("127.0.0.1:5000", ["127.0.0.1:5000/robot:1", "127.0.0.1:5000/robot:1-dev"])]
+    assert "in the local registry, as setup found no Docker" in lines[0]
+    assert lines[1].endswith(" save 127.0.0.1:5000/robot:1 -o image.tar writes one into a file")
+    for registry, images in (("127.0.0.1:5000", ["robot:1"]), ("", ["robot:1"]), ("127.0.0.1:5000", [])):
+        assert not [*containerize.where(registry, images)]

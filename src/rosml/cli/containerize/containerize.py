@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -95,5 +96,19 @@ def main(folder: Path, lock: bool, as_json: bool, **given: str | bool | None) ->
         terminal.echo(f"{image.target:<5}  {image.reference}")
     for name, text in built.summary():
         terminal.echo(f"{name:<5}  {text}")
+    for line in [] if values.push else where(services.registry, [image.reference for image in built.images]):
+        terminal.echo(line)
     for image in built.images[:1]:
         terminal.echo(f"try    {checkout.call()} run {image.reference}")
+
+
+def where(registry: str, images: Sequence[str]) -> Iterator[str]:
+    """Lines that say where images are, if nobody named a registry, and Docker does not have them.
+
+    Args:
+        registry: the address of the local registry; empty if there is none.
+        images: their references.
+    """
+    if registry and images and images[0].startswith(f"{registry}/"):
+        yield "where  in the local registry, as setup found no Docker; with --push, in the registry that --image-name names"
+        yield f"       {checkout.call()} save {images[0]} -o image.tar writes one into a file"
