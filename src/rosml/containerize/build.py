@@ -15,7 +15,7 @@ from typing import Any
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
-from rosml.base.problems import SHOWN, counted
+from rosml.base.problems import SHOWN, counted, some
 from rosml.base.units import time_taken
 from rosml.containerize import (
     addons,
@@ -243,6 +243,7 @@ class App:
         slim = self._slim(base, locked)
         base = self._with_addons(base, locked)
         slim = slim and self._with_addons(slim, locked)
+        require_locked(locked, self._values.addons, base, slim)
         self._require_allowed(base, slim)
         inputs = self._inputs(base, slim, locked)
         with contextlib.ExitStack() as stack:
@@ -271,7 +272,9 @@ class App:
         with turn(self._state / "lock", lambda: self._say(f"waiting for another call that makes {self._names.app}")):
             base, locked = self._base()
             upstream, _ = self._import(locked)
-            inputs = replace(self._inputs(self._with_addons(base, locked), None, locked), time=TIME)
+            base = self._with_addons(base, locked)
+            require_locked(locked, self._values.addons, base, None)
+            inputs = replace(self._inputs(base, None, locked), time=TIME)
             known: dict[str, str] = {}
             if self._values.cache:
                 if self._values.rosdep_index:
@@ -460,7 +463,7 @@ class App:
         named, rosdep = self._values.rosdep_index, None
         if inputs.rosdep and (named or self._renew):  # otherwise they change every day, and the image does not
             rosdep = lock.Image(name=named, digest=inputs.rosdep)
-        parts = inputs.base.addons.parts if inputs.base.addons else {}
+        parts = _parts(inputs.base, inputs.slim)
         return lock.Lock(
             addons={name: reference.rpartition("@")[2] for name, reference in parts.items()} or None,
             base_image=lock.Image(name=self._values.base_image, digest=inputs.base.digest),
@@ -476,16 +479,12 @@ class App:
         """The base image with the add-ons that the user wants.
 
         Raises:
-            RosmlError: the lock file is of other add-ons (exit code 2), or they cannot be joined.
+            RosmlError: they cannot be joined.
         """
         known = locked.addons or {} if locked else None
         found = addons.onto(base, self._values.addons, self._services, self._names.platforms, known)
-        parts = found.addons.parts if found.addons else {}
-        if known is not None and parts.keys() != known.keys():
-            text = f"the lock file is of {', '.join(known) or 'no add-ons'}, and not of {', '.join(parts) or 'none'}"
-            raise RosmlError(text, lock.RENEW, exit_code=2)
-        if parts:
-            self._say(f"{base.name} with {', '.join(name.rpartition('/')[2] for name in parts)}")
+        if found.addons:
+            self._say(f"{base.name} with {', '.join(name.rpartition('/')[2] for name in found.addons.parts)}")
         return found
 
     def _require_allowed(self, *bases: app_base.Base | None) -> None:
@@ -766,6 +765,29 @@ class App:
             if tests.failures:
                 count = f"{len(tests.failures)} of {tests.count} tests failed"
                 raise RosmlError(f"{count}{where}; no image was made{_lines(tests.failures)}{reports}", remedy)
+
+
+def _parts(*bases: app_base.Base | None) -> dict[str, str]:
+    """The parts that base images get for add-ons, as `AddOns.parts`."""
+    return {name: where for base in bases if base and base.addons for name, where in base.addons.parts.items()}
+
+
+def require_locked(locked: lock.Lock | None, wanted: str, base: app_base.Base, slim: app_base.Base | None) -> None:
+    """Checks that a lock file is of the wanted add-ons. It may have more parts if it has a slim image, and none is built now.
+
+    Args:
+        wanted: the user's names of add-ons.
+
+    Raises:
+        RosmlError: it is of others (exit code 2).
+    """
+    if locked is None:
+        return
+    known, parts = locked.addons or {}, _parts(base, slim)
+    more = wanted and locked.slim_base_image and slim is None
+    if parts.keys() - known.keys() or not (more or parts.keys() == known.keys()):
+        text = f"the lock file is of {some(known) or 'no add-ons'}, and not of {some(parts) or 'none'}"
+        raise RosmlError(text, lock.RENEW, exit_code=2)
 
 
 STARTS = re.compile(r"\b(roslaunch|rosrun|ros2\s+launch|ros2\s+run)\s+(?:-\S+\s+)*([\w.-]+)\s+([\w.-]+)")

@@ -65,7 +65,7 @@ def parsed(command: str, image_set: ImageSet, page: str) -> None:
     elif argv[:1] in (["rosml"], ["./rosml"]):
         if "--help" not in argv:
             accepted(main.cli, argv[1:])
-            if argv[1] in ("image", "explain") and not page.startswith(EXTEND):
+            if argv[1] in ("image", "explain") and not page.startswith(EXTEND) and "--addons" not in argv:
                 explained(image_set, next(word for word in argv[2:] if not word.startswith("-")), {})
     elif argv[:3] == ["uv", "run", "python"]:
         if argv[4] in SCRIPTS:

@@ -362,6 +362,34 @@ def test_an_addon_that_the_new_base_image_cannot_have_is_refused(place: Place) -
     assert "there is no add-on graph-cpu: neither" in said
 
 
+def test_an_addon_goes_onto_our_images_alone(place: Place) -> None:
+    app = app_with_addon(place, place.base(), addon(place, "yesterday"))
+    foreign = replace(ros(), labels={})
+    foreign.put(place.registry, "rosml/ros", "foreign", BOTH[:1])
+    said = place.refused(app, f"{place.server.address}/rosml/ros:foreign")
+    assert "foreign is none of rosml's images, so it can have no add-on" in said
+
+
+@pytest.mark.parametrize(
+    ("said", "why"),
+    [
+        (" ".join(f"a{number}" for number in range(10_000)), "it has 10,000 names"),
+        ("../x", "'../x' is no name"),
+        ("graph graph", "'graph' is there twice"),
+    ],
+)
+def test_a_label_with_absurd_addons(said: str, why: str, place: Place) -> None:
+    app = place.app(place.base(), labels={"io.rosml.addons": said, "io.rosml.stack": "cpu"})
+    assert f"its label io.rosml.addons is damaged: {why}" in place.refused(app, place.base("tonight"))
+
+
+def test_the_remedy_is_one_for_a_rebase(place: Place) -> None:
+    app = place.app(place.base(), labels={"io.rosml.addons": "devel", "io.rosml.stack": "cpu"})
+    with pytest.raises(RosmlError, match="stack cpu has no devel") as caught:
+        place.rebase(app, place.base("tonight"))
+    assert caught.value.remedy.startswith("name another --base; or build the app again: ")
+
+
 def test_a_tag_that_moved_meanwhile_stays(place: Place) -> None:
     old, new = place.base(), place.base("newer")
     app = place.app(old)

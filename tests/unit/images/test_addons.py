@@ -213,6 +213,55 @@ def test_the_list_has_tags_first_and_says_who_has_none(real: ImageSet) -> None:
     )
 
 
+def test_an_addon_of_a_stack_is_explained(image_set: ImageSet) -> None:
+    one = explain.explained(image_set, "extra-cpu")
+    assert one.head.startswith("extra-cpu is an add-on of stack cpu; ")
+    assert one.reasons == ("images of alpha and omega can have it",)
+
+
+def test_a_part_that_cannot_be_is_explained(image_set: ImageSet) -> None:
+    found = explain.explained(image_set, "part:tensorflow-cu1-py314")
+    assert not found.exists and "no release of tensorflow has a wheel for Python 3.14" in found.reasons[0]
+    with pytest.raises(RosmlError, match="no part named 'extra-cu9'"):
+        explain.explained(image_set, "part:extra-cu9")
+
+
+@pytest.mark.parametrize(
+    ("name", "wanted", "exists", "says"),
+    [
+        ("ros-torch:alpha-base-cu1", "extra", True, "--base-image ros-torch:alpha-base-cu1 --addons extra"),
+        ("alpha-base-torch-cu1", "extra", True, "it lacks the part extra-cu1-py312"),
+        ("alpha-base", "extra-cpu", True, "REGISTRY/part:{common-cpu-py312,extra-cpu-py312} --tag REGISTRY/ros:alpha-base-with-"),
+        ("alpha-base", "extra-cu1", True, "not for arm64: extra 1.5.0 has cu1 wheels for amd64 only"),
+        ("alpha-base-extra-cu1", "extra", True, "has extra already"),
+        ("alpha-base", "extra", False, "has no stack, so the add-on needs one; name a stack that has it: --addons extra-cu1 or extra-cpu"),
+        ("alpha-base", "extra-gpu", False, "no stack named 'gpu'; name a stack that has it: --addons extra-cu1 or extra-cpu"),
+        ("alpha-base-torch-cu1", "extra-cpu", False, "is of stack cu1, and takes no add-on of cpu; name it without a stack"),
+        ("alpha-base", "extra-cu1,extra-cpu", False, "an image has one stack, and these are of cpu and cu1"),
+        ("alpha-base", "extr", False, "no add-on named 'extr'; did you mean 'extra'?"),
+    ],
+)  # fmt: skip
+def test_whether_an_image_can_have_addons(name: str, wanted: str, exists: bool, says: str, image_set: ImageSet) -> None:
+    image = image_set.by_tag(name) or image_set.by_target[name]
+    found = explain.with_addons(image_set.matrix, image, name, wanted.split(","))
+    assert found.exists is exists and says in found.text
+
+
+@pytest.mark.parametrize(
+    ("name", "distribution", "framework", "remedy"),
+    [
+        ("ghcr.io/me/ros-torch:alpha-base-cu9", "alpha", "torch",
+         "take ghcr.io/me/ros-torch:alpha-base-cu1 or ghcr.io/me/ros-torch:alpha-base-cpu, with --addons extra"),
+        ("ghcr.io/me/ros-ml:omega-base-cu9", "omega", "ml",
+         "it goes without ml: take ghcr.io/me/ros:omega-base, with --addons extra-cu1"),
+        ("ghcr.io/me/robot:1", "alpha", "none", "take ros:alpha-base, with --addons extra-cu1 or extra-cpu"),
+    ],
+)  # fmt: skip
+def test_what_to_take_instead(name: str, distribution: str, framework: str, remedy: str, image_set: ImageSet) -> None:
+    onto = addons.Onto(name, distribution, "base", framework, "cu9")
+    assert addons.instead(image_set.matrix, onto, "extra") == remedy
+
+
 @pytest.mark.parametrize(
     ("old", "new", "says"),
     [

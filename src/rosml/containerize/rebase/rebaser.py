@@ -21,7 +21,7 @@ from rosml.containerize.rebase import checks, contents, image
 from rosml.containerize.rebase.checks import Judgement, Verdict
 from rosml.containerize.rebase.contents import Contents, Known
 from rosml.containerize.rebase.trial import Pair
-from rosml.images.image_set.labels import APP, GPU, PREFIX
+from rosml.images.image_set.labels import ADDONS, APP, GPU, PREFIX
 from rosml.images.join.layers import Joined, Source, as_source, join, platform
 from rosml.images.join.transfer import Transfer, Transferred
 from rosml.images.matrix.names import DATED
@@ -214,7 +214,7 @@ class Rebaser:
             raise RosmlError(f"{where} is the app itself, and no base image for it", "name another one with --base", 2)
         place = references.parse(f"{found.repository}@{found.digest}")
         new = self._transfer.platforms(str(place))
-        parts = addons.kept(self._transfer, next(iter(old.values())).labels, found, stack)
+        parts = addons.kept(self._transfer, next(iter(old.values())).labels, found, self.services, stack)
         added = [self._transfer.platforms(reference) for reference in parts.values()]
         images, bases, judgement = {}, {}, Judgement()
         more = extra or ({} if target == where else {image.VARIANTS: ""})  # the label names tags beside the app's own
@@ -287,8 +287,8 @@ class Rebaser:
             RosmlError: there is no such base image or add-on (exit code 2), or a registry does not answer or refuses.
         """
         found = app_base.find(base, self.services, platforms)
-        parts = addons.kept(self._transfer, app.labels, found, stack)
-        added = [next(iter(self._transfer.platforms(name).values())).labels for name in parts.values()]
+        parts = addons.kept(self._transfer, app.labels, found, self.services, stack)
+        added = [self._transfer.one(name).labels for name in parts.values()]
         return next((text for labels in (found.labels, *added) if (text := labels.get(f"{GPU}driver", ""))), "")
 
     def push(self, plan: Plan, with_sbom: bool = True) -> Rebased:
@@ -535,8 +535,8 @@ def _require_one_base(old: Mapping[str, Source], name: str) -> None:
         RosmlError: they are not (exit code 2).
     """
     named = {key: DATED.sub("", source.labels.get(BASE_NAME, "")) for key, source in old.items()}
-    stacks = {key: source.labels.get(f"{PREFIX}stack", "") for key, source in old.items()}
-    if len({*named.values()}) > 1 or len({*stacks.values()}) > 1:
+    content = {tuple(source.labels.get(label, "") for label in (f"{PREFIX}stack", ADDONS)) for source in old.values()}
+    if len({*named.values()}) > 1 or len(content) > 1:
         where = listed([f"{key} on {base or 'an unknown one'}" for key, base in named.items()])
         text = f"{name}: its platforms are on different images: {where}"
         raise RosmlError(text, "name one platform with --platform, and a tag for it with --tag", exit_code=2)

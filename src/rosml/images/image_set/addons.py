@@ -1,10 +1,15 @@
-"""Which add-ons an image can take, and the commands that put them onto it."""
+"""Which add-ons an image can take, with the commands that put them onto it; and why it cannot have others, with what to take instead.
+
+`rosml explain` says it, and so do the errors of commands that add one.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed, some, unknown
 from rosml.images.image_set.model import PARTS, Image
 from rosml.images.matrix import names, rules
 from rosml.images.matrix.model import ANY_PYTHON, Matrix
@@ -57,3 +62,147 @@ def fitting(matrix: Matrix, image: Image) -> Iterator[Fitting]:
                     platforms=tuple(matrix.architectures[name].platform for name in there),
                     restricted=any(entry.restricted for entry in entries),
                 )
+
+
+SHOWN = 3
+"""How many images a remedy names."""
+
+
+@dataclass(frozen=True)
+class Onto:
+    """An image that is to get add-ons.
+
+    Attributes:
+        name: as people wrote it.
+        distribution: the name of its distribution.
+        component: the name of its component.
+        framework: the name of its framework.
+        stack: the name of its stack; empty if it has none.
+    """
+
+    name: str
+    distribution: str
+    component: str
+    framework: str
+    stack: str
+
+    def known(self, matrix: Matrix) -> bool:
+        """Whether a matrix has all that it is made of."""
+        there = self.distribution in matrix.distributions and self.framework in matrix.frameworks
+        return there and self.component in matrix.components and (not self.stack or self.stack in matrix.stacks)
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What a name of `--addons` means.
+
+    Attributes:
+        addon: the add-on; empty if the matrix has none of that name.
+        stack: the stack at its end; empty if there is none.
+    """
+
+    addon: str
+    stack: str
+
+
+def read(matrix: Matrix, name: str) -> Wanted:
+    """Reads a name such as `onnx` or `onnx-cpu`. What follows an add-on's name is a stack, also if the matrix has none of that name."""
+    for addon in sorted(matrix.addons, key=len, reverse=True):
+        if name == addon or name.startswith(f"{addon}-"):
+            return Wanted(addon, name.removeprefix(addon).removeprefix("-"))
+    return Wanted("", "")
+
+
+def refused(matrix: Matrix, onto: Onto, name: str) -> RosmlError | None:
+    """Why an image cannot have an add-on, with what to do instead; None if it can, or if the matrix does not know the image.
+
+    Args:
+        name: as `read` takes it.
+    """
+    wanted = read(matrix, name)
+    if not wanted.addon:
+        text, _, known = unknown("add-on", name, matrix.addons).partition("; ")
+        if (ours := names.our_word(matrix, name)) in matrix.addons:
+            known = f"it is called {ours}"
+        return RosmlError(text, known or f"there is {listed([*matrix.addons])}", exit_code=2)
+    if not onto.known(matrix):
+        return None
+    stack = wanted.stack or onto.stack
+    text = ""
+    if not stack:
+        text = f"{onto.name} has no stack, so the add-on needs one"
+    elif onto.stack and stack != onto.stack:
+        text = f"{onto.name} is of stack {onto.stack}, and takes no add-on of {stack}"
+    elif stack not in matrix.stacks:
+        text = unknown("stack", stack, matrix.stacks).partition("; ")[0]
+    elif reason := rules.stack_reason(matrix, onto.distribution, onto.framework, stack, wanted.addon):
+        text = f"{onto.name} cannot have the add-on {wanted.addon} of stack {stack}: {reason}"
+    return RosmlError(text, instead(matrix, onto, wanted.addon), exit_code=2) if text else None
+
+
+def instead(matrix: Matrix, onto: Onto, addon: str) -> str:
+    """What to take to have an add-on: on other stacks, without the framework, or of other distributions."""
+    stacks = stacks_for(matrix, onto.distribution, onto.framework, addon)
+    if onto.stack in stacks:
+        return f"name it without a stack: --addons {addon}"
+    if stacks and matrix.frameworks[onto.framework].parts:
+        images = [_tag(matrix, onto, onto.framework, stack) for stack in stacks[:SHOWN]]
+        return f"take {listed(images, last='or')}, with --addons {addon}"
+    if stacks:
+        called = f"--addons {listed([f'{addon}-{stack}' for stack in stacks[:SHOWN]], last='or')}"
+        other = f"take {_tag(matrix, onto, onto.framework, '')}, with {called}"
+        return other if onto.stack else f"name a stack that has it: {called}"
+    bare = rules.plain(matrix)
+    if stacks := stacks_for(matrix, onto.distribution, bare, addon):
+        return (
+            f"it goes without {onto.framework}: take {_tag(matrix, onto, bare, '')}, with --addons {addon}-{stacks[0]}"
+        )
+    others = [name for name in matrix.distributions if stacks_for(matrix, name, bare, addon)]
+    return f"no image of {onto.distribution} can have {addon}; those of {some(others)} can"
+
+
+def stacks_for(matrix: Matrix, distribution: str, framework: str, addon: str) -> list[str]:
+    """The stacks on which a distribution can have an add-on, beside a framework."""
+    reasons = {stack: rules.stack_reason(matrix, distribution, framework, stack, addon) for stack in matrix.stacks}
+    return [stack for stack, reason in reasons.items() if reason is None]
+
+
+def _tag(matrix: Matrix, onto: Onto, framework: str, stack: str) -> str:
+    """The tag of another image, in the registry of the one that is to get add-ons if that is one of ours."""
+    place, slash, name = onto.name.partition("@")[0].rpartition("/")
+    ours = {
+        f"{facts.repository}{end}"
+        for facts in matrix.frameworks.values()
+        for end in ("", *(f"-{it}" for it in matrix.addons))
+    }
+    where = f"{place}{slash}" if name.partition(":")[0] in ours else ""
+    there = matrix.distributions[onto.distribution].components
+    component = onto.component if onto.component in there else next(iter(there))
+    tag = names.main_tag(onto.distribution, component, stack or None)
+    return f"{where}{matrix.frameworks[framework].repository}:{tag}"
+
+
+def parts(matrix: Matrix, distribution: str, addon: str, stack: str, there: Collection[str] = ()) -> list[str]:
+    """The names of an add-on's parts and of those that they need, in the order in which they are joined.
+
+    Args:
+        there: the parts that the image has already, without a stack: `common`.
+    """
+    python = matrix.operating_systems[matrix.distributions[distribution].os].python
+    kinds = rules.parts(matrix, matrix.carrying(rules.plain(matrix), addon), matrix.stacks[stack])
+    return [
+        names.part_name(kind, stack, ANY_PYTHON if matrix.part[kind].any_python else python)
+        for kind in kinds
+        if kind not in there
+    ]
+
+
+def described(matrix: Matrix, addon: str, stack: str) -> Iterator[str]:
+    """Lines about an add-on on a stack: which distributions can have it, and why others cannot."""
+    bare = rules.plain(matrix)
+    reasons = {row: rules.stack_reason(matrix, row, bare, stack, addon) for row in matrix.distributions}
+    if can := [row for row, reason in reasons.items() if reason is None]:
+        yield f"images of {listed(can)} can have it"
+    why = {reason: [row for row in reasons if reasons[row] == reason] for reason in reasons.values() if reason}
+    for reason, rows in why.items():
+        yield f"{f'not {listed(rows)}' if can or len(why) > 1 else 'none'}: {reason}"

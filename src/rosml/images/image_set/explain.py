@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
 from typing import Any
@@ -72,12 +72,16 @@ def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.en
         head = f"{image.target} {'exists' if image.locked else 'exists, but cannot be built yet'}:"
         return Explained(image.target, True, tuple(_facts(image_set.matrix, image, environ)), head)
     part_tag = re.fullmatch(r"(?:.*/)?part:(.+)", name)
+    if found := _addon(image_set.matrix, name):
+        return found
     if part := image_set.part_by_name.get(part_tag[1] if part_tag else name.removeprefix("part-")):
         users = sum(part.name in image.parts for image in image_set.images)
         text = f"{part.name}: {part.kind} of stack {part.stack}, built from {listed(part.locks)}, in {counted(users, 'image')};"
         text += f" rosml part {part.name} builds it, and COPY --link adds it to an image"
         return Explained(part.name, True, (text,))
     if part_tag:
+        if reason := _no_part(image_set.matrix, part_tag[1]):
+            return Explained(name, False, (reason,))
         begun = [part for part in image_set.part_by_name if part.startswith(f"{part_tag[1]}-")]
         text = f"no part named {part_tag[1]!r}; there is {some(begun)}"
         text = text if begun else unknown("part", part_tag[1], image_set.part_by_name)
@@ -96,7 +100,82 @@ def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.en
         return Explained(name, True, (text,))
     if reason := why_not(image_set, name):
         return Explained(name, False, (reason,))
-    raise RosmlError(unknown("image", name, _alike(image_set, name)), remedy="see all with: rosml list", exit_code=2)
+    text = unknown("image", name, _alike(image_set, name))
+    own = f"; for an image of your own: rosml explain {name} --addons onnx" if re.search("[:/]", name) else ""
+    raise RosmlError(text, f"see all with: rosml list{own}", exit_code=2)
+
+
+def _addon(matrix: Matrix, name: str) -> Explained | None:
+    """Which images can have an add-on of a stack: `onnx-cu130`. None if the name is of none."""
+    wanted = addons.read(matrix, name)
+    if not wanted.addon or wanted.stack not in matrix.stacks:
+        return None
+    head = f"{name} is an add-on of stack {wanted.stack}; docs/addons.md says how to add it:"
+    return Explained(name, True, tuple(addons.described(matrix, wanted.addon, wanted.stack)), head)
+
+
+def _no_part(matrix: Matrix, name: str) -> str | None:
+    """Why a stack has no part for a Python, if a rule says so: `onnxruntime-cu130-py310`."""
+    for kind, stack in product((part.name for part in matrix.parts), matrix.stacks):
+        for row, facts in matrix.distributions.items():
+            if name == names.part_name(kind, stack, matrix.operating_systems[facts.os].python):
+                takers = [(item, "") for item, it in matrix.frameworks.items() if kind in it.parts]
+                takers += [(rules.plain(matrix), item) for item, it in matrix.addons.items() if kind in it.parts]
+                reasons = [rules.stack_reason(matrix, row, framework, stack, item) for framework, item in takers]
+                why = "; ".join(dict.fromkeys(filter(None, reasons)))
+                return f"there is no part {name}: {why}." if why and None not in reasons else None
+    return None
+
+
+def with_addons(matrix: Matrix, image: Image, name: str, wanted: Sequence[str]) -> Explained:
+    """Whether an image can have add-ons, and how it gets them; or why not, and what to take instead.
+
+    Args:
+        name: the user's name of the image.
+        wanted: names of add-ons, with a stack if the image has none: `onnx-cpu`.
+    """
+    onto = addons.Onto(name, image.distribution, image.component, image.framework, image.stack or "")
+    for item in wanted:
+        if refused := addons.refused(matrix, onto, item):
+            return Explained(name, False, (f"{refused.message}; {refused.remedy}.",))
+    read = [addons.read(matrix, item) for item in wanted]
+    stacks = {image.stack or item.stack for item in read}
+    if len(stacks) > 1:
+        return Explained(name, False, (f"an image has one stack, and these are of {listed(sorted(stacks))}.",))
+    [stack] = stacks
+    there = matrix.carrying(image.framework, *image.addons).parts
+    parts = [part for item in read for part in addons.parts(matrix, image.distribution, item.addon, stack, there)]
+    if not parts:
+        return Explained(name, True, (f"{name} has {listed(wanted)} already",))
+    held = [part for item in read for part in matrix.addons[item.addon].parts if matrix.part[part].restricted]
+    lines = [*added(image.tags[0] if image.tags else name, wanted, [*dict.fromkeys(parts)])]
+    lines += [f"the licence of {listed(held)} keeps the result out of public registries"] if held else []
+    for architecture, addon in product(image.architectures, (item.addon for item in read)):
+        place = image.distribution, image.framework, stack, architecture, addon
+        if reason := rules.architecture_reason(matrix, *place):
+            lines.append(f"not for {architecture}: {reason}")
+    return Explained(name, True, tuple(lines), can_have(name, wanted))
+
+
+def can_have(name: str, wanted: Sequence[str]) -> str:
+    """The first line of the answer that an image can have add-ons."""
+    return f"{name} can have {listed(wanted)}:"
+
+
+def added(image: str, wanted: Sequence[str], parts: Sequence[str], place: str = "REGISTRY/part") -> Iterator[str]:
+    """Lines about the two ways in which an image gets add-ons.
+
+    Args:
+        image: its name for commands.
+        wanted: names of add-ons.
+        parts: the names of parts that it lacks.
+        place: the repository of parts.
+    """
+    yield f"it lacks {'the part' if len(parts) == 1 else 'the parts'} {listed(parts)}"
+    yield f"for your packages: rosml containerize --base-image {image} --addons {','.join(wanted)}"
+    complete = image if "/" in image else f"REGISTRY/{image}"
+    every = parts[0] if len(parts) == 1 else f"{{{','.join(parts)}}}"
+    yield f"in a registry: rosml join {complete} {place}:{every} --tag {complete}-with-{wanted[0]}"
 
 
 def _alike(image_set: ImageSet, name: str) -> list[str]:
@@ -142,7 +221,8 @@ def _with_addon(matrix: Matrix, name: str) -> str | None:
             reasons = {item: rules.stack_reason(matrix, row, framework, item, addon) for item in stacks}
             if not (there := [item for item, reason in reasons.items() if reason is None]):
                 why = "; ".join(dict.fromkeys(reason for reason in reasons.values() if reason))
-                return f"{name} does not exist: {why}."
+                onto = addons.Onto(name, row, component, framework, "")
+                return f"{name} does not exist: {why}; {addons.instead(matrix, onto, addon)}."
             facts = matrix.frameworks[framework]
             base = f"{facts.repository}:{names.main_tag(row, component, there[0] if facts.parts else None)}"
             called = addon if facts.parts else f"{addon}-{there[0]}"

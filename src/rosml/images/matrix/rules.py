@@ -47,9 +47,17 @@ def stack_reason(matrix: Matrix, distribution: str, framework: str, stack: str |
     facts, os = matrix.carrying(framework, addon), matrix.distributions[distribution].os
     if (reason := _content_reason(matrix, framework, stack, addon)) or stack is None:
         return reason
-    if addon and os not in (systems := matrix.addons[addon].systems.get(stack, (os,))):
-        return f"add-on {addon} of stack {stack} works on {listed(systems)}, and {distribution} stands on {os}"
+    if addon and (reason := system_reason(matrix, distribution, stack, addon)):
+        return reason
     return _python(matrix, os, facts, matrix.stacks[stack]) or _architectures(matrix, distribution, facts, stack)
+
+
+def system_reason(matrix: Matrix, distribution: str, stack: str, addon: str) -> str | None:
+    """Does the add-on work on the operating system of a distribution?"""
+    os = matrix.distributions[distribution].os
+    if os in (systems := matrix.addons[addon].systems.get(stack, (os,))):
+        return None
+    return f"add-on {addon} of stack {stack} works on {listed(systems)}, and {distribution} stands on {os}"
 
 
 def default_stack(matrix: Matrix, distribution: str, framework: str, addon: str = "") -> str | None:
@@ -67,8 +75,8 @@ def _content_reason(matrix: Matrix, framework: str, stack: str | None, addon: st
         return _pairing(framework, facts, stack)
     return (
         _accelerator(framework, facts, stack, matrix.stacks[stack])
-        or _parts(matrix, framework, facts, stack)
         or _addon_parts(matrix, addon, stack)
+        or _parts(matrix, framework, facts, stack)
         or _generation(matrix, facts, stack)
         or _releases(matrix, facts, stack)
         or _apart(matrix, framework, facts, stack)
