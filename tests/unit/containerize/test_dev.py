@@ -203,6 +203,12 @@ def test_options_go_to_the_engine(place: Place, monkeypatch: pytest.MonkeyPatch,
     assert f"{tmp_path}/bags:/bags" in argv and argv.count("--workdir") == 0
 
 
+def test_the_file_that_init_writes_is_no_obstacle(place: Place) -> None:
+    before = place.call()
+    (place.folder / ".rosml.toml").write_text('image = "robot:latest-dev"\noptions = ["--mws"]\n')
+    assert place.call() == before, "the folder is mounted anyway"
+
+
 def test_git_and_builds_leave_out_what_is_kept(place: Place, tmp_path: Path) -> None:
     place.call()
     workspace.stage(place.folder, tmp_path / "staged", left=LeftOut(place.folder))

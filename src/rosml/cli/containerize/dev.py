@@ -36,7 +36,7 @@ RESERVED = ("base-image", "addons", "build")
 """The command's own options, beside those of `rosml run`: no file with defaults may set one."""
 
 BUILT_IN = ("mwd", "mws")
-"""Options of `rosml run` that do nothing here: the folder is mounted anyway."""
+"""Options of `rosml run` that do nothing here, as in the file that `rosml init` writes: the folder is mounted anyway."""
 
 
 class Dev(run.Run):
@@ -120,8 +120,8 @@ def main(context: click.Context, /, folder: str, base_image: str, addons: str, b
     if not build and (found := _running(program, caller.folder)):
         _enter(program, line, caller, found, key)
         return
-    own = [f"--{name}" for plugin in run.found().plugins for name in plugin.options if name not in BUILT_IN]
-    files = defaults.read(line, own, [f"--{name}" for name in (*run.RESERVED, *RESERVED, *BUILT_IN)], caller.folder)
+    own = [f"--{name}" for plugin in run.found().plugins for name in plugin.options]
+    files = defaults.read(line, own, [f"--{name}" for name in (*run.RESERVED, *RESERVED)], caller.folder)
     defaults.require(replace(line, image=desk.name(place)), files.project)
     record, facts = _image(program, place, values, key, line, build)
     started = files.under(replace(line, image=record.image))
