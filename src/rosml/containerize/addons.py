@@ -153,7 +153,9 @@ def _by_join(base: Base, parts: Iterable[str]) -> str:
     """How an image of somebody's own gets add-ons if it has no list of its files."""
     target = f"{base.name.partition('@')[0]}-with-addons"
     command = f"rosml join {base.name} {' '.join(parts)} --tag {target} --allow-unlisted"
-    return f"join them without the list, and take the result as base image: {command}; or add them in its Dockerfile: docs/addons.md"
+    own = "take the app's run image, built without --no-sbom" if base.labels.get(labels.APP) else ""
+    ways = own or "add them in its Dockerfile (docs/addons.md)"
+    return f"{ways}; or join them without the list, and take the result as base image: {command}"
 
 
 @dataclass(frozen=True)

@@ -135,7 +135,8 @@ def test_how_parts_get_beside_a_base_image(repository: str, parts: str, local: b
 
 def test_an_addon_that_the_systems_of_a_distribution_break(place: Place) -> None:
     """The part is for any Python, and does not say where its compiler works."""
-    part("devel", "cu130").put(place.registry, "rosml/part", "devel-cu130", BOTH)
+    for kind in ("cuda", "devel"):
+        part(kind, "cu130").put(place.registry, "rosml/part", f"{kind}-cu130", BOTH)
     ros("lyrical", python="3.14").put(place.registry, "rosml/ros", "lyrical-core", BOTH)
     base = app_base.find("ros:lyrical-core", place.services, BOTH)
     with pytest.raises(RosmlError, match="add-on devel of stack cu130 works on bookworm") as caught:
@@ -155,11 +156,19 @@ def test_an_image_without_a_list_of_files_is_joined_by_a_command(place: Place) -
     base = app_base.find(f"{place.server.address}/rosml/robot:1", place.services, BOTH)
     with pytest.raises(RosmlError, match=r"rosml/robot:1@sha256:\w+ has no list of its files") as caught:
         addons.onto(base, "graph-cpu", place.services, BOTH)
-    words = shlex.split(caught.value.remedy.partition("rosml join ")[2].partition(";")[0])
+    assert caught.value.remedy.startswith("add them in its Dockerfile (docs/addons.md); or join them")
+    words = shlex.split(caught.value.remedy.partition("rosml join ")[2])
     done = CliRunner().invoke(join.main, words)
     assert done.exit_code == 0, done.output
     again = app_base.find(words[words.index("--tag") + 1], place.services, BOTH)
     assert addons.onto(again, "graph", place.services, BOTH) is again
+
+
+def test_an_app_without_a_list_of_files(place: Place) -> None:
+    base = app_base.find(place.app(place.base()), place.services, BOTH[:1])
+    with pytest.raises(RosmlError, match="has no list of its files") as caught:
+        addons.onto(base, "graph-cpu", place.services, BOTH[:1])
+    assert caught.value.remedy.startswith("take the app's run image, built without --no-sbom; or join them")
 
 
 @pytest.mark.parametrize(
