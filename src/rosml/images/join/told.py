@@ -74,11 +74,16 @@ def _wrong_software(said: Mapping[str, str]) -> str:
     unfit: Iterator[str] = (
         text
         for item in found
-        for text, pattern in ((item.name, NAME), (item.version, _VERSION), (item.short, NAME), (item.title, WORD))
+        for text, pattern in (
+            *((item.name, NAME), (item.version, _VERSION), (item.short, NAME), (item.title, WORD)),
+            *((text, WORD) for text in item.environment.values()),
+        )
         if text and not _is(pattern, text)
     )
     wrong = next(unfit, "")
-    return f"{wrong[:LONGEST]!r} is no name or version" if wrong else _wrong_names([item.name for item in found])
+    if any(len(item.environment) > MOST for item in found):
+        return f"software needs more than {MOST} variables"
+    return f"{wrong[:LONGEST]!r} is no name, version or value" if wrong else _wrong_names([item.name for item in found])
 
 
 def _is(pattern: str, text: str) -> bool:
