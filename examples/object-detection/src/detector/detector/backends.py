@@ -1,5 +1,8 @@
 """What runs a model: ONNX Runtime for files `.onnx`, PyTorch for TorchScript. Both take 1 x 3 x height x width and give N x 6."""
 
+from __future__ import annotations
+
+from pathlib import Path
 from typing import Protocol
 
 import numpy as np
@@ -55,11 +58,13 @@ def load(model: str, device: str = "auto") -> Backend:
     """A model from a file, on the GPU if there is one.
 
     Raises:
-        ValueError: there is no such device.
+        ValueError: there is no such device, or no such file.
         ModuleNotFoundError: the image lacks what the file needs.
     """
     if device not in DEVICES:
         raise ValueError(f"device is {device!r}, and can be {', '.join(DEVICES)}")
+    if not Path(model).is_file():
+        raise ValueError(f"model is {model!r}, and there is no such file")
     found = OnnxRuntime(model, device) if model.endswith(".onnx") else Torch(model, device)
     if device == "cuda" and found.device != device:
         raise ValueError(f"no GPU: {found.about}")

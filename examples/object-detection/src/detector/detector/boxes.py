@@ -1,5 +1,7 @@
 """From a picture to what a model takes, and from what it gives to boxes. With another model, change these two functions."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 

@@ -4,6 +4,8 @@ It finds red and blue things of about 16 x 16 pixels. A convolution gives each w
 each window is a box. FOLDER gets boxes.onnx, and boxes.pt if PyTorch is there.
 """
 
+from __future__ import annotations
+
 import sys
 from pathlib import Path
 
@@ -47,7 +49,7 @@ def write_torch(path: Path) -> None:
     torch.jit.trace(Boxes().eval(), torch.zeros(1, 3, HEIGHT, WIDTH)).save(str(path))
 
 
-def message(*fields: tuple[int, "int | str | bytes"]) -> bytes:
+def message(*fields: tuple[int, int | str | bytes]) -> bytes:
     """Bytes of protobuf, from numbers of fields and their values.
 
     https://github.com/onnx/onnx/blob/main/onnx/onnx.proto3 has the numbers. With the package `onnx`, or for a model of PyTorch by

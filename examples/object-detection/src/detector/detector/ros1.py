@@ -1,5 +1,7 @@
 """The nodes for ROS 1."""
 
+from __future__ import annotations
+
 import rospy
 from detector_msgs.msg import Box, Boxes
 from sensor_msgs.msg import Image
@@ -8,16 +10,15 @@ from detector import scene
 from detector.boxes import HEIGHT, WIDTH, Detector, pixels
 
 
-def detect() -> None:
-    """Hears `image`, and publishes `boxes`."""
+def detect() -> int:
+    """Hears `image`, and publishes `boxes`. The exit code is 1 if it cannot start, as without its model."""
     rospy.init_node("detector")
-    detector = Detector(
-        rospy.get_param("~model"),
-        rospy.get_param("~threshold", 0.6),
-        rospy.get_param("~device", "auto"),
-        rospy.get_param("~width", WIDTH),
-        rospy.get_param("~height", HEIGHT),
-    )
+    defaults = {"model": "", "threshold": 0.6, "device": "auto", "width": WIDTH, "height": HEIGHT}
+    try:
+        detector = Detector(**{name: rospy.get_param(f"~{name}", value) for name, value in defaults.items()})
+    except Exception as error:
+        rospy.logfatal(str(error))
+        return 1
     publisher = rospy.Publisher("boxes", Boxes, queue_size=1)
 
     def look(image: Image) -> None:
@@ -32,6 +33,7 @@ def detect() -> None:
     rospy.Subscriber("image", Image, look, queue_size=1, buff_size=1 << 25)
     rospy.loginfo(detector.about)
     rospy.spin()
+    return 0
 
 
 def camera() -> None:

@@ -1,16 +1,22 @@
 """The nodes for ROS 2."""
 
+from __future__ import annotations
+
 import contextlib
 
 import rclpy
 from detector_msgs.msg import Box, Boxes
 from rclpy.executors import ExternalShutdownException
+from rclpy.logging import get_logger
 from rclpy.node import Node
-from rclpy.qos import qos_profile_sensor_data
+from rclpy.qos import QoSProfile, ReliabilityPolicy
 from sensor_msgs.msg import Image
 
 from detector import scene
 from detector.boxes import HEIGHT, WIDTH, Detector, pixels
+
+NEWEST = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
+"""It hears any camera, and of several pictures that wait for a slow model, the last one."""
 
 
 class Detect(Node):
@@ -23,7 +29,7 @@ class Detect(Node):
             **{name: self.declare_parameter(name, value).value for name, value in defaults.items()}
         )
         self._publisher = self.create_publisher(Boxes, "boxes", 1)
-        self.create_subscription(Image, "image", self._look, qos_profile_sensor_data)
+        self.create_subscription(Image, "image", self._look, NEWEST)
         self.get_logger().info(self._detector.about)
 
     def _look(self, image: Image) -> None:
@@ -42,7 +48,7 @@ class Camera(Node):
         super().__init__("camera")
         self._image = Image(height=scene.HEIGHT, width=scene.WIDTH, encoding="rgb8", step=3 * scene.WIDTH)
         self._image.data, self._image.header.frame_id = scene.picture().tobytes(), "camera"
-        self._publisher = self.create_publisher(Image, "image", qos_profile_sensor_data)
+        self._publisher = self.create_publisher(Image, "image", NEWEST)
         self.create_timer(0.1, self._publish)
 
     def _publish(self) -> None:
@@ -50,17 +56,24 @@ class Camera(Node):
         self._publisher.publish(self._image)
 
 
-def _spin(kind: type[Node]) -> None:
+def _run(kind: type[Node]) -> int:
+    """The exit code: 1 if the node cannot start, as without its model."""
     rclpy.init()
     with contextlib.suppress(KeyboardInterrupt, ExternalShutdownException):
-        rclpy.spin(kind())
+        try:
+            node = kind()
+        except Exception as error:
+            get_logger("detector").fatal(str(error))
+            return 1
+        rclpy.spin(node)
+    return 0
 
 
-def detect() -> None:
+def detect() -> int:
     """Looks until somebody stops it."""
-    _spin(Detect)
+    return _run(Detect)
 
 
-def camera() -> None:
+def camera() -> int:
     """Publishes until somebody stops it."""
-    _spin(Camera)
+    return _run(Camera)

@@ -1,5 +1,7 @@
 """Each backend that the image has finds what is there."""
 
+from __future__ import annotations
+
 import importlib.util
 import os
 import subprocess
@@ -15,6 +17,8 @@ from detector.boxes import Box, Detector, pixels, select
 from detector.make_model import HEIGHT, WIDTH, make
 
 THERE = [name for name, module in (("onnx", "onnxruntime"), ("pt", "torch")) if importlib.util.find_spec(module)]
+ROS = os.environ.get("ROS_VERSION")
+NODE = f"import sys; from detector.ros{ROS} import detect; sys.exit(detect())"
 
 
 @pytest.fixture(scope="module")
@@ -66,9 +70,18 @@ def test_pixels_of_a_picture() -> None:
         pixels(image)
 
 
-@pytest.mark.skipif(os.environ.get("ROS_VERSION") != "1", reason="the check is for ROS 1")
 @pytest.mark.parametrize("kind", THERE)
 def test_the_node_publishes_boxes(models: Path, kind: str) -> None:
-    node = "from detector.ros1 import detect; detect()"
-    command = [sys.executable, "-m", "detector.check", sys.executable, "-c", node, f"_model:={models}/boxes.{kind}"]
+    command = [sys.executable, "-m", "detector.check", f"{models}/boxes.{kind}", sys.executable, "-c", NODE]
     subprocess.run(command, check=True, timeout=120)
+
+
+@pytest.mark.skipif(ROS != "2", reason="without a master, a node of ROS 1 waits for one")
+@pytest.mark.parametrize("kind", THERE)
+def test_a_node_without_its_model_says_why(tmp_path: Path, kind: str) -> None:
+    (tmp_path / f"broken.{kind}").write_text("no model")
+    for model, why in (("missing", "there is no such file"), ("broken", "")):
+        words = [sys.executable, "-c", NODE, "--ros-args", "-p", f"model:={tmp_path / model}.{kind}"]
+        done = subprocess.run(words, capture_output=True, text=True, timeout=60)
+        assert done.returncode == 1 and "Traceback" not in done.stderr, done.stderr
+        assert "[FATAL]" in done.stderr and why in done.stderr

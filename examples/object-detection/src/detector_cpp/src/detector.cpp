@@ -1,6 +1,7 @@
 #include "detector.h"
 
 #include <algorithm>
+#include <fstream>
 #include <stdexcept>
 #include <utility>
 
@@ -17,6 +18,7 @@ Device device(const std::string& name) {
 }
 
 std::unique_ptr<Backend> load(const std::string& model, Device where) {
+  if (!std::ifstream(model)) throw std::runtime_error("model is '" + model + "', and there is no such file");
   const std::string suffix = ".onnx";
   if (model.size() > suffix.size() && model.compare(model.size() - suffix.size(), suffix.size(), suffix) == 0) {
 #ifdef WITH_ONNX_RUNTIME

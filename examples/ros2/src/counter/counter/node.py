@@ -3,6 +3,7 @@
 import contextlib
 
 import rclpy
+from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from std_msgs.msg import String
 
@@ -28,5 +29,5 @@ class Counter(Node):
 def main() -> None:
     """Counts until somebody stops it."""
     rclpy.init()
-    with contextlib.suppress(KeyboardInterrupt):
+    with contextlib.suppress(KeyboardInterrupt, ExternalShutdownException):
         rclpy.spin(Counter())
