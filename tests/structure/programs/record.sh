@@ -1,11 +1,10 @@
 #!/usr/bin/env bash
 # `rosbag record` behind a pipe is stopped as an engine stops a container: the bag is closed.
 set -euo pipefail
-here=$(dirname "$0")
-untold=$("$here/../checks/stop.py" --untold)
+untold=$(/run/tests/checks/stop.py --untold)
 if [[ -n $untold ]]; then echo "$untold" && exit; fi
 # shellcheck source=tests/structure/programs/roscore.sh
-source "$here/roscore.sh"
+source "$(dirname "$0")/roscore.sh"
 until_it_answers rostopic list
 /tini -s -- /entrypoint.sh bash -c "rosbag record -a -O $work/bag | cat" >"$work/recorder.log" 2>&1 &
 recorder=$!

@@ -299,7 +299,7 @@ def test_addons_are_in_it(found: Published, real: ImageSet) -> None:
     assert {"onnx", "onnxruntime"} <= {*found.addons["onnx"].words} and "nvcc" in found.addons["devel"].words
     item = image(found, "jazzy-base-torch-cu130")
     assert (item.addons, [*item.takes]) == ((), ["onnx", "devel", "triton", "tensorrt-rtx"])
-    assert item.takes["tensorrt-rtx"].platforms == ("linux/amd64",)
+    assert item.takes["tensorrt-rtx"].platforms == ("linux/amd64", "linux/arm64")
     assert item.takes["devel"].parts == ("devel-cu130",)
     assert image(found, "jazzy-base-onnx-cu130").addons == ("onnx",)
     assert image(found, "jazzy-base").takes["onnx-cpu"].addon == "onnx"

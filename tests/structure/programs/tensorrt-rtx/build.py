@@ -3,17 +3,14 @@
 
 from __future__ import annotations
 
-import sys
+import subprocess
 import tempfile
 from pathlib import Path
 
 import tensorrt_rtx as trt
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "onnxruntime"))
-import model
-
 folder = Path(tempfile.mkdtemp())
-model.main(folder)
+subprocess.run(["/run/tests/programs/onnxruntime/model.py", folder], check=True)
 logger = trt.Logger(trt.Logger.WARNING)
 builder = trt.Builder(logger)
 network = builder.create_network(0)
