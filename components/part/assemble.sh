@@ -55,6 +55,11 @@ sed -n 's/^\([A-Za-z0-9._-]*\)==\([^ ]*\).*/\1 \2/p' "$LOCK" >"$OUT/usr/local/sh
 "$here/adapt_metadata.py"
 "$here/complete_tensorflow.py"
 if [[ -x $here/../$PART/files.sh ]]; then "$here/../$PART/files.sh"; fi
+# A part replaces nothing of an image that it goes onto, and each image may have the runtimes of compilers there. Not every architecture's
+# wheels bring them.
+if runtimes=$(find "$OUT/usr/lib/$TRIPLET" | grep -E '/lib(atomic|gcc_s|gfortran|gomp|quadmath|stdc\+\+)\.so'); then
+  echo "assemble: $PART brings a compiler's runtime where the distribution has its own: $runtimes; link it elsewhere in files.sh" >&2 && exit 1
+fi
 "$here/records.py" verify
 if [[ -n ${SLOT:-} ]]; then "$here/packages.py" "$SLOT" /shown/*.txt; fi
 [[ $PYTHON == any ]] || "$here/bytecode.sh"

@@ -7,6 +7,9 @@ libraries=${OUT:?}/usr/lib/${TRIPLET:?}
 for library in "$OUT${SITE:?}"/torch/lib/*.so*; do
   # OpenMP's runtime is the distribution's there: a part replaces nothing. PyTorch in Python takes its own.
   case ${library##*/} in libgomp.so*) continue ;; esac
+  # Wheels for arm64 bring Fortran's runtime. An image with numpy has the distribution's, which the loader finds first: this is for
+  # images without it, in the folder that is searched last.
+  case ${library##*/} in libgfortran.so*) ln -s "${library#"$OUT"}" "$OUT/usr/lib/" && continue ;; esac
   ln -s "${library#"$OUT"}" "$libraries/$(basename "$library")"
 done
 
