@@ -561,7 +561,7 @@ def test_an_image_says_which_addons_it_can_take(window: Windows, published: Publ
     plain = window().open("#/image/ros1-trixie-core")
     summaries = texts(plain.locator("section", has=plain.locator("#addons")), "summary")
     assert "onnx-cpu: onnxruntime" in summaries
-    assert "tensorrt-rtx-cu130: TensorRT-RTX for linux/amd64, in private registries alone" in summaries
+    assert "tensorrt-rtx-cu130: TensorRT-RTX, in private registries alone" in summaries
 
 
 @pytest.mark.parametrize(
