@@ -67,8 +67,8 @@ PROOFS = {
     "scanner": Proof(18, needs=("scanner",)),
     # The real cosign signs with a key, once, before tags move.
     "signer": Proof(18, needs=("signer",)),
-    # Debian trixie with TensorFlow.
-    "trixie": Proof(12),
+    # Each stack's frameworks on Debian bookworm, trixie and sid, with Python 3.11, 3.13 and 3.14: all tests of these images.
+    "systems": Proof(100),
     # ROS 2 from Python wheels: built, started, and an app built on it.
     "wheels": Proof(8),
 }

@@ -60,6 +60,10 @@ if [[ -x $here/../$PART/files.sh ]]; then "$here/../$PART/files.sh"; fi
 if runtimes=$(find "$OUT/usr/lib/$TRIPLET" | grep -E '/lib(atomic|gcc_s|gfortran|gomp|quadmath|stdc\+\+)\.so'); then
   echo "assemble: $PART brings a compiler's runtime where the distribution has its own: $runtimes; link it elsewhere in files.sh" >&2 && exit 1
 fi
+# Python's headers are those of one Python, and whoever includes the part would get them instead of the distribution's.
+if headers=$(find "$OUT" -name Python.h | grep .); then
+  echo "assemble: $PART brings headers of Python itself: $headers; name their folder in components/$PART/prune.txt" >&2 && exit 1
+fi
 "$here/records.py" verify
 if [[ -n ${SLOT:-} ]]; then "$here/packages.py" "$SLOT" /shown/*.txt; fi
 [[ $PYTHON == any ]] || "$here/bytecode.sh"

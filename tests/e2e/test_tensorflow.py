@@ -19,7 +19,7 @@ from tests.e2e.images import Publish, build, push_part
     "target",
     [
         "ros1-bookworm-core-tensorflow-cpu",
-        pytest.param("ros1-trixie-core-tensorflow-cpu", marks=pytest.mark.full(proof="trixie")),
+        pytest.param("ros1-trixie-core-tensorflow-cpu", marks=pytest.mark.full(proof="systems")),
     ],
 )
 def test_tensorflow_without_cuda(services: Services, published: Publish, target: str) -> None:
@@ -30,7 +30,7 @@ def test_tensorflow_without_cuda(services: Services, published: Publish, target:
     assert sum(layer.size for layer in parts) <= image.image.budget * 1_000_000
 
 
-@pytest.mark.full(proof="trixie")
+@pytest.mark.full(proof="systems")
 def test_the_cplusplus_part_of_tensorflow_is_the_same_for_every_python(published: Publish) -> None:
     older, newer = published("ros1-bookworm-core-tensorflow-cpu"), published("ros1-trixie-core-tensorflow-cpu")
     layers = [image.layers[-len(image.image.parts) :] for image in (older, newer)]

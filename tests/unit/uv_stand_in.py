@@ -32,7 +32,12 @@ UV = """\
 here='{folder}'
 echo "uv $*" >>"$here/calls"
 for file in in constraints out; do [ ! -e $file.txt ] || cp $file.txt "$here/seen-$file.txt" 2>/dev/null; done
-case "$*" in *pylock.toml*) printf '[[packages]]\\nname = "torch"\\nversion = "2.10.0"\\n' >pylock.toml; exit ;; esac
+case "$*" in
+  *pylock.toml*) # of a version, the same wheel for each Python; the newest ones otherwise
+    sed -n 's/^\\(.*\\)==\\(.*\\)/[[packages]]\\nname = "\\1"\\nversion = "\\2"\\nwheels = [{{url = "\\1.whl", size = 1}}]/p' in.txt >pylock.toml
+    [ -s pylock.toml ] || printf '[[packages]]\\nname = "torch"\\nversion = "2.10.0"\\n' >pylock.toml
+    exit ;;
+esac
 while [ $# -gt 0 ]; do case $1 in --python-version) python=$2 ;; --python-platform) platform=$2 ;; esac; shift; done
 """
 # NVIDIA's packages are for amd64 only, as in the matrix of these tests.

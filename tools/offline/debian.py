@@ -51,6 +51,12 @@ FILES = {
 }
 """Files added to a made image: path to mode and text."""
 
+MOVING = ("sid", "unstable", "testing")
+"""Suites whose list of packages is valid for a week. A mirror may be some weeks old."""
+
+LENIENT = 'Acquire::Check-Valid-Until "false"'
+"""How apt takes such a list all the same."""
+
 REMOVE = (
     "etc/apt/apt.conf.d/99mmdebstrap",
     "etc/hostname",
@@ -128,11 +134,17 @@ def debian(services: Services, suite: str, architecture: str) -> str:
         return digest or make(services, suite, architecture, folder / tag, lock, tag)
 
 
-def recipe(architecture: str) -> str:
-    """Stands for all that decides how an image is made."""
-    text = json.dumps(
-        [FILES, FOLDERS, REMOVE, EPOCH, architecture, command("SUITE", architecture, Path("F"), Path("O"))]
-    )
+def added_files(suite: str) -> dict[str, tuple[int, str]]:
+    """The files added to an image of a suite: path to mode and text."""
+    lenient = {"etc/apt/apt.conf.d/lenient": (0o644, f"{LENIENT};\n")} if suite in MOVING else {}
+    return {**FILES, **lenient}
+
+
+def recipe(tag: str, architecture: str) -> str:
+    """Stands for all that decides how an image is made, apart from the suite's packages."""
+    suite = tag.removesuffix(f"-{architecture}")
+    call = command(suite if suite in MOVING else "SUITE", architecture, Path("F"), Path("O"))
+    text = json.dumps([added_files(suite), FOLDERS, REMOVE, EPOCH, architecture, call])
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
@@ -142,7 +154,7 @@ def find(services: Services, tag: str, architecture: str) -> str:
     try:
         headers, body = services.get(f"/v2/library/debian/manifests/{tag}", MANIFEST)
         manifest = json.loads(body)
-        if manifest.get("annotations", {}).get(RECIPE) != recipe(architecture):
+        if manifest.get("annotations", {}).get(RECIPE) != recipe(tag, architecture):
             return ""
         for part in (manifest["config"], *manifest["layers"]):
             services.get(f"/v2/library/debian/blobs/{part['digest']}", method="HEAD")
@@ -161,6 +173,7 @@ def command(suite: str, architecture: str, files: Path, output: Path) -> list[st
         f"--architectures={architecture}",
         "--skip=output/dev",  # device nodes are the container runtime's business
         '--aptopt=Acquire::Retries "5"',
+        *([f"--aptopt={LENIENT}"] if suite in MOVING else []),
         f"--customize-hook=sync-in {shlex.quote(str(files))} /",
         f"--customize-hook=rm -f {remove}",
         f'--customize-hook=chroot "$1" chown _apt:root {" ".join(f"/{folder}" for folder in APTS)}',
@@ -205,7 +218,7 @@ def make(
     log = services.state / "log" / f"base-{tag}.log"
     try:
         log.parent.mkdir(parents=True, exist_ok=True)
-        write_files(folder / "files")
+        write_files(folder / "files", added_files(suite))
         tar = folder / "root.tar"
         (folder / "tmp").mkdir()
         env = {**os.environ, "SOURCE_DATE_EPOCH": str(EPOCH), "TMPDIR": str(folder / "tmp"), "LC_ALL": "C.UTF-8"}
@@ -253,9 +266,9 @@ def add_folders(tar: Path) -> None:
             archive.addfile(entry)
 
 
-def write_files(folder: Path) -> None:
-    """Writes FILES below a folder, for mmdebstrap to copy in."""
-    for name, (mode, text) in FILES.items():
+def write_files(folder: Path, files: dict[str, tuple[int, str]]) -> None:
+    """Writes files below a folder, for mmdebstrap to copy in."""
+    for name, (mode, text) in files.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
@@ -294,7 +307,7 @@ def write_layout(layout: Path, tar: Path, tag: str, architecture: str) -> str:
             "mediaType": MANIFEST,
             "config": config,
             "layers": [layer],
-            "annotations": {RECIPE: recipe(architecture)},
+            "annotations": {RECIPE: recipe(tag, architecture)},
         },
     )
     (layout / "oci-layout").write_text('{"imageLayoutVersion": "1.0.0"}')

@@ -23,6 +23,12 @@ SCRIPT = ROOT / "components/part/records.py"
 SITE = "usr/local/lib/python3.11/dist-packages"
 
 
+PYTHON_HEADERS = {
+    "tensorflow/include/external/local_config_python/python_include/Python.h",
+    "tensorflow/include/external/python_3_12_x86_64-unknown-linux-gnu/include/python3.12/Python.h",
+}
+
+
 class Part:
     """A part in the making: a wheel with some files, and a part's rules."""
 
@@ -165,8 +171,8 @@ def test_rules_of_the_parts_match_something_that_wheels_had() -> None:
             "mpmath/tests/test_basic_ops.py",
         },
         "common": {"numpy/core/tests/test_dtype.py", "sympy/core/tests/test_expr.py", "mpmath/tests/test_basic_ops.py"},
-        "tensorflow": {"tensorflow/include/external/local_config_python/python_include/Python.h"},
-        "tensorflow-cc": {"tensorflow/include/external/local_config_python/python_include/Python.h"},
+        "tensorflow": PYTHON_HEADERS,
+        "tensorflow-cc": PYTHON_HEADERS,
     }
     from fnmatch import fnmatchcase
 

@@ -25,8 +25,9 @@ from rosml.cli.images import locks as script
 from rosml.images.bake import targets
 from rosml.images.image_set import lock_file
 from rosml.images.image_set.model import ImageSet
-from rosml.images.locks import base_digests, resolve
+from rosml.images.locks import base_digests, resolve, shared_files
 from rosml.images.locks.resolve import Elsewhere, Pin, Request
+from rosml.images.locks.shared_files import Difference
 from rosml.images.matrix import names
 
 PARTS = parse(SMALL).matrix.parts
@@ -841,3 +842,18 @@ def test_a_signal_ends_every_resolution_at_once(checkout: Path) -> None:
     assert said.endswith("interrupted\n")
     left = [file.name for file in checkout.glob("began-*") if Path(f"/proc/{file.name.partition('-')[2]}").exists()]
     assert not left, "no uv is left behind"
+
+
+def test_wheels_that_differ_from_a_shared_part_are_named(
+    checkout: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """For people, for a pull request and for machines. tests/unit/images/test_shared_files.py finds them."""
+    files = ("tensorflow/include/a.h",)
+    found = Difference("tensorflow-cc", "cpu", "arm64", "tensorflow==2.20.0", "3.11", "3.12", files)
+    monkeypatch.setattr(shared_files, "differences", lambda *_: [found])
+    assert run(checkout, "--report", str(checkout / "report.md")) == 0
+    assert str(found) in capsys.readouterr().err
+    assert f"- {found}\n" in (checkout / "report.md").read_text()
+    run(checkout, "--json")
+    (item,) = json.loads(capsys.readouterr().out)["differing"]
+    assert (item["package"], item["python"], item["files"]) == ("tensorflow==2.20.0", "3.12", list(files))

@@ -120,6 +120,15 @@ def test_command_names_no_mirror() -> None:
     assert not any("http" in argument for argument in argv)
 
 
+def test_a_mirror_of_a_suite_that_moves_may_be_old(tmp_path: Path) -> None:
+    """Both where the image is made and in the image; suites that stay are checked."""
+    for suite, lenient in (("sid", True), ("bookworm", False)):
+        argv = debian.command(suite, "amd64", tmp_path, tmp_path)
+        assert any("Check-Valid-Until" in word for word in argv) == lenient
+        assert any("Check-Valid-Until" in text for _, text in debian.added_files(suite).values()) == lenient
+    assert debian.recipe("bookworm", "amd64") == debian.recipe("trixie", "amd64") != debian.recipe("sid", "amd64")
+
+
 def write_tar(tar: Path) -> None:
     """Something to put into a layer."""
     tar.parent.mkdir(parents=True, exist_ok=True)
@@ -188,7 +197,7 @@ def test_push_that_fails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
 def test_files_are_the_same_under_any_umask(tmp_path: Path) -> None:
     before = os.umask(0o077)
     try:
-        debian.write_files(tmp_path / "files")
+        debian.write_files(tmp_path / "files", debian.added_files("bookworm"))
     finally:
         os.umask(before)
     modes = {str(path.relative_to(tmp_path)): path.stat().st_mode & 0o777 for path in tmp_path.rglob("*")}

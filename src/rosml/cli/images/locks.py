@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from rosml.images.image_set.model import ImageSet
     from rosml.images.locks.base_digests import Pins
     from rosml.images.locks.resolve import Move
+    from rosml.images.locks.shared_files import Difference
     from rosml.images.locks.upstream import Newer
     from rosml.images.scan.locked import Refused
 
@@ -118,17 +119,21 @@ def main(
     fresh = [path for path in stale if path not in earlier]
     if not as_json:
         tables.show(COLUMNS, rows_of(moved))
+    differing = differences(image_set, locks.texts, stacks)
     stopped, unknown = judged(image_set, locks.texts)
     if report:
         text = markdown(moved, fresh, locks.left_out) + (base_table(pinned) if pinned else "")
+        text += differences_list(differing)
         text += refused_table(stopped, unknown)
         files.write(report, text + (upstream_table(image_set, stacks) if upgrade else ""))
     for path in sorted(locked.locks(own) & there - locks.texts.keys()):
         terminal.echo(f"{path}: belongs to nothing in {matrix.name}; delete it", err=as_json)
     for request, reason in locks.left_out.items():
         terminal.echo(f"{request}: no new lock: {reason}", err=True)
-    for line in [*map(str, stopped), *([unknown] if unknown else [])]:
+    for line in [*map(str, differing), *map(str, stopped), *([unknown] if unknown else [])]:
         terminal.echo(line, err=True)
+    if differing:
+        terminal.echo(f"images with these parts will fail their tests; {UNSHARED}", err=True)
     if stopped:
         terminal.echo(
             "raise the versions that the scan will stop, or add entries to scan.yaml, with a reason and a last day",
@@ -136,7 +141,7 @@ def main(
         )
     terminal.echo(f"{len(locks.texts)} locks, {len(stale)} {'outdated' if check else 'changed'}", err=as_json)
     if as_json:
-        terminal.echo(to_json(moved, stale, fresh, locks.left_out, pinned, stopped, unknown))
+        terminal.echo(to_json(moved, stale, fresh, locks.left_out, pinned, differing, stopped, unknown))
     if check:
         words = [*(["--upgrade"] if upgrade else []), *(word for stack in stacks for word in ("--stack", stack))]
         require_fresh(len(stale), pinned, words, as_json)
@@ -289,6 +294,7 @@ def to_json(
     fresh: Sequence[str] = (),
     left_out: Mapping[Any, str] | None = None,
     pinned: Pins | None = None,
+    differing: Sequence[Difference] = (),
     stopped: Sequence[Refused] = (),
     unknown: str = "",
 ) -> str:
@@ -300,6 +306,7 @@ def to_json(
         fresh: the new ones of these.
         left_out: requests that got no new lock, with the reason.
         pinned: base images.
+        differing: wheels whose files differ from those of a part for every Python.
         stopped: versions that the scan will stop.
         unknown: why these are not known.
     """
@@ -313,6 +320,7 @@ def to_json(
         "left_out": {str(request): reason for request, reason in (left_out or {}).items()},
         "base_images": [asdict(pin) for pin in (pinned.moved if pinned else ())],
         "base_images_left_out": dict(pinned.left_out) if pinned else {},
+        "differing": [asdict(item) for item in differing],
         "refused": [item.to_json() for item in stopped],
         "refused_unknown": unknown,
     }
@@ -349,6 +357,29 @@ def base_table(pinned: Pins) -> str:
     text = github.table(("system", "base image", "old", "new"), rows) if rows else "No base image moved.\n"
     lines = "".join(f"- {line}\n" for line in base_digests.reasons(pinned.left_out))
     return f"\n{text}" + (f"\n{lines}" if lines else "")
+
+
+UNSHARED = "name the files in prune.txt of both parts, or take them out of the shared part's keep.txt (components/)"
+"""The remedy if the wheels for two Pythons differ in the files of a part for every Python."""
+
+
+def differences(image_set: ImageSet, texts: Mapping[str, str], stacks: Sequence[str]) -> list[Difference]:
+    """The files that a part for every Python has otherwise than the wheels of another Python."""
+    from rosml.base import web
+    from rosml.images.locks import shared_files
+    from rosml.images.locks.index import Index
+    from rosml.images.locks.resolve import Uv
+
+    with web.client(timeout=60) as client:
+        return shared_files.differences(image_set, ROOT, Index(Uv(), client), texts, stacks)
+
+
+def differences_list(differing: Sequence[Difference]) -> str:
+    """Wheels that differ from a part for every Python, as Markdown for a pull request."""
+    if not differing:
+        return ""
+    lines = "".join(f"- {item}\n" for item in differing)
+    return f"\nImages with these parts will fail their tests; {UNSHARED}:\n\n{lines}"
 
 
 def judged(image_set: ImageSet, texts: Mapping[str, str]) -> tuple[list[Refused], str]:

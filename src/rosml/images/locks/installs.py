@@ -7,28 +7,24 @@ pins more than necessary. Nothing is installed, and no wheel is downloaded.
 
 from __future__ import annotations
 
-import io
 import json
 import os
 import re
 import subprocess
 import sys
 import tempfile
-import tomllib
-import zipfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from functools import cache, partial
 from pathlib import Path
-
-import httpx
 
 from rosml.base import progress_bar, web
 from rosml.base.errors import RosmlError
 from rosml.base.side_by_side import side_by_side
 from rosml.images.image_set.lock_file import package_name, versions
 from rosml.images.image_set.model import ImageSet
-from rosml.images.locks.resolve import WORKERS, Uv, compile_command
+from rosml.images.locks.index import Index, WheelTarget
+from rosml.images.locks.resolve import WORKERS, Uv
 from rosml.images.matrix import names
 from rosml.images.matrix.model import ANY_PYTHON
 
@@ -106,84 +102,6 @@ def _slots(image_set: ImageSet, framework: str) -> list[str]:
     return [name for name in image_set.matrix.frameworks[framework].parts if image_set.matrix.part[name].slot]
 
 
-class Index:
-    """The package index that uv is configured for."""
-
-    def __init__(self, uv: Uv, client: httpx.Client) -> None:
-        self.uv = uv
-        self._client = client
-
-    def resolve(
-        self, environment: tuple[str, str], wanted: Iterable[str], constraints: Iterable[str] = (), *options: str
-    ) -> tuple[str, str]:
-        """The requirements from `uv pip compile` for a Python and a platform of wheels, empty if nothing fits; and its messages."""
-        with tempfile.TemporaryDirectory() as folder:
-            base = Path(folder)
-            (base / "in.txt").write_text("\n".join(wanted) + "\n")
-            (base / "constraints.txt").write_text("\n".join(constraints) + "\n")
-            command = [
-                *compile_command(*environment),
-                "--no-header",
-                "--no-annotate",
-                "--constraint",
-                "constraints.txt",
-            ]
-            command.remove("--quiet")  # with --quiet, uv does not warn about lost extras
-            output = base / ("pylock.toml" if options else "out.txt")
-            status, said = self.uv([*command, *options, "in.txt", "--output-file", output.name], base)
-            if status == 0:
-                return output.read_text(encoding="utf-8"), said
-        if "No solution found" not in said:
-            raise RosmlError(f"the index does not say what people get:\n{said.strip()}", "check that it answers")
-        return "", said
-
-    def metadata(self, environment: tuple[str, str], pins: Mapping[str, str]) -> dict[str, str]:
-        """The metadata of packages in their versions. It reads no other part of their wheels."""
-        wanted = [f"{name}=={version}" for name, version in pins.items()]
-        text, said = self.resolve(environment, wanted, (), "--no-deps", "--format", "pylock.toml")
-        if not text:
-            raise RosmlError(f"the index lacks what is locked:\n{said.strip()}", "run 'rosml locks'")
-        wheels = {item["name"]: item["wheels"][0] for item in tomllib.loads(text)["packages"]}
-        return {name: self._metadata(str(wheel["url"]), int(wheel["size"])) for name, wheel in wheels.items()}
-
-    @cache  # noqa: B019 - lives as long as a command
-    def _metadata(self, url: str, size: int) -> str:
-        with zipfile.ZipFile(io.BufferedReader(_Remote(self._client, url, size), 1 << 16)) as wheel:
-            name = next(name for name in wheel.namelist() if re.fullmatch(r"[^/]+\.dist-info/METADATA", name))
-            return wheel.read(name).decode()
-
-
-class _Remote(io.RawIOBase):
-    """A file on a server, read in pieces."""
-
-    def __init__(self, client: httpx.Client, url: str, size: int) -> None:
-        self._client, self._url, self._size, self._at = client, url, size, 0
-
-    def seekable(self) -> bool:
-        return True
-
-    def readable(self) -> bool:
-        return True
-
-    def tell(self) -> int:
-        return self._at
-
-    def seek(self, offset: int, whence: int = 0) -> int:
-        self._at = (0, self._at, self._size)[whence] + offset
-        return self._at
-
-    def readinto(self, buffer: memoryview) -> int:  # type: ignore[override]
-        last = min(self._at + len(buffer), self._size) - 1
-        if last < self._at:
-            return 0
-        answer = self._client.get(self._url, headers={"Range": f"bytes={self._at}-{last}"}, follow_redirects=True)
-        if answer.status_code != httpx.codes.PARTIAL_CONTENT:
-            raise RosmlError("the index sends no pieces of wheels", "run it with an index that does")
-        buffer[: len(answer.content)] = answer.content
-        self._at += len(answer.content)
-        return len(answer.content)
-
-
 def look(
     image_set: ImageSet,
     root: Path,
@@ -205,7 +123,7 @@ def look(
     found: dict[Environment, list[Found]] = {}
     with web.client(timeout=60) as client:
         index = Index(Uv(uv), client)
-        newest = cache(lambda *about: _version(*index.resolve(about[:2], [about[2]]), about[2])[0])
+        newest = cache(lambda *about: _version(*index.resolve(WheelTarget(*about[:2]), [about[2]]), about[2])[0])
         for environment in progress_bar.over(wanted, "environments", len(wanted)):
             where = _wheels(image_set, environment)
             lines = constraints(image_set, root, environment, index)
@@ -240,16 +158,15 @@ def _system(image_set: ImageSet, environment: Environment) -> str:
     return next(image.os for image in image_set.images if image.python == environment.python)
 
 
-def _wheels(image_set: ImageSet, environment: Environment) -> tuple[str, str]:
+def _wheels(image_set: ImageSet, environment: Environment) -> WheelTarget:
     """The Python of an environment, and the platform of pip's wheels there."""
     oldest = image_set.matrix.architectures[environment.architecture].wheels
-    return environment.python, re.sub(
-        r"manylinux_2_\d+", f"manylinux_2_{GLIBC[_system(image_set, environment)]}", oldest
-    )
+    glibc = GLIBC[_system(image_set, environment)]
+    return WheelTarget(environment.python, re.sub(r"manylinux_2_\d+", f"manylinux_2_{glibc}", oldest))
 
 
 def _slot(
-    image_set: ImageSet, root: Path, environment: Environment, part: str, where: tuple[str, str], index: Index
+    image_set: ImageSet, root: Path, environment: Environment, part: str, where: WheelTarget, index: Index
 ) -> str:
     """The constraints that `components/part/packages.py` writes for a part."""
     place = (environment.stack, environment.architecture)
@@ -257,7 +174,8 @@ def _slot(
     pins = versions(text)
     local = {name for name, version in pins.items() if "+" in version}
     nvidia = {name for name in pins if name.startswith("nvidia-")}  # they only require each other
-    asked = index.metadata(where, {name: pins[name] for name in pins.keys() - local - nvidia}) if pins else {}
+    wheels = index.wheels(where, {name: pins[name] for name in pins.keys() - local - nvidia}) if pins else {}
+    asked = {name: index.metadata(wheel) for name, wheel in wheels.items()}
     for name in local:
         requires = image_set.matrix.releases[name][pins[name].partition("+")[0]].requires
         asked[name] = "".join(f"Requires-Dist: {requirement}\n" for requirement in requires)
@@ -287,7 +205,7 @@ def _lock(root: Path, *place: str) -> str:
 
 
 def of_package(
-    index: Index, where: tuple[str, str], constraints: Sequence[str], package: str, newest: Callable[..., str]
+    index: Index, where: WheelTarget, constraints: Sequence[str], package: str, newest: Callable[..., str]
 ) -> Found:
     version, extra = _version(*index.resolve(where, [package], constraints), package)
     found = Found(package, version, newest(*where, package), (), extra, version)

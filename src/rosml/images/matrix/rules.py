@@ -223,15 +223,15 @@ def company(matrix: Matrix, stack: str | None, families: Iterable[str]) -> dict[
 
 def index(matrix: Matrix, stack: str, part: str) -> str:
     """The index of Python packages that is asked first for those of a part; empty if that is the usual one."""
-    return next((release.index for release in _inside(matrix, stack, part) if release.index), "")
+    return next((release.index for release in releases_of(matrix, stack, part) if release.index), "")
 
 
 def glibc(matrix: Matrix, stack: str, part: str) -> str:
     """The glibc that wheels of a part ask for; empty if none is newer than the architectures' own."""
-    return max((release.glibc for release in _inside(matrix, stack, part) if release.glibc), default="")
+    return max((release.glibc for release in releases_of(matrix, stack, part) if release.glibc), default="")
 
 
-def _inside(matrix: Matrix, stack: str, part: str) -> Iterator[Release]:
+def releases_of(matrix: Matrix, stack: str, part: str) -> Iterator[Release]:
     """The releases of a stack that have packages in a part: its own, and those whose company it takes."""
     entry = matrix.part[part]
     for family in matrix.stacks[stack].releases:

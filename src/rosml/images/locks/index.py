@@ -1,0 +1,163 @@
+"""The package index that uv is configured for: what it resolves, and single files of its wheels, of which nothing else is downloaded."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+import tempfile
+import tomllib
+import zipfile
+import zlib
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+import httpx
+
+from rosml.base.errors import RosmlError
+from rosml.images.locks.resolve import Uv, compile_command
+
+LARGEST = 32 << 20
+"""The most bytes of a file in a wheel. TensorFlow's RECORD, the largest, has 2 MB."""
+
+_PIECE = 1 << 18
+"""Bytes of a wheel that one request asks for. A wheel's list of files is at its end and has up to 2 MB."""
+
+
+@dataclass(frozen=True)
+class Wheel:
+    """A wheel on the index: its address, and its size in bytes."""
+
+    url: str
+    size: int
+
+
+class WheelTarget(NamedTuple):
+    """For what packages are resolved: a version of Python, and uv's name of the platform, e.g. ``x86_64-manylinux_2_28``."""
+
+    python: str
+    platform: str
+
+
+class Index:
+    """The package index that uv is configured for."""
+
+    def __init__(self, uv: Uv, client: httpx.Client) -> None:
+        self.uv = uv
+        self._client = client
+
+    def resolve(
+        self, target: WheelTarget, requirements: Iterable[str], constraints: Iterable[str] = (), *options: str
+    ) -> tuple[str, str]:
+        """The requirements from `uv pip compile`, empty if nothing fits; and its messages.
+
+        Raises:
+            RosmlError: the index does not answer.
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            base = Path(folder)
+            (base / "in.txt").write_text("\n".join(requirements) + "\n")
+            (base / "constraints.txt").write_text("\n".join(constraints) + "\n")
+            command = [
+                *compile_command(*target),
+                "--no-header",
+                "--no-annotate",
+                "--constraint",
+                "constraints.txt",
+            ]
+            command.remove("--quiet")  # with --quiet, uv does not warn about lost extras
+            output = base / ("pylock.toml" if options else "out.txt")
+            status, messages = self.uv([*command, *options, "in.txt", "--output-file", output.name], base)
+            if status == 0:
+                return output.read_text(encoding="utf-8"), messages
+        if "No solution found" not in messages:
+            raise RosmlError(f"the index does not say what people get:\n{messages.strip()}", "check that it answers")
+        return "", messages
+
+    def wheels(self, target: WheelTarget, pins: Mapping[str, str], index: str = "") -> dict[str, Wheel]:
+        """The wheels of packages in their versions.
+
+        Args:
+            pins: the packages and their versions.
+            index: the address of another index, which is asked first.
+
+        Raises:
+            RosmlError: the index lacks one, or does not answer.
+        """
+        requirements = [f"{name}=={version}" for name, version in pins.items()]
+        other = ["--index", index] if index else []
+        text, messages = self.resolve(target, requirements, (), "--no-deps", "--format", "pylock.toml", *other)
+        if not text:
+            raise RosmlError(f"the index lacks what is locked:\n{messages.strip()}", "run 'rosml locks'")
+        wheels = {item["name"]: item["wheels"][0] for item in tomllib.loads(text)["packages"] if "wheels" in item}
+        return {name: Wheel(str(wheel["url"]), int(wheel["size"])) for name, wheel in wheels.items()}
+
+    @cache  # noqa: B019 - lives as long as a command
+    def metadata(self, wheel: Wheel) -> str:
+        """A wheel's METADATA.
+
+        Raises:
+            RosmlError: the wheel cannot be read.
+        """
+        return self._file(wheel, "METADATA")
+
+    @cache  # noqa: B019 - lives as long as a command
+    def record(self, wheel: Wheel) -> Mapping[str, str]:
+        """The files of a wheel by its RECORD: their hashes, by path.
+
+        Raises:
+            RosmlError: the wheel cannot be read.
+        """
+        rows = csv.reader(self._file(wheel, "RECORD").splitlines())
+        return {row[0]: row[1] for row in rows if len(row) == 3}
+
+    def _file(self, wheel: Wheel, name: str) -> str:
+        """A file of the wheel's `.dist-info`."""
+        file = wheel.url.rpartition("/")[2]
+        try:
+            with zipfile.ZipFile(io.BufferedReader(_Remote(self._client, wheel), _PIECE)) as archive:
+                path = next(path for path in archive.namelist() if re.fullmatch(rf"[^/]+\.dist-info/{name}", path))
+                with archive.open(path) as stream:
+                    data = stream.read(LARGEST + 1)
+            if len(data) <= LARGEST:
+                return data.decode()
+            reason = f"its {name} is larger than {LARGEST >> 20} MiB"
+        except StopIteration:
+            reason = f"it has no {name}"
+        except (zipfile.BadZipFile, zlib.error, EOFError, ValueError, NotImplementedError, httpx.HTTPError) as error:
+            reason = str(error)
+        raise RosmlError(f"the index's wheel {file} cannot be read: {reason}", "run it again")
+
+
+class _Remote(io.RawIOBase):
+    """A file on a server, read in pieces."""
+
+    def __init__(self, client: httpx.Client, wheel: Wheel) -> None:
+        self._client, self._wheel, self._at = client, wheel, 0
+
+    def seekable(self) -> bool:
+        return True
+
+    def readable(self) -> bool:
+        return True
+
+    def tell(self) -> int:
+        return self._at
+
+    def seek(self, offset: int, whence: int = 0) -> int:
+        self._at = (0, self._at, self._wheel.size)[whence] + offset
+        return self._at
+
+    def readinto(self, buffer: memoryview) -> int:  # type: ignore[override]
+        last = min(self._at + len(buffer), self._wheel.size) - 1
+        if last < self._at:
+            return 0
+        answer = self._client.get(self._wheel.url, headers={"Range": f"bytes={self._at}-{last}"}, follow_redirects=True)
+        if answer.status_code != httpx.codes.PARTIAL_CONTENT:
+            raise RosmlError("the index sends no pieces of wheels", "run it with an index that does")
+        buffer[: len(answer.content)] = answer.content
+        self._at += len(answer.content)
+        return len(answer.content)
