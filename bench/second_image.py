@@ -152,7 +152,7 @@ def compare(services: Services, image_set: ImageSet, image: Image, say: Callable
     """
     services.require_registry()
     services.require_builder()
-    disk.require(services.state, needed_mb(image_set, image), f"{image.target} in both ways")
+    disk.require(services.state, needed_mb(image_set, image), f"{image.target} in both ways", say)
     bench = _Bench(services, image_set, image, say)
     with bench.cleaned():
         return bench.measure()

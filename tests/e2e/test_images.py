@@ -175,3 +175,12 @@ def test_a_user_builds_on_the_published_tag(pair: Pair, services: Services, publ
         """)
     )
     build(services, tmp_path)
+
+
+def test_the_printed_command_builds_on_the_image(pair: Pair, published: Publish, tmp_path: Path) -> None:
+    """As `rosml image` prints it, in a shell that knows nothing of this machine's services."""
+    image = published(pair.first)
+    (tmp_path / "Dockerfile").write_text(f"FROM {image.result['reference']}\nRUN command -v rospack\n")
+    unset = ("DOCKER_AUTH_CONFIG", "BUILDX_CONFIG", "BUILDX_BUILDER")
+    outcome = run("env", *(f"--unset={name}" for name in unset), "bash", "-c", image.result["builder"], cwd=tmp_path)
+    assert outcome.code == 0, outcome.err

@@ -21,7 +21,7 @@ from rosml.base.file_lock import turn
 from rosml.machine import trust
 from rosml.machine.progress import TAIL_LINES, BuildProgress, Step
 from rosml.machine.services import Services
-from rosml.registry import failures, references
+from rosml.registry import credentials, failures, references
 from rosml.registry.client import Registry
 
 _LOGIN = "docker login, with an account that may push there; then run it again"
@@ -36,10 +36,11 @@ _NO_BASE = (
     " digest: OS_BOOKWORM=registry.example.com/debian:bookworm@sha256:…"
 )
 
-_NO_SPACE = (
-    "no space left on device",
-    "free some disk space (rosml setup down; rosml setup clean removes all that was made), then run it again",
+NO_SPACE_REMEDY = (
+    "free some disk space (rosml setup down; rosml setup clean removes all that was made), then run it again"
 )
+"""The remedy for a full disk."""
+_NO_SPACE = ("no space left on device", NO_SPACE_REMEDY)
 _NOBODY_THERE = (
     "connection refused",
     "check HTTP_PROXY, HTTPS_PROXY and the mirrors; if it was the registry or the builder, run 'rosml setup'",
@@ -181,11 +182,15 @@ def environment(services: Services, bake: Bake) -> dict[str, str]:
 
 
 def command_on_it(services: Services) -> str:
-    """The command by which users build their own Dockerfile with this builder, into its registry. It writes OCI media types: Docker
-    has none for a base image's zstd layers that podman 4 would take."""
+    """The command by which users build their own Dockerfile with this builder, into its registry, as a line for a shell.
+
+    It has the registry's password from the file of setup. It writes OCI media types: Docker has none for a base image's zstd layers that
+    podman 4 would take.
+    """
     config = f"BUILDX_CONFIG={shlex.quote(str(services.buildx_config))} " if services.buildx_config else ""
+    password = f'{credentials.VARIABLE}="$(cat {shlex.quote(str(services.state / credentials.OWN))})" '
     output = f"type=image,name={services.registry}/mine,push=true,oci-mediatypes=true"
-    return f"{config}{shlex.join(services.buildx)} build --builder {services.builder} --output {output} ."
+    return f"{password}{config}{shlex.join(services.buildx)} build --builder {services.builder} --output {output} ."
 
 
 def turn_file(services: Services) -> Path:

@@ -60,23 +60,25 @@ def free(monkeypatch: pytest.MonkeyPatch, megabytes: int) -> None:
 
 def test_enough(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     free(monkeypatch, 5_000 + disk.RESERVE_MB)
-    disk.require(tmp_path, 5_000, "a")
+    lines: list[str] = []
+    disk.require(tmp_path, 5_000, "a", lines.append)
+    assert lines == ["a needs about 5.0 GB of disk; 7.0 GB are free"]
 
 
 def test_too_little(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     free(monkeypatch, 4_999 + disk.RESERVE_MB)
     with pytest.raises(RosmlError, match="not enough disk space"):
-        disk.require(tmp_path, 5_000, "a-core")
+        disk.require(tmp_path, 5_000, "a-core", print)
     free(monkeypatch, 300)
     with pytest.raises(RosmlError, match=r"build a-core: 7\.1 GB are needed .* 0\.3 GB are free at ") as caught:
-        disk.require(tmp_path, 5_100, "a-core")
+        disk.require(tmp_path, 5_100, "a-core", print)
     assert "rosml setup clean" in caught.value.remedy
     assert "rosml list" in caught.value.remedy
 
 
 def test_nothing_to_build_needs_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     free(monkeypatch, 1)
-    disk.require(tmp_path, 0, "a")
+    disk.require(tmp_path, 0, "a", pytest.fail)
 
 
 @pytest.mark.parametrize(("before", "after", "told"), [(4_000, 9_000, 1), (4_000, 5_000, 2)])

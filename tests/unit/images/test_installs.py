@@ -15,11 +15,12 @@ from rosml.base.errors import RosmlError
 from rosml.cli.images.locks import main
 from rosml.images.image_set import load
 from rosml.images.locks import installs
-from rosml.images.locks.installs import Environment, Found, Index
+from rosml.images.locks.index import Index, WheelTarget
+from rosml.images.locks.installs import Environment, Found
 from rosml.images.locks.resolve import Uv
 
 HERE = Environment("ml", "cu128", "3.12", "amd64")
-WHERE = ("3.12", "x86_64-manylinux_2_28")
+WHERE = WheelTarget("3.12", "x86_64-manylinux_2_28")
 
 RESOLVER = """\
 all=$(cat in.txt constraints.txt)

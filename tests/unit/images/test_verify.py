@@ -193,3 +193,11 @@ def test_long_output_is_cut_to_its_end(tmp_path: Path) -> None:
     (failure,) = reported(tmp_path, a=results({"Name": "a", "Pass": False, "Stdout": "x" * 9000 + "end"})).failed
     assert len(failure.detail) == 3000
     assert failure.detail.endswith("xend")
+
+
+def test_a_full_disk_is_no_failed_test() -> None:
+    """Nothing is recorded of the image, since the test says nothing of it."""
+    full = Outcome("torch", "it imports", False, 1.0, "OSError: [Errno 28] No space left on device: '/tmp/x'")
+    with pytest.raises(RosmlError, match="the disk got full while alpha-core was tested"):
+        structure_tests.require_space(Report((full,), 0), "alpha-core")
+    structure_tests.require_space(Report((Outcome("torch", "it imports", False, 1.0, "no module"),), 0), "alpha-core")

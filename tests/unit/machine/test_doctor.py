@@ -49,6 +49,7 @@ def test_a_machine_without_a_gpu_lacks_nothing_that_fails(machine: Path) -> None
     assert found["engine"]["found"] == "docker answers"
     assert "-cpu" in found["GPU"]["remedy"] and "GPU in containers" not in found
     assert found["services"]["remedy"].startswith("./rosml setup")
+    assert "GB free; building jazzy-base-torch-cu130 takes " in found["disk"]["found"]
 
 
 @pytest.mark.parametrize(

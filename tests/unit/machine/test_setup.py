@@ -16,6 +16,7 @@ import time
 import tomllib
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from click.testing import CliRunner
@@ -28,6 +29,7 @@ from rosml.cli import main
 from rosml.cli.machine import setup as commands
 from rosml.machine.services import Services
 from rosml.machine.setup import builder, installer, network, process, registry, services, step_network, tools
+from rosml.machine.setup.builder_cache import CacheLimits
 from rosml.machine.setup.daemon import Daemon, command_line, wait_until
 from rosml.machine.setup.installer import Installer
 from rosml.machine.setup.state import LONGEST_SOCKET_PATH, State
@@ -896,6 +898,34 @@ def test_steps_of_a_builder_in_docker_get_a_network_of_their_own(
 
 
 @pytest.mark.parametrize(
+    ("blocks", "free", "available", "limits"),
+    [
+        (1000, 500, 500, (40, 12)),
+        (1000, 60, 60, (30, 12)),
+        (1000, 15, 15, (20, 12)),
+        (1000, 110, 60, (30, 62)),  # 50 GB that only root may use: BuildKit counts them as free
+    ],
+)
+def test_the_cache_leaves_half_of_the_disk_to_others(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    blocks: int,
+    free: int,
+    available: int,
+    limits: tuple[int, int],
+) -> None:
+    """Once: what others take later starts no builder again."""
+    size = {"f_frsize": 1_000_000_000, "f_blocks": blocks, "f_bfree": free, "f_bavail": available}
+    monkeypatch.setattr(os, "statvfs", lambda _: SimpleNamespace(**size))
+    file = tmp_path / "buildkitd.toml"
+    first = CacheLimits.kept(file, tmp_path)
+    assert (first.used, first.free) == limits
+    file.write_text(builder.config("127.0.0.1:5001", False, limits=first))
+    size |= {"f_bfree": 10, "f_bavail": 10}
+    assert CacheLimits.kept(file, tmp_path) == first
+
+
+@pytest.mark.parametrize(
     ("file", "text", "why"),
     [
         ("lacking", "iptables\nnslookup\n", "as its image is without iptables, nslookup"),
@@ -914,8 +944,9 @@ def test_a_builder_in_docker_whose_steps_get_none_is_as_before(
     (state.root / file).write_text(text)
     line = f"builder: {builder.SHARED}, {why}\n"
     assert line in docker_builder(state, buildx, capsys)
+    limits = CacheLimits.kept(state.root / "container.toml", state.root)
     assert (state.root / "container.toml").read_text() == "# moby/buildkit:v0.29.0\n" + builder.config(
-        "127.0.0.1:5001", False
+        "127.0.0.1:5001", False, limits=limits
     )
     assert "restart-policy" not in (state.root / "calls").read_text().splitlines()[-2]
     docker.unlink(missing_ok=True)

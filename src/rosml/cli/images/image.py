@@ -100,7 +100,7 @@ def main(target: str, matrix: Path, namespace: str, platform: str, on: str, forc
     run.whole = True
     summary.require_makeable(run, wanted, architecture)
     there = {target.removeprefix("part-") for target, name in run.state.by_key if run.state.made((target, name))}
-    disk.require(services.state, disk.needed_mb(run.state.forecast, wanted, there), wanted.target)
+    disk.require(services.state, disk.needed_mb(run.state.forecast, wanted, there), wanted.target, say)
     build(run)
     join(run)
     test(run, [wanted.target])

@@ -95,15 +95,21 @@ def system() -> Iterator[Finding]:
 
 
 def disk() -> Iterator[Finding]:
-    """Room for images and builds."""
+    """Room for images and builds, and what a first image needs."""
+    from rosml.images.builds.disk import gigabytes, needed_mb
+    from rosml.images.image_set import load
+
     place = ROOT if IN_CHECKOUT else Path.home()
     free = shutil.disk_usage(place).free / 1e9
+    image_set = load.load(MATRIX, ROOT)
+    image = image_set.image(image_set.matrix.default.targets[0])
+    needs = f"; building {image.target} takes {gigabytes(needed_mb(image_set, image, ()))}" if IN_CHECKOUT else ""
     remedy = (
         ""
         if free >= BUILD_GB
         else f"builds of several images need {BUILD_GB} GB; docker system df shows what Docker has"
     )
-    yield Finding("disk", "ok" if not remedy else "note", f"{free:.0f} GB free", remedy)
+    yield Finding("disk", "ok" if not remedy else "note", f"{free:.0f} GB free{needs}", remedy)
 
 
 def engine() -> Iterator[Finding]:

@@ -145,18 +145,21 @@ def make_room(services: Services, needed: int, say: Callable[[str], None]) -> bo
     return True
 
 
-def require(path: Path, needed: int, target: str) -> None:
-    """Checks that a file system has room for a build.
+def require(path: Path, needed: int, target: str, say: Callable[[str], None]) -> None:
+    """Checks that a file system has room for a build, and says what the build will need.
 
     Args:
         path: a folder on the file system of the builder and the registry.
         needed: forecast in megabytes.
         target: for the message.
+        say: prints a line of progress.
 
     Raises:
         RosmlError: there is too little room; the message has the numbers.
     """
     free = _free_mb(path)
+    if needed:
+        say(f"{target} needs about {gigabytes(needed)} of disk; {gigabytes(free)} are free")
     if needed and free < needed + RESERVE_MB:
         raise RosmlError(
             f"not enough disk space to build {target}: {gigabytes(needed + RESERVE_MB)} are needed (forecast and reserve),"

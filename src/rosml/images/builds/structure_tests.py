@@ -12,6 +12,7 @@ from typing import Any
 from pydantic import BaseModel
 
 from rosml.base import untrusted
+from rosml.base.errors import RosmlError
 from rosml.images.builds import base_images
 from rosml.images.image_set import labels
 from rosml.images.image_set.model import Image
@@ -183,7 +184,7 @@ def run(
         The report, and the folder with the report of each file.
 
     Raises:
-        RosmlError: the tests could not run, or left no report.
+        RosmlError: the tests could not run or left no report, or the disk got full.
     """
     native = architecture == base_images.native_architecture()
     folder = services.state / "tests" / (image.target if native else f"{image.target}-{architecture}")
@@ -209,7 +210,18 @@ def run(
         report = replace(report, outcomes=(*report.outcomes, within_budget(image.budget, parts)))
     if report.failed:
         attempts.write_text(str(time.time_ns()))
+    require_space(report, image.target)
     return report, reports
+
+
+def require_space(report: Report, target: str) -> None:
+    """Checks that no test failed because the disk was full, which says nothing of the image.
+
+    Raises:
+        RosmlError: one did.
+    """
+    if any("no space left on device" in outcome.detail.lower() for outcome in report.failed):
+        raise RosmlError(f"the disk got full while {target} was tested", buildx.NO_SPACE_REMEDY)
 
 
 def read_report(folder: Path, files: tuple[str, ...]) -> Report:

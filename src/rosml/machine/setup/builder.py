@@ -18,6 +18,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.units import duration
 from rosml.machine.services import Services
 from rosml.machine.setup import network, step_network
+from rosml.machine.setup.builder_cache import CacheLimits
 from rosml.machine.setup.daemon import START_SECONDS, Daemon, fingerprint, processes, wait_until
 from rosml.machine.setup.installer import which_system
 from rosml.machine.setup.process import output_of, run, tail
@@ -27,10 +28,8 @@ from rosml.registry import certificates
 
 UNUSABLE = (":", ",", "\\", '"')
 """Characters that the path of an overlay's layer must not have."""
-CACHE_BYTES = "40GB"
-"""The most disk space of the builder's cache."""
-FREE_BYTES = "12GB"
-"""Disk space that the builder leaves free: with less, it prunes its cache."""
+DOCKER_FOLDER = Path("/var/lib/docker")
+"""The usual folder of Docker, with the cache of a builder in Docker."""
 SHARED = "build steps share this machine's network: code of a repository reaches what listens here"
 """The message about a builder whose steps have no network of their own."""
 NO_START = "as it does not start with a bridge"
@@ -43,6 +42,7 @@ def config(
     own: Mapping[str, str] | None = None,
     trusted: Mapping[str, Sequence[Path]] | None = None,
     bridge: Bridge | None = None,
+    limits: CacheLimits = CacheLimits(),  # noqa: B008 (it is frozen)
 ) -> str:
     """buildkitd.toml.
 
@@ -52,6 +52,7 @@ def config(
         own: ``root``, ``socket``, ``otel`` and ``runc`` of our own buildkitd; None for one in a container.
         trusted: files with authorities for registries, by host.
         bridge: the bridge for steps with their own network; None for the machine's network.
+        limits: of the cache.
     """
     q = json.dumps  # a JSON string is a TOML basic string
     lines: list[str] = []
@@ -71,8 +72,7 @@ def config(
         lines += ['  networkMode = "host"']
     if own:
         lines += [f"  binary = {q(own['runc'])}"]
-    lines += ["[[worker.oci.gcpolicy]]", "  all = true"]
-    lines += [f"  maxUsedSpace = {q(CACHE_BYTES)}", f"  minFreeSpace = {q(FREE_BYTES)}"]
+    lines += ["[[worker.oci.gcpolicy]]", "  all = true", *limits.lines()]
     lines += [f"[registry.{q(registry)}]", "  http = true", "  insecure = true"]
     for host, found in sorted((trusted or {}).items()):
         if host not in (registry, "docker.io"):
@@ -152,7 +152,7 @@ def _up_docker(state: State, services: Services, image: str) -> None:
     if not why:
         why = _bridge_docker(state, services, container) if container else "as buildx does not tell its place"
     if why and not kept.exists():
-        if not _made(state, services, _docker_text(services, image, None)):
+        if not _made(state, services, _docker_text(state, services, image, None)):
             _start_docker(state, services, image, None)
         files.write(kept, why)
     state.say(f"builder: '{services.builder}' in your Docker, up in {duration(time.monotonic() - started)}")
@@ -168,7 +168,7 @@ def _bridge_docker(state: State, services: Services, container: Container) -> st
     known = found == container.running()
     try:
         if known:  # it may be another checkout's: they share the builder
-            files.write(_docker_config(state), _docker_text(services, container.image, found))
+            files.write(_docker_config(state), _docker_text(state, services, container.image, found))
         else:
             _start_docker(state, services, container.image, found)
         services.require_builder()
@@ -180,7 +180,7 @@ def _bridge_docker(state: State, services: Services, container: Container) -> st
 def _start_docker(state: State, services: Services, image: str, bridge: Bridge | None) -> bool:
     """Starts it. buildx copies the configuration when it makes the container, so a new configuration needs a new container. Returns
     whether it made one."""
-    file, text = _docker_config(state), _docker_text(services, image, bridge)
+    file, text = _docker_config(state), _docker_text(state, services, image, bridge)
     made = not _made(state, services, text)
     if made:
         own = ", whose steps have a network of their own" if bridge else ""
@@ -211,9 +211,10 @@ def _docker_config(state: State) -> Path:
     return state.run / "buildkitd-docker.toml"
 
 
-def _docker_text(services: Services, image: str, bridge: Bridge | None) -> str:
+def _docker_text(state: State, services: Services, image: str, bridge: Bridge | None) -> str:
     """Its text. ``image``: BuildKit's image."""
-    text = config(services.registry, bool(services.bases), trusted=certificates.by_host(), bridge=bridge)
+    limits = CacheLimits.kept(_docker_config(state), DOCKER_FOLDER if DOCKER_FOLDER.is_dir() else state.folder)
+    text = config(services.registry, bool(services.bases), trusted=certificates.by_host(), bridge=bridge, limits=limits)
     return f"# {image}\n{text}"
 
 
@@ -297,7 +298,8 @@ def _start_own(state: State, services: Services, bridge: Bridge | None) -> str:
         "runc": which_system("runc") or which_system("crun") or "",
     }
     before = Bridge.read(buildkitd.config)
-    text = config(services.registry, bool(services.bases), own, certificates.by_host(), bridge)
+    limits = CacheLimits.kept(buildkitd.config, state.folder)
+    text = config(services.registry, bool(services.bases), own, certificates.by_host(), bridge, limits)
     files.write(buildkitd.config, text)
     record = ["--driver", "remote", f"unix://{address}"]
     if buildkitd.pid() and buildkitd.current():
