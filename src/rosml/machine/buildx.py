@@ -62,6 +62,10 @@ _OF_THE_BUILDER = (
     ("failed to calculate checksum of ref", "a file of the build is missing; if it is a lock: run 'rosml locks'"),
     (r"successfully: (exit code: 137\b|cannot allocate memory)", _NO_MEMORY[1]),
     _NO_SPACE,
+    (
+        r"429 Too Many Requests|\btoomanyrequests\b",
+        "the registry limits how often you may ask: wait, or log in, since accounts may ask more often (docker login)",
+    ),
     (r"registry-1\.docker\.io", _NO_BASE),
     _NOBODY_THERE,
     ("network.host is not allowed", "run 'rosml setup', which tells the builder of a mirror on this machine"),

@@ -29,7 +29,7 @@ from rosml.registry import credentials as docker
 from rosml.registry.answers import Answer, codes, reason
 from rosml.registry.credentials import DOCKER_HUB, Credentials
 from rosml.registry.documents import MEDIA_TYPE, TAG, Descriptor
-from rosml.registry.failures import Busy, Denied, Refused, Transient, Untrusted, named, transport, unfit
+from rosml.registry.failures import Busy, Denied, Limited, Refused, Transient, Untrusted, named, transport, unfit
 from rosml.registry.oci import (
     CONFIG,
     DOCKER_CONFIG,
@@ -153,6 +153,7 @@ class Registry:
         self._lock = threading.Lock()  # guards the state of this object; never held during a request
         self._attaching: defaultdict[str, threading.Lock] = defaultdict(threading.Lock)  # by the tag of a list
         self._reached = False
+        self._answered = False  # whether an answer was another than 429
         self.uploaded = 0
         self._sent = threading.local()
         self._keeping: set[str] = set()  # repositories that refused to discard something
@@ -750,6 +751,8 @@ class Registry:
                     remedy = "run it again; what is finished is kept"
                     if not self._reached:
                         remedy = "check its name, the network and the proxies (HTTPS_PROXY)"
+                    if isinstance(error, Limited):
+                        remedy = self._login.slower(error.after)
                     raise error.final(f"{self.host}: {error}", remedy) from None
                 time.sleep(seconds)
 
@@ -827,10 +830,14 @@ class Registry:
             RosmlError: it will not.
         """
         code = answer.status_code
+        limited = code == httpx.codes.TOO_MANY_REQUESTS
+        self._answered = self._answered or not limited
         if answer.is_success or code in allow:
             return answer
         own = web.origin(answer.url) == web.origin(self.base)
         said = f"{answer.method} {answer.url.path if own else named(answer.url)}: {code}{reason(answer)}"
+        if limited:
+            raise Limited(said, web.after(answer.headers), from_the_first=not self._answered)
         if code in web.BUSY:
             raise Transient(said, web.after(answer.headers), final=Busy)
         if answer.redirect and not push:

@@ -21,8 +21,14 @@ ATTEMPTS_UNREACHED = 3
 ATTEMPTS_REFUSED = 5
 """The same, if the registry refuses a request that it may accept later, in about eight seconds."""
 
+ATTEMPTS_LIMITED = 2
+"""The same, if the registry's first answer is that there were too many requests."""
+
 WAIT, LONGEST_WAIT = 0.5, 30.0
 """Seconds before the second attempt, which double with each further one; and the most that a registry may ask for."""
+
+TOO_LONG = 120.0
+"""If a registry asks for a longer wait because of too many requests, nobody waits."""
 
 
 class Busy(RosmlError):
@@ -64,6 +70,18 @@ class Denied(Refused):
     """The registry denies access to a known account. Perhaps the repository does not exist yet."""
 
 
+class Limited(Transient):
+    """The registry answered 429: an account, or an address without one, has asked too often.
+
+    Attributes:
+        from_the_first: whether it answered nothing else until now, so the limit is no matter of seconds.
+    """
+
+    def __init__(self, message: str, after: float, from_the_first: bool) -> None:
+        super().__init__(message, after, final=Busy)
+        self.from_the_first = from_the_first
+
+
 class Untrusted(Transient):
     """The registry's certificate is not trusted. Another attempt does not help."""
 
@@ -77,7 +95,9 @@ def pause(error: Transient, attempt: int, reached: bool = True) -> float | None:
         reached: whether the registry ever answered.
     """
     most = ATTEMPTS_REFUSED if isinstance(error, Refused) else ATTEMPTS if reached else ATTEMPTS_UNREACHED
-    if attempt >= most:
+    if isinstance(error, Limited) and error.from_the_first:
+        most = ATTEMPTS_LIMITED
+    if attempt >= most or (isinstance(error, Limited) and error.after > TOO_LONG):
         return None
     backoff: float = WAIT * 2 ** (attempt - 1) + random.uniform(0, WAIT)
     return min(max(backoff, error.after), LONGEST_WAIT)

@@ -17,6 +17,7 @@ import httpx
 
 from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
+from rosml.base.units import duration
 from rosml.registry import answers, challenge, failures
 from rosml.registry.answers import Answer
 from rosml.registry.challenge import Challenge
@@ -131,6 +132,16 @@ class Login:
         known = "with the account that is logged in" if self.known else "without an account"
         remedy = f"docker login {self.host}, with an account that has access; or check that the repository exists"
         return RosmlError(f"{self.host}: access denied: cannot {what} {known} ({said})", remedy)
+
+    def slower(self, seconds: float) -> str:
+        """The remedy if the registry says that there were too many requests.
+
+        Args:
+            seconds: how long it asks to wait; 0 if it does not say.
+        """
+        wait = f"wait {duration(seconds)}, as it asks" if seconds > 0 else "wait some minutes"
+        more = "" if self.known else f", or log in, since accounts may ask more often: docker login {self.host}"
+        return f"{wait}{more}; then run it again, what is finished is kept"
 
     def _turn(self, scopes: frozenset[str]) -> threading.Lock:
         """The lock of threads that need the same scopes."""

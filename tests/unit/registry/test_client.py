@@ -343,15 +343,37 @@ def test_a_connection_that_drops_at_once_is_no_wrong_name(server: StandIn, regis
 
 
 def test_retry_after(server: StandIn, registry: Registry, monkeypatch: pytest.MonkeyPatch) -> None:
-    """It waits as long as the registry asks for, but no day."""
+    """It waits as long as the registry asks for, within limits."""
     monkeypatch.setattr(failures, "LONGEST_WAIT", 1.2)
     for asked, waited in (("1", 1.0), ("86400", 1.2), ("Sat, 01 Jan 2050 00:00:00 GMT", 1.2), ("soon", 0.0)):
-        server.fault("GET", "/tags/", 429, headers={"Retry-After": asked})
+        server.fault("GET", "/tags/", 503, headers={"Retry-After": asked})
         pauses: list[float] = []
         with monkeypatch.context() as patched:
             patched.setattr(time, "sleep", pauses.append)
             registry.tags("a")
         assert len(pauses) == 1 and waited <= pauses[0] <= 1.2
+
+
+@pytest.mark.parametrize(
+    ("asked", "before", "requests", "remedy"),
+    [
+        ("", False, failures.ATTEMPTS_LIMITED, "wait some minutes, or log in"),
+        ("3600", False, 1, "wait 60 min 0 s, as it asks, or log in"),
+        ("3600", True, 1, "wait 60 min 0 s, as it asks, or log in"),
+        ("", True, failures.ATTEMPTS, "wait some minutes, or log in"),
+    ],
+)
+def test_too_many_requests(
+    server: StandIn, registry: Registry, asked: str, before: bool, requests: int, remedy: str
+) -> None:
+    """A limit that is over in a moment is waited for, one that was there from the first request or lasts is not."""
+    if before:
+        registry.tags("a")
+    server.fault("GET", "/manifests/", 429, 1000, headers={"Retry-After": asked} if asked else {})
+    with pytest.raises(RosmlError) as caught:
+        registry.manifest("a", "x")
+    assert caught.value.remedy.startswith(remedy) and f"docker login {server.address}" in caught.value.remedy
+    assert server.count("manifests") == requests
 
 
 def test_a_blob_that_has_another_digest(server: StandIn, registry: Registry) -> None:
