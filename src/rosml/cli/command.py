@@ -80,7 +80,7 @@ def run(
         return _told(as_json, error.format_message(), "see --help", failure or error.exit_code)
     except (KeyboardInterrupt, click.Abort):
         terminal.echo(f"\n{interrupted}", err=True)
-        return _told(as_json, "interrupted", interrupted, INTERRUPTED)
+        return _told(as_json, interrupted, "run it again", INTERRUPTED)
     except UnicodeDecodeError as error:
         found = error.object[max(0, error.start - 30) : error.start].decode(errors="replace")
         return _failed(as_json, f"a file is not UTF-8, after {found!r}", "", failure or 1)
