@@ -38,7 +38,7 @@ operating_systems:
     image: @image@
     digest: @digest@
     python: "3.14"
-    numpy: ">=2.3,<2.5"
+    numpy: ">=2.3,<2.4"
     architectures: [amd64]
     tools: >-
       catkin python3-rosdep2 vcstool
