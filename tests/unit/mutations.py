@@ -232,6 +232,16 @@ def _special_json(document: bytes) -> Iterator[bytes]:
         yield json.dumps({name: value for name, value in facts.items() if name != key}).encode()
         yield json.dumps({**facts, key: None}).encode()
         yield json.dumps({**facts, key: {"a": [1]} if isinstance(facts[key], list) else [[]]}).encode()
+        # As many items as fit: each of them is wrong, or each has another name.
+        if isinstance(facts[key], list):
+            yield json.dumps({**facts, key: []}).replace(f'"{key}": []', f'"{key}": [{_MANY}]', 1).encode()
+        elif isinstance(facts[key], dict):
+            names = ",".join(f'"{number}":0' for number in range(150_000))
+            yield json.dumps({**facts, key: {}}).replace(f'"{key}": {{}}', f'"{key}": {{{names}}}', 1).encode()
+    yield f"[{_MANY}]".encode()
+
+
+_MANY = ",".join(["{}"] * 600_000)
 
 
 def _special_yaml(document: bytes) -> Iterator[bytes]:

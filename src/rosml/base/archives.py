@@ -1,13 +1,14 @@
-"""Tar archives, and files of gzip and zstd, from outside."""
+"""Tar archives, and files of gzip, zstd and zip, from outside. No other module unpacks what is compressed, and each function has a limit."""
 
 from __future__ import annotations
 
 import re
 import sys
 import tarfile
+import zipfile
 import zlib
 from collections.abc import Iterable, Iterator
-from typing import Any, Self
+from typing import IO, Any, Self
 
 if sys.version_info >= (3, 14):
     import compression.zstd as _zstd
@@ -22,6 +23,9 @@ HEADER_BYTES = 1 << 20
 
 MEMBERS = 100
 """The most members that a gzip file may have. Most have one."""
+
+EMPTY = 1000
+"""The most members or frames without content in a file that has any number of others."""
 
 PIECE = 1 << 20
 """The most bytes that are unpacked at a time."""
@@ -84,21 +88,105 @@ def unpacked(blocks: Iterable[bytes]) -> Iterator[bytes]:
 
 def _unpacked(block: bytes, source: Iterator[bytes], is_zstd: bool) -> Iterator[bytes]:
     """The content of all members of a file of gzip, or of all frames of one of zstd."""
+    empty = 0
     try:
         while block:
             state: Any = zstd.ZstdDecompressor() if is_zstd else zlib.decompressobj(wbits=31)
+            size = 0
             while not state.eof:
-                yield state.decompress(block, PIECE)
+                piece = state.decompress(block, PIECE)
+                size += len(piece)
+                yield piece
                 block = b"" if is_zstd else state.unconsumed_tail
                 if not state.eof and (state.needs_input if is_zstd else not block):
                     block = next(source, b"")
                     if not block:
                         raise ValueError("it ends too early")
+            empty += not size
+            if empty > EMPTY:
+                raise ValueError(f"it has more than {EMPTY} parts without content")
             block = state.unused_data or next(source, b"")
             while not is_zstd and block and not (block := block.lstrip(b"\0")):  # gzip lets zeros follow
                 block = next(source, b"")
     except (zlib.error, zstd.ZstdError) as error:
         raise ValueError(str(error)) from None
+
+
+class Frames:
+    """A file of zstd, frame by frame. A frame says in its header how large its content is."""
+
+    _HEADER = 18
+    """The most bytes of the header of a frame."""
+
+    def __init__(self, blocks: Iterable[bytes], window: int) -> None:
+        """
+        Args:
+            blocks: the file, in pieces.
+            window: the most that a frame refers back to, as a power of two.
+        """
+        self._blocks, self._rest = iter(blocks), b""
+        self._options: dict[int, int] = {zstd.DecompressionParameter.window_log_max: window}
+
+    def next(self, limit: int, prefix: bytes | bytearray = b"") -> bytes:
+        """The content of the next frame.
+
+        Args:
+            limit: its largest size, in bytes.
+            prefix: what the frame refers to besides.
+
+        Raises:
+            ValueError: the frame is damaged, larger, or does not say its size.
+        """
+        known = zstd.ZstdDict(prefix, is_raw=True).as_prefix if prefix else None
+        del prefix  # there is a copy
+        try:
+            while len(self._rest) < self._HEADER and (block := next(self._blocks, b"")):
+                self._rest += block
+            size = zstd.get_frame_info(self._rest).decompressed_size
+            if size is None or size > limit:
+                raise ValueError(f"a frame has {size} bytes, and at most {limit:,} are read")
+            frame = zstd.ZstdDecompressor(known, self._options)
+            content, block = bytearray(), self._rest
+            while not frame.eof:
+                # A header may lie: what is read beyond its size ends the reading.
+                content += frame.decompress(block, size + 1 - len(content))
+                block = b""
+                if len(content) > size:
+                    raise ValueError(f"a frame has more than the {size} bytes that it says")
+                if not frame.eof and frame.needs_input and not (block := next(self._blocks, b"")):
+                    raise ValueError("it ends too early")
+            self._rest = frame.unused_data
+        except zstd.ZstdError as error:
+            raise ValueError(str(error)) from None
+        return bytes(content)
+
+    def end(self) -> bool:
+        """Whether nothing follows."""
+        return not self._rest and not next(self._blocks, b"")
+
+
+def file_of_zip(source: IO[bytes], pattern: str, limit: int) -> bytes:
+    """The first file of a zip archive whose whole path matches a pattern.
+
+    Args:
+        source: the archive; only its list of files and that file are read.
+        limit: the largest content, in bytes.
+
+    Raises:
+        ValueError: the archive is damaged, has no such file, or the file is larger.
+    """
+    try:
+        with zipfile.ZipFile(source) as archive:
+            path = next((path for path in archive.namelist() if re.fullmatch(pattern, path)), None)
+            if path is None:
+                raise ValueError("it lacks the file")
+            with archive.open(path) as stream:
+                content = stream.read(limit + 1)
+    except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError) as error:
+        raise ValueError(str(error)) from None
+    if len(content) > limit:
+        raise ValueError(f"the file has more than {limit:,} bytes")
+    return content
 
 
 class Entry(tarfile.TarInfo):

@@ -25,6 +25,9 @@ DEPTH = 100
 DIGITS = 20
 """The most digits of a whole number: enough for 64 bits."""
 
+VALUES = 1_000_000
+"""The most values of a JSON text. Each takes at least 60 bytes of memory, so a text of some megabytes could take gigabytes."""
+
 NODES = 2_000_000
 """The most values of a YAML file after its aliases are replaced. rosdep's largest list has 30,000."""
 
@@ -43,8 +46,9 @@ def json_of(data: bytes | str, what: str, limit: int = SIZE, remedy: str = CHECK
         remedy, exit_code: those of the error.
 
     Raises:
-        RosmlError: the text is larger, nested deeper than `DEPTH`, or no JSON in UTF-8; it has a number of more than `DIGITS`
-            digits or too large for a float, the same key twice in an object, or half of a surrogate pair.
+        RosmlError: the text is larger, has more than `VALUES` values, is nested deeper than `DEPTH`, or no JSON in UTF-8; it has a
+            number of more than `DIGITS` digits or too large for a float, the same key twice in an object, or half of a surrogate
+            pair.
     """
     try:
         return json_value(data, limit)
@@ -81,7 +85,7 @@ def json_values(data: bytes | str, limit: int = SIZE, one: bool = False) -> list
     Raises:
         ValueError: as RosmlError of `json_of`.
     """
-    text = _text(data, limit)
+    text = json_text(data, limit)
     found: list[Any] = []
     place = _BLANKS.match(text, 0).end()  # type: ignore[union-attr] # it matches anywhere
     try:
@@ -97,6 +101,18 @@ def json_values(data: bytes | str, limit: int = SIZE, one: bool = False) -> list
     if _SURROGATE.search(text) and not _is_unicode(found):
         raise ValueError("it has half of a surrogate pair")
     return found
+
+
+def json_text(data: bytes | str, limit: int = SIZE) -> str:
+    """A JSON text that something else reads.
+
+    Raises:
+        ValueError: it is larger, is not UTF-8, or may have more than `VALUES` values.
+    """
+    text = _text(data, limit)
+    if sum(text.count(mark) for mark in ",[{") > VALUES:  # strings may have some of these marks, too
+        raise ValueError(f"it has more than {VALUES:,} values")
+    return text
 
 
 _DEEP = f"it is nested more than {DEPTH} levels deep"

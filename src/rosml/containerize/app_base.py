@@ -9,12 +9,11 @@ import subprocess
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
-from pydantic import BaseModel, TypeAdapter
-
 from rosml import MATRIX
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import unknown
+from rosml.base.shapes import Shape, adapter
 from rosml.containerize import lock
 from rosml.images.builds import base_images
 from rosml.images.builds.adopted import Adopted
@@ -235,7 +234,7 @@ def _in_docker(text: str, digest: str) -> Base | None:
     return _base(text, facts.Id, facts.Config, local=True)
 
 
-class _Inspected(BaseModel):
+class _Inspected(Shape):
     """Docker's facts about one of its images."""
 
     Id: str
@@ -243,7 +242,7 @@ class _Inspected(BaseModel):
     Config: Settings | None = None
 
 
-_INSPECTED = TypeAdapter(list[_Inspected])
+_INSPECTED = adapter(list[_Inspected])
 
 
 def _base(name: str, digest: str, settings: Settings | None, local: bool = False) -> Base:

@@ -13,11 +13,12 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
-from pydantic import TypeAdapter, ValidationError
+from pydantic import ValidationError
 
 from rosml.base import files, github
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of
+from rosml.base.shapes import adapter
 from rosml.containerize import app_base, junit
 from rosml.containerize.app_inputs import Values
 from rosml.containerize.build import App
@@ -137,7 +138,7 @@ class Image:
         return f"{self.name}:{self.tags[0]}{self.end}"
 
 
-_IMAGES = TypeAdapter(list[Image])
+_IMAGES = adapter(list[Image])
 
 _MOST = 1 << 20
 """The most bytes of such a file."""

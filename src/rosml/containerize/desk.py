@@ -10,11 +10,12 @@ import tempfile
 from dataclasses import asdict, replace
 from pathlib import Path
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import ConfigDict, ValidationError
 
 from rosml import __version__
 from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
+from rosml.base.shapes import Shape
 from rosml.containerize import app_bake_file, app_inputs, lock, repos_file, stage_cache, workspace
 from rosml.containerize.app_inputs import Values
 from rosml.containerize.left_out import LeftOut
@@ -29,7 +30,7 @@ POINTS = ("src/target", "src/upstream")
 """The folders of the workspace on which sources are mounted. Without them, the engine would make them, for root."""
 
 
-class Record(BaseModel):
+class Record(Shape):
     """An image for `rosml dev`.
 
     Attributes:

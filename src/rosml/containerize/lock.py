@@ -13,10 +13,11 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Annotated, Any
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, ValidationError
+from pydantic import AfterValidator, ConfigDict, Field, StringConstraints, ValidationError
 
 from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
+from rosml.base.shapes import Shape
 from rosml.containerize import app_inputs, within
 
 SUFFIX = ".lock"
@@ -54,7 +55,7 @@ Requirement = Annotated[
 ]
 
 
-class Image(BaseModel):
+class Image(Shape):
     """A base image, or rosdep's lists: the name as the user wrote it, and the digest. The name is empty if the user gave
     none."""
 
@@ -75,7 +76,7 @@ class Image(BaseModel):
         return self.digest
 
 
-class Pin(BaseModel):
+class Pin(Shape):
     """The commit of a repository, for this url and this version."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
@@ -85,7 +86,7 @@ class Pin(BaseModel):
     commit: str = Field(pattern="^[0-9a-f]{40}$")
 
 
-class Packages(BaseModel):
+class Packages(Shape):
     """What was added to the base images, by architecture as dpkg calls it.
 
     Attributes:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import ConfigDict
 
+from rosml.base.shapes import Shape
 from rosml.containerize import lock
 from rosml.containerize.names import SLIM
 from rosml.containerize.report import Answer
 
 
-class Outcome(BaseModel):
+class Outcome(Shape):
     """What another build from the same would come to as well.
 
     Attributes:

@@ -11,10 +11,12 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import TypeVar
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import ConfigDict, ValidationError
 
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of
+from rosml.base.shapes import Shape
 from rosml.containerize import contents, junit, lock
 from rosml.containerize.names import SLIM
 from rosml.machine import exported
@@ -36,7 +38,7 @@ KINDS = (TARGET, SLIM, DOWNSTREAM)
 """Folders of test reports: of the packages, of the same tests in the slim image, and of packages that use them."""
 
 
-class _Model(BaseModel):
+class _Model(Shape):
     model_config = ConfigDict(strict=True, extra="forbid")
 
 
@@ -160,9 +162,10 @@ class Said:
 
     def _model(self, model: type[_Found], path: Path) -> _Found:
         try:
-            return model.model_validate_json(exported.read(self._folder, str(path)))
-        except ValidationError as error:
-            text = f"what the build says of the app is damaged: {path}: {first_of(error)}"
+            return model.model_validate_json(untrusted.json_text(exported.read(self._folder, str(path))))
+        except ValueError as error:
+            reason = first_of(error) if isinstance(error, ValidationError) else error
+            text = f"what the build says of the app is damaged: {path}: {reason}"
             raise RosmlError(
                 text, "look at what your scripts and packages install; if that is right, report this"
             ) from None

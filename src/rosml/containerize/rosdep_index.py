@@ -14,10 +14,11 @@ import zlib
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import ConfigDict, ValidationError
 
 from rosml.base import archives, untrusted
 from rosml.base.errors import RosmlError
+from rosml.base.shapes import Shape
 from rosml.containerize import app_base, git, lock, within
 from rosml.images.image_set.labels import PREFIX
 from rosml.machine.services import Services
@@ -44,13 +45,13 @@ LARGEST = 64 << 20
 """The most bytes of all lists together, unpacked. ros/rosdistro has less than 10 MB."""
 
 
-class _Distribution(BaseModel):
+class _Distribution(Shape):
     model_config = ConfigDict(strict=True)
 
     distribution: list[str]
 
 
-class _Index(BaseModel):
+class _Index(Shape):
     """The files of distributions in their index."""
 
     model_config = ConfigDict(strict=True)
@@ -259,7 +260,8 @@ def unpack(content: bytes, folder: Path, what: str) -> None:
     room = LARGEST
     try:
         with tarfile.open(fileobj=io.BytesIO(content), mode="r:gz", tarinfo=archives.Entry) as tar:
-            for member in tar:
+            while member := tar.next():
+                tar.members.clear()  # type: ignore[attr-defined] # tarfile would keep them all
                 if tar.offset > LARGEST or member.size > LARGEST:
                     raise ValueError(f"it has more than {LARGEST >> 20} MiB")
                 stream = tar.extractfile(member) if member.isreg() and _PATH.fullmatch(member.name) else None

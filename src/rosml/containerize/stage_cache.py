@@ -16,10 +16,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import ConfigDict, Field
 
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
+from rosml.base.shapes import Shape
 from rosml.containerize.junit import Tests
 from rosml.containerize.outcome import Outcome
 from rosml.containerize.within import SECRET
@@ -136,7 +137,7 @@ def _digest(*parts: object) -> str:
     return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()[:32]
 
 
-class Report(BaseModel):
+class Report(Shape):
     """What a build came to, as it is kept.
 
     Attributes:

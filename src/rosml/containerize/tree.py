@@ -10,11 +10,12 @@ import threading
 from collections.abc import Collection, Iterator
 from pathlib import Path, PurePosixPath
 
-from pydantic import TypeAdapter, ValidationError
+from pydantic import ValidationError
 
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.files import write
+from rosml.base.shapes import adapter
 
 
 def beside(folder: Path, kind: str) -> Path:
@@ -107,7 +108,7 @@ def _read(file: Path) -> dict[str, list[str]]:
         return {}
 
 
-_WRITTEN = TypeAdapter(dict[str, list[str]])
+_WRITTEN = adapter(dict[str, list[str]])
 
 
 def _remove(place: Path) -> None:

@@ -8,11 +8,12 @@ import subprocess
 from dataclasses import dataclass
 from typing import Any
 
-from pydantic import TypeAdapter, ValidationError
+from pydantic import ValidationError
 
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of
+from rosml.base.shapes import adapter
 from rosml.machine.services import REMEDY, Services
 from rosml.registry import certificates
 
@@ -94,7 +95,7 @@ def layers(services: Services, reference: str) -> tuple[Layer, ...]:
         raise RosmlError(f"{reference} is no image: {first_of(error)}", "look at its name, and push it again") from None
 
 
-_LAYERS = TypeAdapter(tuple[Layer, ...])
+_LAYERS = adapter(tuple[Layer, ...])
 
 
 def digest(services: Services, reference: str) -> str:

@@ -10,10 +10,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import httpx
-from pydantic import TypeAdapter
 
 from rosml.base import files, untrusted, web
 from rosml.base.errors import RosmlError
+from rosml.base.shapes import adapter
 from rosml.registry import credentials
 
 NAMESPACE = "rosml"
@@ -218,5 +218,5 @@ class Services:
             )
 
 
-_WRITTEN = TypeAdapter(Services)
+_WRITTEN = adapter(Services)
 """Reads and writes services.json."""

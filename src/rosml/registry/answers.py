@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import httpx
-from pydantic import BaseModel, ValidationError
+from pydantic import ValidationError
 
 from rosml.base import untrusted, web
 from rosml.base.problems import first_of, listed
+from rosml.base.shapes import Shape
 from rosml.registry.documents import Errors
 
 JSON_BYTES = 4 << 20
@@ -72,7 +73,7 @@ def codes(answer: Answer) -> set[str]:
     return {error.code for error in _errors(answer).errors}
 
 
-def misfit(content: object, shape: type[BaseModel]) -> str:
+def misfit(content: object, shape: type[Shape]) -> str:
     """The first problem of content that has not the form of the specification; empty if it has."""
     try:
         shape.model_validate(content)

@@ -18,11 +18,12 @@ from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Se
 from typing import Any, TypeVar
 
 import httpx
-from pydantic import BaseModel, ValidationError
+from pydantic import ValidationError
 
 from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of
+from rosml.base.shapes import Shape
 from rosml.base.units import size as in_words
 from rosml.registry import answers, certificates, documents, failures, login
 from rosml.registry import credentials as docker
@@ -697,7 +698,7 @@ class Registry:
         if not warned:
             _LOG.warning("%s: taken for a repository that does not exist yet; this warning comes once", denied)
 
-    def _pages(self, path: str, repository: str, shape: type[BaseModel]) -> Iterator[dict[str, Any]]:
+    def _pages(self, path: str, repository: str, shape: type[Shape]) -> Iterator[dict[str, Any]]:
         """All pages of a list; none if the registry knows no such list.
 
         Raises:

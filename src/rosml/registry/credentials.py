@@ -11,11 +11,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import ConfigDict
 
 from rosml import STATE
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
+from rosml.base.shapes import Shape
 
 DOCKER_HUB = "docker.io"
 DOCKER_HUB_KEY = "https://index.docker.io/v1/"
@@ -144,7 +145,7 @@ def _bare(name: str) -> str:
     return name.partition("://")[2].partition("/")[0] if "://" in name else name.partition("/")[0]
 
 
-class _Entry(BaseModel):
+class _Entry(Shape):
     """The entry of a registry in `auths`."""
 
     model_config = ConfigDict(strict=True)

@@ -8,7 +8,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated, Any
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic import BeforeValidator, ConfigDict, Field
+
+from rosml.base.shapes import Shape
 
 DIGEST = r"sha256:[0-9a-f]{64}|sha512:[0-9a-f]{128}"
 TAG = r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}"
@@ -29,7 +31,7 @@ def _texts(found: Any) -> dict[str, str]:
 Annotations = Annotated[dict[str, str], BeforeValidator(_texts)]
 
 
-class _Shape(BaseModel):
+class _Shape(Shape):
     model_config = ConfigDict(strict=True, frozen=True)
 
 

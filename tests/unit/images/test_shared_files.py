@@ -108,8 +108,8 @@ def test_what_the_part_does_not_have_may_differ(tmp_path: Path, components: Path
 @pytest.mark.parametrize(
     ("content", "ranges", "message"),
     [
-        (b"no archive", True, r"wheel 3\.11\.whl cannot be read: File is not a zip file"),
-        (wheel("a,b,c\n"), True, "it has no METADATA"),
+        (b"no archive", True, r"wheel 3\.11\.whl cannot be read for its METADATA: File is not a zip file"),
+        (wheel("a,b,c\n"), True, "it lacks the file"),
         (wheel("a,b,c\n"), False, "sends no pieces of wheels"),
     ],
 )

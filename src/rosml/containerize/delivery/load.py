@@ -11,11 +11,12 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import IO, Annotated, Any, BinaryIO, Protocol
 
-from pydantic import BaseModel, ConfigDict, Field, RootModel, ValidationError
+from pydantic import ConfigDict, Field, RootModel, ValidationError
 
 from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, first_of, some
+from rosml.base.shapes import Shape
 from rosml.containerize.delivery import archive, patch
 from rosml.containerize.delivery.archive import Archive, Writer
 from rosml.images.join import layers as joining
@@ -243,7 +244,7 @@ def _left_out(file: Archive, text: str) -> dict[str, list[str]]:
     return found
 
 
-class _Shape(BaseModel):
+class _Shape(Shape):
     model_config = ConfigDict(strict=True, frozen=True)
 
 
@@ -261,7 +262,7 @@ class _Patch(_Shape):
     image: Annotated[str, Field(max_length=1000)]
 
 
-class _Patches(RootModel[dict[documents.Digest, _Patch]]):
+class _Patches(RootModel[dict[documents.Digest, _Patch]], Shape):
     pass
 
 

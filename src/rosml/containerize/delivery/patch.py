@@ -22,11 +22,12 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import IO, Annotated, Any
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import ConfigDict, Field, ValidationError
 
 from rosml.base import archives, untrusted
 from rosml.base.archives import zstd
 from rosml.base.problems import first_of
+from rosml.base.shapes import Shape
 from rosml.registry import oci
 
 MEDIA_TYPE = "application/vnd.rosml.layer-patch.v1+zstd"
@@ -311,8 +312,8 @@ class Reader:
         Raises:
             ValueError: the patch is damaged, or reads what the old layer does not have.
         """
-        self._blocks, self._rest = iter(blocks), b""
-        self.plan = _plan(untrusted.json_value(self._unpacked(PLAN_BYTES, None), PLAN_BYTES), old)
+        self._frames = archives.Frames(blocks, _WINDOW)
+        self.plan = _plan(untrusted.json_value(self._frames.next(PLAN_BYTES), PLAN_BYTES), old)
 
     def apply(self, old: IO[bytes]) -> Iterator[bytes]:
         """The new layer, in pieces. It can be asked for once.
@@ -326,50 +327,17 @@ class Reader:
         for step in self.plan.steps:
             fresh, at = b"", 0
             if step.fresh:
-                prefix = _bytes(old, step.near)
-                known = zstd.ZstdDict(prefix, is_raw=True) if prefix else None
-                del prefix  # there is a copy
-                fresh = self._unpacked(step.fresh, known, exact=True)
-                del known
+                fresh = self._frames.next(step.fresh, _bytes(old, step.near))
+                if len(fresh) != step.fresh:
+                    raise ValueError(f"a frame has {len(fresh)} bytes, and not {step.fresh:,}")
             for offset, length in step.parts:
                 if offset is None:
                     yield fresh[at : at + length]
                     at += length
                 else:
                     yield from _range(old, offset, length)
-        if self._rest or next(self._blocks, b""):
+        if not self._frames.end():
             raise ValueError("it has more than its plan says")
-
-    def _unpacked(self, most: int, known: zstd.ZstdDict | None, exact: bool = False) -> bytes:
-        """The content of the next frame.
-
-        Args:
-            most: its largest size. exact: it has this size.
-            known: its prefix.
-        """
-        try:
-            while len(self._rest) < _HEADER and (block := next(self._blocks, b"")):
-                self._rest += block
-            size = zstd.get_frame_info(self._rest).decompressed_size
-            if size is None or size > most or (exact and size != most):
-                raise ValueError(f"a frame has {size} bytes, and not {most:,}")
-            frame = zstd.ZstdDecompressor(
-                known.as_prefix if known else None, {zstd.DecompressionParameter.window_log_max: _WINDOW}
-            )
-            found, block = [], self._rest
-            while not frame.eof:
-                found.append(frame.decompress(block))
-                block = b""
-                if not frame.eof and frame.needs_input and not (block := next(self._blocks, b"")):
-                    raise ValueError("it ends too early")
-            self._rest = frame.unused_data
-        except zstd.ZstdError as error:
-            raise ValueError(str(error)) from None
-        return b"".join(found)
-
-
-_HEADER = 18
-"""The most bytes of the header of a frame."""
 
 
 def _bytes(file: IO[bytes], ranges: Iterable[Range]) -> bytearray:
@@ -416,7 +384,7 @@ def _plan(found: Any, old: int) -> Plan:
     return Plan(plan.size, steps)
 
 
-class _Shape(BaseModel):
+class _Shape(Shape):
     model_config = ConfigDict(extra="forbid")
 
 

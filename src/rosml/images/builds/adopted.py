@@ -17,12 +17,13 @@ from functools import cached_property
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-from pydantic import TypeAdapter, ValidationError
+from pydantic import ValidationError
 
 from rosml import ROOT
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
+from rosml.base.shapes import adapter
 from rosml.images.bake import targets
 from rosml.images.bake.inputs import Inputs
 from rosml.images.bake.targets import NoInput, Overridable, Value
@@ -126,7 +127,7 @@ def look(
     return found
 
 
-_SYSTEM = TypeAdapter(System)
+_SYSTEM = adapter(System)
 
 _LINK = "failed to calculate checksum of ref"
 """The builder's message about a link that leads nowhere."""

@@ -9,10 +9,9 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from pydantic import BaseModel
-
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
+from rosml.base.shapes import Shape
 from rosml.images.builds import base_images
 from rosml.images.image_set import labels
 from rosml.images.image_set.model import Image
@@ -244,7 +243,7 @@ def _versions(file: Path) -> dict[str, str]:
     return {line[0]: line[1] for line in lines if len(line) == 2}
 
 
-class _Result(BaseModel):
+class _Result(Shape):
     """A test in the report of container-structure-test. The duration is in nanoseconds."""
 
     Name: str
@@ -255,7 +254,7 @@ class _Result(BaseModel):
     Stderr: str = ""
 
 
-class _Results(BaseModel):
+class _Results(Shape):
     Results: list[_Result] | None
 
 

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import ConfigDict, Field
 
+from rosml.base.shapes import Shape
 from rosml.images.image_set import missing
 from rosml.images.image_set.model import Image as Wanted
 from rosml.images.matrix.model import DIGEST
@@ -33,7 +34,7 @@ SIGNER = r"^(?:https://[A-Za-z0-9._~/@:+-]+|sha256:[0-9a-f]{64})$"
 """A signature's identity that people may copy into a shell: the address of a workflow, or the digest of a public key."""
 
 
-class Fact(BaseModel):
+class Fact(Shape):
     """Base of all: unknown keys are errors, nothing changes afterwards."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)

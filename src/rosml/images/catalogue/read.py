@@ -11,9 +11,10 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import ConfigDict, ValidationError
 
 from rosml.base.errors import RosmlError
+from rosml.base.shapes import Shape
 from rosml.base.side_by_side import side_by_side
 from rosml.images.catalogue.model import (
     FORMAT,
@@ -436,7 +437,7 @@ class _Table:
         }
 
 
-class _Scanned(BaseModel):
+class _Scanned(Shape):
     """The scan in an entry of the records."""
 
     model_config = ConfigDict(strict=True)

@@ -12,11 +12,12 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import Annotated
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import ConfigDict, Field, ValidationError
 
 from rosml.base import archives, untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of
+from rosml.base.shapes import Shape
 from rosml.images.image_set.labels import COVERED, JOINED
 from rosml.images.image_set.model import PARTS
 from rosml.images.matrix import names
@@ -45,7 +46,7 @@ Symbol = Annotated[str, Field(max_length=1 << 17)]
 Number = Annotated[int, Field(ge=0, lt=1 << 16)]
 
 
-class _Model(BaseModel):
+class _Model(Shape):
     model_config = ConfigDict(strict=True, frozen=True)
 
 

@@ -4,11 +4,8 @@ from __future__ import annotations
 
 import csv
 import io
-import re
 import tempfile
 import tomllib
-import zipfile
-import zlib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -17,6 +14,7 @@ from typing import NamedTuple
 
 import httpx
 
+from rosml.base import archives
 from rosml.base.errors import RosmlError
 from rosml.images.locks.resolve import Uv, compile_command
 
@@ -116,20 +114,14 @@ class Index:
 
     def _file(self, wheel: Wheel, name: str) -> str:
         """A file of the wheel's `.dist-info`."""
-        file = wheel.url.rpartition("/")[2]
+        stream = io.BufferedReader(_Remote(self._client, wheel), _PIECE)
         try:
-            with zipfile.ZipFile(io.BufferedReader(_Remote(self._client, wheel), _PIECE)) as archive:
-                path = next(path for path in archive.namelist() if re.fullmatch(rf"[^/]+\.dist-info/{name}", path))
-                with archive.open(path) as stream:
-                    data = stream.read(LARGEST + 1)
-            if len(data) <= LARGEST:
-                return data.decode()
-            reason = f"its {name} is larger than {LARGEST >> 20} MiB"
-        except StopIteration:
-            reason = f"it has no {name}"
-        except (zipfile.BadZipFile, zlib.error, EOFError, ValueError, NotImplementedError, httpx.HTTPError) as error:
-            reason = str(error)
-        raise RosmlError(f"the index's wheel {file} cannot be read: {reason}", "run it again")
+            return archives.file_of_zip(stream, rf"[^/]+\.dist-info/{name}", LARGEST).decode()
+        except (ValueError, httpx.HTTPError) as error:
+            file = wheel.url.rpartition("/")[2]
+            raise RosmlError(
+                f"the index's wheel {file} cannot be read for its {name}: {error}", "run it again"
+            ) from None
 
 
 class _Remote(io.RawIOBase):

@@ -9,10 +9,11 @@ import re
 from typing import Any, TypeVar
 
 import httpx
-from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
+from pydantic import ConfigDict, ValidationError
 
 from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
+from rosml.base.shapes import Adapter, Shape, adapter
 
 T = TypeVar("T")
 
@@ -30,7 +31,7 @@ SECONDS = 30.0
 _REMEDY = "give the job the permission 'issues: write', or set the variable ROSML_ISSUE=false to have no issue"
 
 
-class _Issue(BaseModel):
+class _Issue(Shape):
     model_config = ConfigDict(extra="ignore")
 
     number: int
@@ -38,8 +39,8 @@ class _Issue(BaseModel):
     title: str = ""
 
 
-_ONE = TypeAdapter(_Issue)
-_LIST = TypeAdapter(list[_Issue])
+_ONE = adapter(_Issue)
+_LIST = adapter(list[_Issue])
 
 
 class Issues:
@@ -89,7 +90,7 @@ class Issues:
         made = self._ask(_ONE, "POST", "issues", json=body)
         return f"opened issue {made.number}: {made.html_url}"
 
-    def _ask(self, kind: TypeAdapter[T], method: str, path: str, **options: Any) -> T:
+    def _ask(self, kind: Adapter[T], method: str, path: str, **options: Any) -> T:
         try:
             with self._client.stream(method, path, **options) as answer:
                 if answer.is_success:

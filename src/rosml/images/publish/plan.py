@@ -8,6 +8,7 @@ from typing import Literal
 
 from pydantic import ValidationError
 
+from rosml.base import files, untrusted
 from rosml.base.clock import checked_date
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of, unknown
@@ -150,9 +151,9 @@ def read_plan(file: Path, shard: str = "") -> Plan:
         RosmlError: the file is no plan, or has no such shard (exit code 2).
     """
     try:
-        found = Plan.model_validate_json(file.read_bytes())
-    except (OSError, ValidationError) as error:
-        reason = error.strerror if isinstance(error, OSError) else first_of(error)
+        found = Plan.model_validate_json(untrusted.json_text(files.limited(file, untrusted.SIZE)))
+    except (OSError, ValueError) as error:
+        reason = first_of(error) if isinstance(error, ValidationError) else getattr(error, "strerror", "") or error
         text = f"{file} is no plan of this version: {reason}"
         raise RosmlError(text, "write it again with: rosml plan --output FILE", exit_code=2) from None
     checked_date(found.date)

@@ -9,11 +9,12 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, Literal
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import ConfigDict, ValidationError
 
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of
+from rosml.base.shapes import Shape
 from rosml.images.publish.run import Outcome, Run
 from rosml.images.records import store
 from rosml.images.scan import judge
@@ -21,7 +22,7 @@ from rosml.images.scan.trivy import WRITTEN_BYTES
 from rosml.registry.references import is_digest
 
 
-class _Facts(BaseModel):
+class _Facts(Shape):
     model_config = ConfigDict(frozen=True, strict=True)
 
 
@@ -40,8 +41,8 @@ def record(run: Run, file: Path) -> None:
     """
     try:
         data = file.read_bytes()
+        untrusted.json_value(data, WRITTEN_BYTES)  # checks it: the entries go into the records unchanged
         content = _Handed.model_validate_json(data)
-        untrusted.json_value(data, WRITTEN_BYTES)  # checks its size: the entries go into the records unchanged
         entries = [_entry(item) for item in content.entries]
     except (OSError, ValueError) as error:
         reason = first_of(error) if isinstance(error, ValidationError) else getattr(error, "strerror", "") or error

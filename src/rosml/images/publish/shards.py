@@ -11,9 +11,10 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Annotated
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import ConfigDict, Field
 
 from rosml.base.errors import RosmlError
+from rosml.base.shapes import Shape
 from rosml.images.builds import disk
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix.model import Size
@@ -22,7 +23,7 @@ Named = Annotated[tuple[str, ...], Field(min_length=1)]
 """Names, at least one: an empty list would mean all."""
 
 
-class Fact(BaseModel):
+class Fact(Shape):
     """A piece of a plan, which one job writes and others read."""
 
     model_config = ConfigDict(frozen=True, strict=True)

@@ -14,10 +14,11 @@ from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
 from typing import Any, ClassVar
 
-from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
+from pydantic import ConfigDict, ValidationError
 
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
+from rosml.base.shapes import Shape, adapter
 from rosml.base.side_by_side import side_by_side
 from rosml.registry.oci import Manifest
 from rosml.registry.place import Place
@@ -136,10 +137,10 @@ def parse(content: Any) -> Entry | None:
         return None
 
 
-_ADAPTER = TypeAdapter(Entry)
+_ADAPTER = adapter(Entry)
 
 
-class _Inputs(BaseModel):
+class _Inputs(Shape):
     """The inputs in the layer of an entry."""
 
     inputs: dict[str, str]

@@ -7,10 +7,9 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from pydantic import BaseModel
-
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
+from rosml.base.shapes import Shape
 from rosml.images.records.store import ANNOTATION, Records
 
 UNDO = "undo."
@@ -38,7 +37,7 @@ class Move:
         return dict(vars(self))
 
 
-class _Record(BaseModel):
+class _Record(Shape):
     """The content of a record.
 
     Attributes:

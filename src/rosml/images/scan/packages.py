@@ -6,16 +6,18 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Annotated, Any
 
 from packageurl import PackageURL
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import ConfigDict, Field
 
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
+from rosml.base.shapes import Shape
 from rosml.registry import oci
 
 Name = Annotated[str, Field(pattern="[^/]")]
 """A name that a package URL can have."""
 
 
-class _Model(BaseModel):
+class _Model(Shape):
     model_config = ConfigDict(strict=True, extra="forbid")
 
 
@@ -67,8 +69,8 @@ def read(data: bytes) -> Packages:
         RosmlError: the file is damaged.
     """
     try:
-        return Packages.model_validate_json(data)
-    except ValidationError:
+        return Packages.model_validate_json(untrusted.json_text(data))
+    except ValueError:
         raise RosmlError("what the build says of the packages is damaged", "run it again") from None
 
 

@@ -8,10 +8,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import ConfigDict, Field, ValidationError
 
 from rosml.base import untrusted
 from rosml.base.problems import first_of
+from rosml.base.shapes import Shape
 from rosml.images.scan.trivy import ScannerFailed
 from rosml.registry.client import Registry
 
@@ -28,7 +29,7 @@ OF_A_SYSTEM = re.compile(r"pkg:(?:deb|rpm|apk)/([^/]+)/")
 REMEDY = "build it again: rosml publish build --force --only NAME"
 
 
-class _Said(BaseModel):
+class _Said(Shape):
     model_config = ConfigDict(frozen=True, strict=True)
 
 

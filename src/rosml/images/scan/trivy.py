@@ -15,12 +15,13 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import ConfigDict, ValidationError
 
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of
 from rosml.base.programs import pinned_version
+from rosml.base.shapes import Shape
 from rosml.images.scan.policy import DatabaseRules
 
 SCANNER_FAILED = 4
@@ -86,7 +87,7 @@ class Database:
             )
 
 
-class _Said(BaseModel):
+class _Said(Shape):
     """Data from trivy, by its own names."""
 
     model_config = ConfigDict(frozen=True, strict=True)
