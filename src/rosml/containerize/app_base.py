@@ -17,12 +17,13 @@ from rosml.base.shapes import Shape, adapter
 from rosml.containerize import lock
 from rosml.images.builds import base_images
 from rosml.images.builds.adopted import Adopted
+from rosml.images.builds.base_images import native_architecture
 from rosml.images.image_set import restricted
 from rosml.images.image_set.labels import PREFIX, RESTRICTED, RUNTIME, VERSION
 from rosml.images.image_set.load import load
 from rosml.images.matrix.names import DATED, main_tag
 from rosml.machine.services import NAMESPACE, Services
-from rosml.registry import oci, references
+from rosml.registry import bases, oci, references
 from rosml.registry.client import Registries, Registry
 from rosml.registry.credentials import DOCKER_HUB
 from rosml.registry.documents import Config, Platform, Settings
@@ -231,6 +232,7 @@ def _in_docker(text: str, digest: str) -> Base | None:
     known = [facts.Id, *(name.partition("@")[2] for name in facts.RepoDigests or [])]
     if digest and digest not in known:
         return None
+    bases.require_no_triggers(facts.Config, text)
     return _base(text, facts.Id, facts.Config, local=True)
 
 
@@ -259,24 +261,19 @@ def _base(name: str, digest: str, settings: Settings | None, local: bool = False
 
 
 def _read(registry: Registry, place: references.Reference, found: oci.Manifest, platforms: tuple[str, ...]) -> Base:
-    manifests = {} if found.is_index else {"": found}
-    for entry in found.members:
-        facts = entry.platform or Platform()
-        name = _platform(facts)
-        if facts.os != "unknown" and (not platforms or name in platforms):
-            manifest = registry.manifest(place.repository, entry.digest)
-            if manifest is not None:
-                manifests[name] = manifest
-    configs = {name: registry.config(place.repository, item, str(place)) for name, item in manifests.items()}
-    if not found.is_index:
-        configs = {_platform(config.facts): config for config in configs.values()}
+    # Some steps run on the builder's own architecture.
+    needed = {name.split("/")[1] for name in platforms} | {native_architecture()} if platforms else ()
+    configs: dict[str, oci.Config] = {}
+    for facts, config in bases.configs(registry, place.repository, found, str(place), needed):
+        configs.setdefault(_platform(facts), config)
     missing = [name for name in platforms if name not in configs]
     if missing or not configs:
         text = f"{place} is not for {', '.join(missing)}" if missing else f"{place} has no image for any platform"
         raise RosmlError(text, "name another base image, or other platforms", exit_code=2)
     config = configs[platforms[0]] if platforms else next(iter(configs.values()))
     base = _base(str(place), found.digest, config.facts.config)
-    held = {name: "" for known in configs.values() for name in restricted.named(known.labels)}
+    taken = [config for name, config in configs.items() if not platforms or name in platforms]
+    held = {name: "" for known in taken for name in restricted.named(known.labels)}
     return replace(base, labels={**base.labels, RESTRICTED: " ".join(held)}) if held else base
 
 

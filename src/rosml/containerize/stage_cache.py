@@ -24,7 +24,7 @@ from rosml.base.shapes import Shape
 from rosml.containerize.junit import Tests
 from rosml.containerize.outcome import Outcome
 from rosml.containerize.within import SECRET
-from rosml.registry import oci, references
+from rosml.registry import bases, oci, references
 from rosml.registry.client import Registry
 from rosml.registry.documents import Descriptor
 
@@ -194,12 +194,17 @@ class Cache:
         return f"{self._place.host}/{self._place.repository}:{tag}"
 
     def found(self, keys: Keys) -> dict[str, str]:
-        """The stages that the repository has: names, and references by digest."""
-        there = {}
+        """The stages that the repository has: names, and references by digest.
+
+        Raises:
+            RosmlError: a stage is no image from which a build may start (exit code 2); the registry does not answer or refuses.
+        """
+        present = {}
         for stage, tag in keys.stages.items():
-            if digest := self._registry.head(self._place.repository, tag):
-                there[stage] = f"{self._place.host}/{self._place.repository}@{digest}"
-        return there
+            if manifest := self._registry.manifest(self._place.repository, tag):
+                bases.configs(self._registry, self._place.repository, manifest, self.reference(tag))
+                present[stage] = f"{self._place.host}/{self._place.repository}@{manifest.digest}"
+        return present
 
     def report(self, keys: Keys) -> Report | None:
         """The report of a build from the same inputs. None if none passed, or if it is unreadable or has another form."""

@@ -102,6 +102,7 @@ class Settings(_Shape):
     Cmd: list[str] | None = None
     Shell: list[str] | None = None
     WorkingDir: str | None = None
+    OnBuild: list[str] | None = None
 
 
 class RootFs(_Shape):

@@ -220,6 +220,47 @@ def test_an_image_that_docker_alone_has(services: Services, tmp_path: Path, monk
         app_base.find(name, builds, ("linux/amd64",), "sha256:8")
     with pytest.raises(RosmlError, match="there is no image"):
         app_base.find(name, services, ("linux/amd64",))
+    docker.write_text(f"#!/bin/sh\necho '{json.dumps([{**facts, 'Config': {'OnBuild': ['RUN x']}}])}'\n")
+    with pytest.raises(RosmlError, match="mine:1 has ONBUILD"):
+        app_base.find(name, builds, ("linux/amd64",))
+
+
+FETCH = {"OnBuild": ["RUN true", "ADD http://127.0.0.1:8099/secret \n /"]}
+"""Settings of an image from which each build reads from this machine's own network, by the builder itself."""
+
+
+AMD64, ARM64, I386 = ({"os": "linux", "architecture": name} for name in ("amd64", "arm64", "386"))
+
+
+@pytest.mark.parametrize("platform", [AMD64, ARM64, I386, None], ids=["twice", "another", "in its place", "unsaid"])
+def test_a_base_image_with_onbuild_is_refused(services: Services, platform: dict[str, str] | None) -> None:
+    """Whichever image of an index a builder may take: a repository names the base image."""
+    put(services, "rosml/ros:plain", "linux/amd64", ROS_DISTRO="jazzy")
+    put(services, "rosml/ros:fetch", "linux/amd64", starts=FETCH, ROS_DISTRO="jazzy")
+    with Registry(services.registry) as client:
+        [plain, fetch] = (client.manifest("rosml/ros", tag) for tag in ("plain", "fetch"))
+        assert plain and fetch
+        [fetching] = fetch.content["manifests"]
+        entries = [*plain.content["manifests"], {**fetching, "platform": platform}]
+        client.put_manifest("rosml/ros", "both", {**plain.content, "manifests": entries}, oci.INDEX)
+    needed = ("linux/amd64", "linux/arm64") if platform == ARM64 else ("linux/amd64",)
+    for tag in ("fetch", "both"):
+        with pytest.raises(RosmlError, match="has ONBUILD.*: RUN true, ADD http://127.0.0.1:8099/secret /$") as caught:
+            app_base.find(f"{services.registry}/rosml/ros:{tag}", services, needed[: 1 if tag == "fetch" else 2])
+        assert caught.value.exit_code == 2 and "name an image without ONBUILD" in caught.value.remedy
+
+
+def test_a_stage_with_onbuild_is_refused(repository: Path, services: Services, calls: list[dict[str, Any]]) -> None:
+    """Whoever may push to the cache knows all that decides a stage's tag."""
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    given = {"base_image": "ros:jazzy", "command": "true", "cache": f"{services.registry}/me/cache"}
+    app(repository, services, **given).build()
+    [file] = services.state.rglob("bake.json")
+    [output] = json.loads(file.read_text())["target"]["keep-environment"]["output"]
+    tag = output.partition("/me/cache:")[2].partition(",")[0]
+    put(services, f"me/cache:{tag}", f"linux/{native_architecture()}", starts=FETCH)
+    with pytest.raises(RosmlError, match=rf"cache:{tag} has ONBUILD"):
+        app(repository, services, **given).build()
 
 
 def test_a_tag_loses_no_platform(repository: Path, services: Services, calls: list[dict[str, Any]]) -> None:

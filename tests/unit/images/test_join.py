@@ -613,6 +613,9 @@ def test_what_is_no_image(place: Place) -> None:
 def test_an_image_in_pieces(place: Place) -> None:
     broken = ros(config={"rootfs": {"type": "layers", "diff_ids": []}}).put(place.registry, "me/ros", "broken")
     assert "is incomplete" in place.refused(broken, *place.stack()).message
+    triggers = {"config": {"Labels": dict(ros().labels), "OnBuild": ["ADD http://127.0.0.1:8099/secret /"]}}
+    asking = ros(config=triggers).put(place.registry, "me/ros", "asking")
+    assert "has ONBUILD" in place.refused(asking, *place.stack()).message
     damaged = part("cuda")
     damaged = replace(damaged, labels={**damaged.labels, "io.rosml.frameworks": "torch"})
     assert "io.rosml.frameworks is damaged" in place.refused(place.ros(), place.put(damaged, "damaged")).message

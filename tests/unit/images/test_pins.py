@@ -32,14 +32,17 @@ def hub() -> Iterator[StandIn]:
         yield found
 
 
-def push(hub: StandIn, repository: str, tag: str, architectures: tuple[str, ...] = BOTH, mark: str = "") -> str:
+def push(
+    hub: StandIn, repository: str, tag: str, architectures: tuple[str, ...] = BOTH, mark: str = "", onbuild: str = ""
+) -> str:
     """Puts an index under a tag; gives its digest."""
     with Registry(hub.address) as registry:
-        member = registry.put_manifest(repository, "", {"schemaVersion": 2})
-        manifests = [
-            {"mediaType": oci.IMAGE, "digest": member, "size": 2, "platform": {"os": "linux", "architecture": name}}
-            for name in architectures
-        ]
+        config = oci.encoded({"config": {"OnBuild": [onbuild] if onbuild else []}})
+        registry.put_blob(repository, config)
+        image = oci.encoded({"schemaVersion": 2, "config": oci.descriptor(oci.CONFIG, config)})
+        registry.put_manifest(repository, "", image)
+        member = oci.descriptor(oci.IMAGE, image)
+        manifests = [{**member, "platform": {"os": "linux", "architecture": name}} for name in architectures]
         content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": manifests, "annotations": {"mark": mark}}
         return registry.put_manifest(repository, tag, content, oci.INDEX)
 
@@ -109,6 +112,7 @@ def test_however_it_is_written(style: str) -> None:
         ("missing", "is not there any more"),
         ("arm64", "is not there for linux/arm64 now"),
         ("no index", "its tag points at no index"),
+        ("onbuild", "has ONBUILD, which a builder runs itself, outside of the network of steps: ADD http://x /"),
         ("down", "does not answer"),
     ],
 )
@@ -123,6 +127,8 @@ def test_what_cannot_be_taken_stays_and_stops_no_other(
     cuda = push(hub, "nvidia/cuda", "13.0.2-runtime-ubuntu26.04", mark="new")
     if fault == "arm64":
         push(hub, "library/ubuntu", "24.04", ("amd64",))
+    elif fault == "onbuild":
+        push(hub, "library/ubuntu", "24.04", onbuild="ADD http://x /")
     elif fault == "no index":
         with Registry(hub.address) as registry:
             registry.put_manifest("library/ubuntu", "24.04", {"schemaVersion": 2, "mediaType": oci.IMAGE})

@@ -18,7 +18,7 @@ from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME, LOCK, REPLA
 from rosml.containerize.lock import Lock
 from rosml.images.image_set.labels import APP, PREFIX, REVISION, TITLE
 from rosml.images.join.layers import Joined, Source
-from rosml.registry import oci
+from rosml.registry import bases, oci
 
 VARIANTS = f"{PREFIX}variants"
 """The label of an app that is there for several accelerators: each stack, with the oldest driver that it needs: `cpu cu130:580`."""
@@ -192,15 +192,12 @@ def _require_whole(source: Source) -> None:
     said = sum(not entry.get("empty_layer") for entry in source.config.content.get("history") or ())
     if not source.layers or not len(source.layers) == len(source.diff_ids) == said:
         raise RosmlError(f"{source.name}: its config does not say what its layers are", AGAIN, exit_code=2)
+    bases.require_no_triggers(source.config.facts.config, source.name)
 
 
 def _config(app: Source, base: Source, own: Iterable[Mapping[str, Any]], labels: Mapping[str, str]) -> dict[str, Any]:
     known, settings = base.config.content, base.config.content.get("config") or {}
     mine = app.config.content.get("config") or {}
-    for source, said in ((base, settings), (app, mine)):
-        if said.get("OnBuild"):
-            text = f"{source.name} has ONBUILD instructions, which only a build carries out"
-            raise RosmlError(text, AGAIN, exit_code=2)
     new = {**settings, "Env": _environment(app, base, own), "Labels": dict(sorted({**base.labels, **labels}.items()))}
     new |= {name: mine[name] for name in ("Cmd", "ArgsEscaped") if name in mine}
     facts = app.config.content

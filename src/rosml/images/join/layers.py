@@ -19,7 +19,7 @@ from rosml.images.join import told
 from rosml.images.matrix import names
 from rosml.images.matrix.model import ANY_PYTHON
 from rosml.images.matrix.rules import Brought
-from rosml.registry import documents, oci
+from rosml.registry import bases, documents, oci
 from rosml.registry.oci import Config, Manifest
 
 _LAYER = "application/vnd.oci.image.layer.v1.tar"
@@ -193,6 +193,7 @@ def _require_part(part: Source) -> None:
 def _require_whole(source: Source) -> None:
     if not source.layers or len(source.layers) != len(source.diff_ids):
         raise RosmlError(f"{source.name} is incomplete: its config does not list its layers", "push it again")
+    bases.require_no_triggers(source.config.facts.config, source.name)
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from rosml.base.problems import listed
 from rosml.base.side_by_side import side_by_side
 from rosml.images.matrix.model import Matrix, OperatingSystem
 from rosml.images.matrix.source import Document
-from rosml.registry import references
+from rosml.registry import bases, references
 from rosml.registry.client import Registry
 from rosml.registry.credentials import DOCKER_HUB
 
@@ -82,12 +82,13 @@ def _current(matrix: Matrix, system: OperatingSystem, registries: Callable[[str]
     """The digest of an image's index now.
 
     Raises:
-        RosmlError: the registry does not answer; or the image lacks an architecture.
+        RosmlError: the registry does not answer; the image lacks an architecture, or has ONBUILD.
     """
     where = references.parse(system.image)
     if where.host == DOCKER_HUB and os.environ.get(WITHOUT_HUB) == "0":
         raise RosmlError(f"{WITHOUT_HUB}=0 says that Docker Hub does not answer")
-    manifest = registries(where.host).manifest(where.repository, where.reference)
+    registry = registries(where.host)
+    manifest = registry.manifest(where.repository, where.reference)
     if manifest is None:
         raise RosmlError(f"{system.image} is not there any more")
     if not manifest.is_index:
@@ -97,6 +98,7 @@ def _current(matrix: Matrix, system: OperatingSystem, registries: Callable[[str]
     wanted = [matrix.architectures[name].platform for name in system.architectures]
     if lost := [platform for platform in wanted if platform not in there]:
         raise RosmlError(f"{system.image} is not there for {listed(lost)} now")
+    bases.configs(registry, where.repository, manifest, system.image, system.architectures)
     return manifest.digest
 
 
