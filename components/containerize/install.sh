@@ -109,7 +109,8 @@ keep() {
 # script FILE NAME: runs a script of the repository.
 script() {
   [[ -s $requests/$1 ]] || return 0
-  (cd "${WORKSPACE:-/}" && exec bash -e "$requests/$1") ||
+  # shellcheck source=components/containerize/image_variables.sh
+  (cd "${WORKSPACE:-/}" && source "$here/image_variables.sh" && exec bash -e "$requests/$1") ||
     fail "the script $2 the installation of dependencies ended with $?" "the lines above say why"
 }
 

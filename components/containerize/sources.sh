@@ -14,7 +14,8 @@ for name in target upstream; do
   tar --create --directory "/run/sources/$name" --exclude=.git --exclude=.env . | tar --extract --directory "src/$name" --no-same-owner
 done
 if [[ -s /run/requests/identification.sh ]]; then
-  if /run/requests/identification.sh; then :; else
+  # shellcheck source=components/containerize/image_variables.sh
+  if (source "$here/image_variables.sh" && exec /run/requests/identification.sh); then :; else
     echo "error: the script before the identification of dependencies ended with $?; the lines above say why" >&2
     exit 1
   fi

@@ -521,7 +521,9 @@ def test_bytecode_is_the_same_in_each_build(part: Part) -> None:
 def test_each_step_that_compiles_sets_the_seed() -> None:
     scripts = [*(ROOT / "components").rglob("*.sh"), *(ROOT / "components").rglob("Dockerfile")]
     lines = [line.strip() for file in scripts for line in file.read_text().splitlines()]
-    compiling = [line for line in lines if re.search(r'-m compileall |/app_files\.py /run/|/pip_install\.py" "', line)]
+    compiling = [
+        line for line in lines if re.search(r'-m compileall |/app_files\.py", "/run/|/pip_install\.py" "', line)
+    ]
     assert len(compiling) == 5
     for line in (line for line in compiling if not line.startswith("PYTHONHASHSEED=0 ")):
         [before, _] = (ROOT / "components/containerize/Dockerfile").read_text().split(line + "\n")

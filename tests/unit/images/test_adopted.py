@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import io
 import json
+import os
 import re
+import subprocess
 import tarfile
 from pathlib import Path
 
@@ -70,21 +72,71 @@ def test_an_image_that_cannot_be_looked_at(services: Services, monkeypatch: pyte
 
 
 def test_steps_run_as_on_our_own_images(tmp_path: Path) -> None:
-    """What an image says of shells, Python and the loader is for its programs, and has it in the end."""
+    """What an image says of shells and tools is for its programs, and it has it in the end."""
     image_set = load.load(ROOT / "matrix.yaml")
-    environment = {"BASH_ENV": "/etc/noise", "PYTHONHOME": 'a\n"$b"', "HOME": "/none", "SDK": "ready"}
+    environment = {"RUNTIME": 'a\n"$b"', "ROS_VERSION": "9", "PERL5OPT": "-Mnone", "LANG": "de"}
     image = image_set.by_target["ros1-bookworm-core"]
     onto = Adopted("vendor@sha256:1", image_set, image, environment, shell=("conda", "run", "/bin/bash", "-c"))
     found = adopted.base_targets(onto, "base", {}, tmp_path, tmp_path)
     first, last = found["base-system"]["dockerfile-inline"], found["base"]
-    assert re.findall("^(?:ENV|SHELL) (.*)", first, re.M)[:-1] == [
-        '["/bin/sh", "-c"]',
-        "BASH_ENV=",
-        "PYTHONHOME=",
-        "HOME=/root",
-    ]
+    [shell, *emptied, _path] = re.findall("^(?:ENV|SHELL) (.*)", first, re.M)
+    assert emptied == ["RUNTIME=", "ROS_VERSION="], "an argument without a value would have that of the image"
+    image_variables = {
+        "PATH": os.environ["PATH"],
+        "RUNTIME": "",
+        "PERL5OPT": "-Mnone",
+        "BASH_ENV": "/etc/noise",
+        "LANG": "de",
+    }
+    command = [*json.loads(shell), "echo said && env"]
+    done = subprocess.run(command, env=image_variables, capture_output=True, text=True, check=True)
+    said, *variables = done.stdout.splitlines()
+    assert said == "said" and {"RUNTIME=", "LANG=C.UTF-8", f"PATH={os.environ['PATH']}"} <= {*variables}
+    assert not re.search("PERL5OPT|BASH_ENV", done.stdout)
     assert 'SHELL ["conda", "run", "/bin/bash", "-c"]\n' in last["dockerfile-inline"]
-    assert last["args"] == {f"KEPT_{name}": value for name, value in environment.items() if name != "SDK"}
+    assert last["args"] == {"KEPT_RUNTIME": 'a\n"$b"', "KEPT_LANG": "de"}
+
+
+def test_steps_have_the_arguments_of_the_dockerfiles() -> None:
+    """And the seed, without which bytecode differs from build to build."""
+    script = (ROOT / "components/containerize/step.sh").read_text()
+    names = {*re.findall(r"[A-Za-z0-9_]+", script.partition("for name in")[2].partition("; do")[0])}
+    assert "PYTHONHASHSEED" in names
+    for dockerfile, stages in (
+        ("Dockerfile", ("base", "ros", "ros-wheels")),
+        ("components/containerize/Dockerfile", None),
+    ):
+        for stage in re.split(r"^FROM ", (ROOT / dockerfile).read_text(), flags=re.MULTILINE)[1:]:
+            if stages is None or re.match(r".* AS (\S+)", stage)[1] in stages:  # type: ignore[index]
+                lines = re.findall(r"^ARG (.+)$", stage, re.MULTILINE)
+                assert {word.partition("=")[0] for line in lines for word in line.split()} <= names, stage
+
+
+def test_each_step_on_a_base_image_has_its_own_variables() -> None:
+    """But for those that run code of the packages."""
+    dockerfile = (ROOT / "components/containerize/Dockerfile").read_text().replace("\\\n", "")
+    steps = re.findall(r"^RUN (?:--mount=\S+ +)*(.*)$", dockerfile, re.MULTILINE)
+    others = [step for step in steps if not step.startswith('["/run/scripts/containerize/step.sh", ')]
+    assert len(steps) > len(others) > 0
+    assert {step.split(".sh ")[0].rpartition("/")[2] for step in others} == {"workspace", "test"}
+
+
+def test_a_script_of_the_repository_has_the_variables_of_the_image() -> None:
+    """And those of the step, such as apt's settings."""
+    folder = ROOT / "components/containerize"
+    script = f"export APT_CONFIG=ours && source {folder}/image_variables.sh && env -0"
+    variables = {
+        "PATH": os.environ["PATH"],
+        "SDK": "a\nb",
+        "APT_CONFIG": "theirs",
+        "HOME": "/none",
+        "BASH_FUNC_x%%": "() { :; }",
+    }
+    done = subprocess.run(
+        [str(folder / "step.sh"), "bash", "-ec", script], env=variables, capture_output=True, check=True
+    )
+    found = dict(item.partition("=")[::2] for item in done.stdout.decode().split("\0"))
+    assert (found["SDK"], found["APT_CONFIG"], found["HOME"]) == ("a\nb", "ours", "/none")
 
 
 def test_what_an_image_claims_to_be_of_ours(tmp_path: Path) -> None:

@@ -46,10 +46,14 @@ MOVED = "/usr/local/lib/rosml/entrypoint.sh"
 _KEPT = ("LANG", "PYTHONIOENCODING", "NVIDIA_VISIBLE_DEVICES", "NVIDIA_DRIVER_CAPABILITIES")
 """Variables that our images set. If the image sets them, its values stay."""
 
-_OTHERWISE = re.compile(
-    r"BASH_ENV|ENV|CDPATH|HOME|TMPDIR|LANG|LANGUAGE|(LC|LD|PYTHON)_?[A-Z0-9_]+|PIP_(REQUIRE_VIRTUALENV|TARGET|PREFIX|USER)"
-)
-"""Variables that would change what programs of our steps read, load or write. They are empty in the steps."""
+_ROS = ("ROS_DISTRO", "ROS_VERSION", "ROS_SYNC_DATE")
+"""Variables of the installed ROS. If the image sets them, ours count."""
+
+_STEP = ROOT / "components/containerize/step.sh"
+"""The script that starts a step with the variables that it may have."""
+
+_DEFAULT_SHELL = ("/bin/sh", "-c")
+"""What runs steps if an image names no shell."""
 
 _INITS = ("tini", "tini-static", "docker-init", "dumb-init", "catatonit")
 
@@ -228,11 +232,11 @@ def base_targets(
     while below := image_set.by_target.get(chain[0].parent):
         chain.insert(0, below)
     inline = {**common, "context": str(nothing)}
-    first = f"{name}-system"
+    first, emptied = f"{name}-system", _arguments(adopted)
     found: dict[str, dict[str, Any]] = {
         first: {
             **inline,
-            "dockerfile-inline": "\n".join(["FROM os", "USER root", *_plain(adopted), f"ENV PATH={BIN}:$PATH", ""]),
+            "dockerfile-inline": "\n".join(["FROM os", "USER root", *_plain(emptied), f"ENV PATH={BIN}:$PATH", ""]),
             "contexts": {"os": f"docker-image://{adopted.reference}"},
         }
     }
@@ -257,7 +261,7 @@ def base_targets(
             "contexts": contexts,
             "args": arguments | ({"ADOPTED": "true"} if target.stage == "base" else {}),
         }
-    kept = {key: value for key, value in adopted.environment.items() if key in _KEPT or _OTHERWISE.fullmatch(key)}
+    kept = {key: value for key, value in adopted.environment.items() if key in _KEPT or key in {*emptied} - {*_ROS}}
     found[name] = {
         **inline,
         "dockerfile-inline": _last(adopted, kept),
@@ -268,12 +272,22 @@ def base_targets(
     return found
 
 
-def _plain(adopted: Adopted) -> list[str]:
-    """Lines of a Dockerfile that make steps run as on our own images, whatever shells and variables the image sets."""
-    lines = [
-        f"ENV {key}={'/root' if key == 'HOME' else ''}" for key in adopted.environment if _OTHERWISE.fullmatch(key)
-    ]
-    return ['SHELL ["/bin/sh", "-c"]', *lines] if adopted.shell else lines
+def _arguments(adopted: Adopted) -> list[str]:
+    """The variables of an image that have the name of an argument of our Dockerfile, and would count if it has no value."""
+    lines = re.findall(r"^ARG (.+)$", (ROOT / "Dockerfile").read_text(), re.MULTILINE)
+    declared = {word.partition("=")[0] for line in lines for word in line.split()}
+    return [name for name in adopted.environment if name in declared]
+
+
+def _plain(emptied: Iterable[str]) -> list[str]:
+    """Lines of a Dockerfile that make steps run as on our own images, whatever shells and variables the image sets.
+
+    Args:
+        emptied: variables of the image that steps have empty.
+    """
+    script = re.sub("^#.*\n", "", files.text(_STEP), flags=re.MULTILINE)  # the image's history repeats it
+    shell = [*_DEFAULT_SHELL, script, _STEP.name, *_DEFAULT_SHELL]
+    return [f"SHELL {json.dumps(shell)}", *(f"ENV {name}=" for name in emptied)]
 
 
 _OWN = re.compile(r"(NVIDIA_)?(CUDA|CUDNN|PYTORCH|TORCH|TENSORFLOW)_VERSION")
@@ -296,8 +310,7 @@ def _last(adopted: Adopted, kept: Iterable[str]) -> str:
     lines = ["FROM ros"]
     for key in kept:
         lines += [f"ARG KEPT_{key}", f"ENV {key}=${{KEPT_{key}}}"]
-    if adopted.shell:
-        lines.append(f"SHELL {json.dumps(adopted.shell)}")
+    lines.append(f"SHELL {json.dumps(adopted.shell or _DEFAULT_SHELL)}")
     if adopted.user:
         lines.append(f"USER {adopted.user}")
     own = called(adopted.entrypoint)
