@@ -90,7 +90,7 @@ class Tiny:
             "architecture": architecture,
             "created": CREATED,
             "config": {
-                "Env": ["PATH=/usr/bin:/bin", *self.environment],
+                "Env": ["PATH=/usr/sbin:/usr/bin", *self.environment],
                 "Entrypoint": ["/tini", "--", "/entrypoint.sh"],
                 "Labels": dict(self.labels),
             },

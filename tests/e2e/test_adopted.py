@@ -28,7 +28,8 @@ RUN useradd --uid 1000 --create-home --groups sudo vendor && mkdir -p /root/.cac
 RUN printf '#!/bin/sh\\necho "the other Python was started" >&2; exit 3\\n' >/usr/local/bin/python3 && chmod 755 /usr/local/bin/python3 && \\
     printf '[global]\\ntimeout = 77\\n' >/etc/pip.conf && \\
     printf '#!/bin/sh\\nexport SDK=ready\\nexec "$@"\\n' >/entrypoint.sh && chmod 755 /entrypoint.sh
-ENV SDK_HOME=/opt/sdk NVIDIA_DRIVER_CAPABILITIES=compute
+# The last ones would stop apt, and leave out what compilers need.
+ENV SDK_HOME=/opt/sdk NVIDIA_DRIVER_CAPABILITIES=compute PERL5OPT=-Mnone DPKG_ROOT=/none RUNTIME=vendor
 USER vendor
 STOPSIGNAL SIGQUIT
 ENTRYPOINT ["/entrypoint.sh"]
@@ -39,6 +40,9 @@ RUN mkdir -p /opt/ros/jazzy && touch /opt/ros/jazzy/setup.bash
 
 FROM {0} AS broken
 RUN echo 'deb [trusted=yes] http://127.0.0.1:1/sdk stable main' >/etc/apt/sources.list.d/sdk.list
+
+FROM {0} AS bare
+RUN rm -r /etc/apt/sources.list*
 
 FROM scratch AS small
 COPY Dockerfile /
@@ -57,7 +61,7 @@ def vendor(services: Services, tmp_path_factory: pytest.TempPathFactory) -> str:
     folder = tmp_path_factory.mktemp("vendor")
     (folder / "Dockerfile").write_text(VENDOR.format(debian(services)))
     name = f"{services.registry}/{NAMESPACE}/vendor"
-    for target in ("vendor", "half", "broken", "small"):
+    for target in ("vendor", "half", "broken", "bare", "small"):
         build_folder(services, folder, "--target", target, "--output", f"type=image,name={name}:{target},push=true")
     return name
 
@@ -73,6 +77,7 @@ def test_what_an_image_has_stays(services: Services, beside: Services, vendor: s
     assert (starts["User"], starts["StopSignal"]) == ("vendor", "SIGTERM")
     assert starts["Entrypoint"] == ["/tini", "--", "/entrypoint.sh", "/usr/local/lib/rosml/entrypoint.sh"]
     assert {"SDK_HOME=/opt/sdk", "NVIDIA_DRIVER_CAPABILITIES=compute", "ROS_DISTRO=Debian"} <= {*starts["Env"]}
+    assert {"PERL5OPT=-Mnone", "DPKG_ROOT=/none", "RUNTIME=vendor"} <= {*starts["Env"]}
 
     (tmp_path / "chk").mkdir()
     entrypoint = " ".join(["/tini -s --", *starts["Entrypoint"][2:]])
@@ -130,6 +135,7 @@ def test_a_base_of_it_alone(services: Services, vendor: str, tmp_path: Path) -> 
     ("image", "options", "says"),
     [
         ("small", (), "vendor:small has no apt-get and no bash, so ROS cannot be installed on it"),
+        ("bare", (), "vendor:bare has no source for apt, so ROS cannot be installed on it"),
         ("half", (), "vendor:half has jazzy in /opt/ros, and does not say which ROS it is; add --ros-distro jazzy"),
         ("vendor", ("--ros-distro", "humble"), "which has ros1-bookworm; humble stands on ubuntu:22.04"),
         ("broken", (), "apt cannot read all of its sources, which the lines above name"),

@@ -39,34 +39,31 @@ def with_ros(
         image_set: the images to choose from; by default, those of rosml's own matrix.
 
     Raises:
-        RosmlError: no ROS can be installed on it, or not the named one (exit code 2).
+        RosmlError: nothing can be installed on it, or not the named ROS (exit code 2).
     """
+    _require_path(base)
     if base.environment.get("ROS_DISTRO") or values.disable_ros_installation:
         return base
     image_set = image_set or load(MATRIX)
-    known = {facts.ros_distro or name for name, facts in image_set.matrix.distributions.items()}
+    distributions = {row.ros_distro or name for name, row in image_set.matrix.distributions.items()}
     frameworks = {item.name for image in image_set.images for item in image.brought}
-    found = adopted.look(services, base.reference, platforms[0], known, frameworks)
-    if found.ros:
+    scripts = adopted.scripts(base.entrypoint, base.environment) if values.base_entrypoint else ()
+    sought = adopted.Sought(tuple(sorted(distributions)), tuple(sorted(frameworks)), scripts)
+    facts = adopted.look(services, base.reference, platforms[0], sought)
+    if facts.ros:
         if values.ros_distro:
             return base
-        named = [name for name in found.ros if name != system.OTHER]
+        named = [name for name in facts.ros if name != system.OTHER]
         text = f"{base.name} has {' and '.join(named) or 'another ROS'} in /opt/ros, and does not say which ROS it is"
         raise RosmlError(text, f"add --ros-distro {(named or ['NAME'])[0]}", exit_code=2)
     architectures = [platform.split("/")[1] for platform in platforms]
     wanted = values.ros_distro
-    image = system.choose(image_set, found, base.name, wanted, values.ros_component, architectures)
+    image = system.choose(image_set, facts, base.name, wanted, values.ros_component, architectures)
     lasting = image_set.matrix.distributions[image.distribution].lts
     kind = "the newest long-term release" if lasting else "the first choice"
-    why = "" if wanted else f", {kind} for {found.title or found.id}; --ros-distro names another"
+    why = "" if wanted else f", {kind} for {facts.title or facts.id}; --ros-distro names another"
     say(f"it has no ROS: {image.distribution}-{image.component} is installed on it{why}")
-    if base.entrypoint:
-        words = adopted.called(base.entrypoint)
-        found_words = " ".join(
-            shlex.join(words or base.entrypoint).split()
-        )  # one line, also if the image's own text has several
-        said = "runs before each command" if words else "takes no command, and is left out"
-        say(f"its entrypoint {said}: {found_words}")
+    entrypoint = _entrypoint(base, facts.passes_on, values, say)
     sync = variables.sync_date(services, image_set, image.distribution, say)
     own = base_images.reference(services, image_set.matrix.operating_systems, image.os) if image.wheels else ""
     onto = Adopted(
@@ -75,15 +72,44 @@ def with_ros(
         image,
         base.environment,
         base.user,
-        base.entrypoint,
+        entrypoint,
         base.shell,
         base.labels,
-        found.carries,
+        facts.carries,
         sync or "",
         own,
     )
     ours = {"ROS_DISTRO": image.ros_distro, "ROS_VERSION": str(image.ros)}
     return replace(base, environment={**base.environment, **ours}, adopted=onto)
+
+
+def _entrypoint(base: Base, passes_on: bool, values: Values, say: Callable[[str], None]) -> tuple[str, ...]:
+    """The words of a base image's entrypoint that run before each command. Says what becomes of it."""
+    entrypoint = adopted.called(base.entrypoint) if passes_on else ()
+    if base.entrypoint:
+        words = " ".join(shlex.join(entrypoint or base.entrypoint).split())  # its text may have several lines
+        why = 'it is no script that ends in exec "$@"' if values.base_entrypoint else "as --no-base-entrypoint says"
+        say(f"its entrypoint {'runs before each command' if entrypoint else f'is left out, {why}'}: {words}")
+    return entrypoint
+
+
+_FOLDERS = (("/usr/bin", "/bin"), ("/usr/sbin", "/sbin"))
+"""Folders of which PATH needs one each: dpkg looks for its programs there."""
+
+
+def _require_path(base: Base) -> None:
+    """Checks that programs of the system are on PATH.
+
+    Raises:
+        RosmlError: they are not (exit code 2).
+    """
+    path = base.environment.get("PATH")
+    folders = (path or "").split(":")
+    lacking = [either[0] for either in _FOLDERS if not {*either} & {*folders}]
+    if path is not None and lacking:
+        problem = f"{base.name}: its PATH lacks {' and '.join(lacking)}, so dpkg installs nothing on it: {path[:200]!r}"
+        remedy = f"name an image of your own on it, with ENV PATH=$PATH:{':'.join(lacking)}"
+        raise RosmlError(problem, remedy, exit_code=2)
 
 
 def make(

@@ -107,6 +107,10 @@ class Values:
     disable_ros_installation: bool = _flag(
         "install no ROS on a base image that seems to have none, such as one with a ROS built from its sources"
     )
+    base_entrypoint: bool = _flag(
+        'call the entrypoint of a base image without ROS before the command, if it is a script that ends in exec "$@"',
+        True,
+    )
     rmw_implementation: str = _text("the middleware, such as rmw_cyclonedds_cpp: installs it and sets the variable")
     tests: bool = _flag("run the tests of your packages, and make no image if one fails", True)
     downstream_workspace: str = _text(

@@ -10,7 +10,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal
@@ -139,6 +139,8 @@ class Bake:
         name: the log's name, without its ending.
         file: the bake file.
         foreign: scripts that run other people's code. Its output gets no remedy from rosml.
+        glance: what the call does, for people, if it only copies files out of an image. It has no step that another build may have,
+            so it waits for none, and its steps are not shown.
     """
 
     target: str
@@ -147,6 +149,7 @@ class Bake:
     sets: Sequence[str] = ()
     variables: Mapping[str, str] = field(default_factory=dict)
     foreign: Sequence[str] = ()
+    glance: str = ""
 
 
 def local_servers(services: Services) -> list[str]:
@@ -246,7 +249,7 @@ def run(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, str]]:
     while True:
         attempt += 1
         try:
-            with _turn(services):
+            with nullcontext() if bake.glance else _turn(services):
                 return _run(services, bake, "w" if attempt == 1 else "a")
         except Unanswered as error:
             seconds = _pause(services, error, attempt)
@@ -292,7 +295,7 @@ def _run(services: Services, bake: Bake, mode: Literal["w", "a"]) -> tuple[Build
     with log_path.open(mode) as log:
         arguments = command(services, bake, metadata)
         log.write(f"$ {shlex.join(arguments)}\n")
-        progress = BuildProgress(sys.stderr, log)
+        progress = BuildProgress(sys.stderr, log, summary=bake.glance)
         try:
             process = subprocess.Popen(
                 arguments,

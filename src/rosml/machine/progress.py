@@ -98,16 +98,22 @@ class BuildProgress:
         out: the stream for people.
         log: the stream for everything, in plain text.
         clock: monotonic seconds; replaced in tests.
+        summary: what the build does, in place of lines about its steps; empty to show these.
     """
 
     def __init__(
-        self, out: TextIO = sys.stderr, log: TextIO | None = None, clock: Callable[[], float] = time.monotonic
+        self,
+        out: TextIO = sys.stderr,
+        log: TextIO | None = None,
+        clock: Callable[[], float] = time.monotonic,
+        summary: str = "",
     ) -> None:
         self.steps: dict[str, Step] = {}
         self.other: deque[str] = deque(maxlen=TAIL_LINES)
         self._out = out
         self._log = log
         self._clock = clock
+        self._summary = summary
         self._begin = clock()
         self._spoke = clock()
         self._lock = threading.Lock()
@@ -168,7 +174,8 @@ class BuildProgress:
             self._end_lines(digest)
             step.completed = completed
             self._write_log(f"{'CACHED' if step.cached else f'{step.seconds:.1f} s'} {step.name} {step.error}".rstrip())
-            if not step.internal and not step.cached and not step.error and step.seconds >= 0.5:
+            quiet = self._summary or step.internal or step.cached or step.error
+            if not quiet and step.seconds >= 0.5:
                 self.say(f"{step.seconds:6.1f} s  {step.label}")
 
     def _logs(self, log: dict[str, object]) -> None:
@@ -199,6 +206,9 @@ class BuildProgress:
 
     def _heartbeat(self) -> None:
         if self._clock() - self._spoke < HEARTBEAT_SECONDS:
+            return
+        if self._summary:
+            self.say(f"   …      {self._summary}")
             return
         running = [step for step in self.steps.values() if step.started and not step.completed and not step.internal]
         if running:

@@ -245,7 +245,7 @@ def test_a_base_image_with_onbuild_is_refused(services: Services, platform: dict
         client.put_manifest("rosml/ros", "both", {**plain.content, "manifests": entries}, oci.INDEX)
     needed = ("linux/amd64", "linux/arm64") if platform == ARM64 else ("linux/amd64",)
     for tag in ("fetch", "both"):
-        with pytest.raises(RosmlError, match="has ONBUILD.*: RUN true, ADD http://127.0.0.1:8099/secret /$") as caught:
+        with pytest.raises(RosmlError, match=r"has ONBUILD.*: RUN true, ADD http://127.0.0.1:8099/secret /$") as caught:
             app_base.find(f"{services.registry}/rosml/ros:{tag}", services, needed[: 1 if tag == "fetch" else 2])
         assert caught.value.exit_code == 2 and "name an image without ONBUILD" in caught.value.remedy
 
@@ -1219,7 +1219,14 @@ def test_conditions_compare_with_a_release(
     assert (arguments["ROS_DISTRO"], arguments["CONDITIONS"]) == (base_has, compared)
 
 
-NOBLE = {"etc/os-release": "ID=ubuntu\nVERSION_ID=24.04\n", "bin/bash": "", "bin/apt-get": ""}
+NOBLE = {
+    "etc/os-release": "ID=ubuntu\nVERSION_ID=24.04\n",
+    "bin/bash": "",
+    "bin/apt-get": "",
+    "dpkg/status": "",
+    "apt/ubuntu.sources": "Types: deb\n",
+    "entrypoint/0/start.sh": '#!/bin/sh\nexec "$@"\n',
+}
 """What is copied out of an image of Ubuntu."""
 
 
@@ -1227,7 +1234,7 @@ def test_ros_is_installed_on_a_base_that_has_none(
     repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """By the steps of our own images, on it by its digest, and kept as a stage of its own. An image is looked at once."""
-    starts = {"WorkingDir": "/opt/sdk", "Entrypoint": ["./start.sh", "a\n::error::b"]}
+    starts = {"WorkingDir": "/opt/sdk", "Entrypoint": ["./start.sh"]}
     digest = put(
         services, "rosml/plain:1", f"linux/{native_architecture()}", LANG="de", CUDA_VERSION="13.0.1", starts=starts
     )
@@ -1239,7 +1246,7 @@ def test_ros_is_installed_on_a_base_that_has_none(
             {name.replace("_", "-"): value for name, value in given.items()}, repository, {}
         )
         build.App(repository, found_values, {}, services, said.append).build()
-    assert "its entrypoint runs before each command: /opt/sdk/start.sh 'a ::error::b'" in said
+    assert "its entrypoint runs before each command: /opt/sdk/start.sh" in said
     assert [call["name"] for call in calls].count("system") == 1
     [file] = services.state.rglob("bake.json")
     targets = json.loads(file.read_text())["target"]
@@ -1252,7 +1259,7 @@ def test_ros_is_installed_on_a_base_that_has_none(
     assert targets["base-system"]["contexts"] == {"os": reference}
     assert targets["base-jazzy-core"]["args"]["ROS_SYNC_DATE"] == "2026-11-20T21:14:09Z"
     assert targets["base"]["args"] == {"KEPT_LANG": "de"}
-    entrypoint = '"/entrypoint.sh", "/opt/sdk/start.sh", "a\\n::error::b"'
+    entrypoint = '"/entrypoint.sh", "/opt/sdk/start.sh"'
     assert f'ENTRYPOINT ["/tini", "--", {entrypoint}]' in targets["base"]["dockerfile-inline"].splitlines()
     assert targets["base"]["labels"]["io.rosml.own"] == "CUDA_VERSION"
     assert targets["base"]["labels"]["io.rosml.distribution"] == "jazzy"

@@ -8,6 +8,8 @@ import os
 import re
 import subprocess
 import tarfile
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -19,7 +21,7 @@ from rosml.containerize import adopt
 from rosml.containerize.app_base import Base
 from rosml.containerize.app_inputs import Values
 from rosml.images.builds import adopted
-from rosml.images.builds.adopted import Adopted
+from rosml.images.builds.adopted import Adopted, Sought
 from rosml.images.image_set import load
 from rosml.machine import buildx
 from rosml.machine.services import Services
@@ -33,16 +35,28 @@ def services(stand_in: StandIn, tmp_path: Path) -> Services:
     return Services(tmp_path, stand_in.address, ("buildx",), "rosml", "buildkitd", None, "", "", "", bases=())
 
 
-def leaves(monkeypatch: pytest.MonkeyPatch, *files: str) -> None:
+WHOLE = ("bin/bash", "bin/apt-get", "dpkg/status", "apt/debian.sources")
+"""What an image has on which ROS can be installed, besides its os-release."""
+
+
+def leaves(
+    monkeypatch: pytest.MonkeyPatch,
+    *files: str,
+    whole: Iterable[str] = WHOLE,
+    contents: Mapping[str, str] | None = None,
+) -> None:
     """Lets the builder copy these files out of an image, and an os-release."""
+    texts = {"apt/debian.sources": "Types: deb\nURIs: http://x\n", **(contents or {})}
 
     def run(_services: Services, bake: buildx.Bake) -> None:
+        assert bake.glance, "nobody waits for another build to hear that an image does not fit"
         [output] = json.loads(Path(bake.file).read_text())["target"]["system"]["output"]
         with tarfile.open(output.partition("dest=")[2], "w") as archive:
-            for name in ("etc/os-release", "bin/bash", "bin/apt-get", *files):
+            for name in ("etc/os-release", *whole, *files):
+                text = texts.get(name, RELEASE)
                 entry = tarfile.TarInfo(name)
-                entry.size = len(RELEASE)
-                archive.addfile(entry, io.BytesIO(RELEASE.encode()))
+                entry.size = len(text)
+                archive.addfile(entry, io.BytesIO(text.encode()))
 
     monkeypatch.setattr(buildx, "run", run)
 
@@ -58,7 +72,7 @@ def test_a_ros_that_the_matrix_does_not_have(services: Services, monkeypatch: py
 def test_an_image_that_cannot_be_looked_at(services: Services, monkeypatch: pytest.MonkeyPatch) -> None:
     leaves(monkeypatch, *(f"etc/os-release/{number}" for number in range(300)))
     with pytest.raises(RosmlError, match=r"vendor:1 cannot be examined: .*200 files") as caught:
-        adopted.look(services, "vendor:1", "linux/amd64", ["jazzy"])
+        adopted.look(services, "vendor:1", "linux/amd64", Sought(("jazzy",)))
     assert caught.value.remedy == "name another base image"
     assert not [*services.state.rglob("*.tar")], "it may be large"
 
@@ -67,8 +81,73 @@ def test_an_image_that_cannot_be_looked_at(services: Services, monkeypatch: pyte
 
     monkeypatch.setattr(buildx, "run", fails)
     with pytest.raises(RosmlError, match="is a link that leads nowhere") as caught:
-        adopted.look(services, "vendor:1", "linux/amd64", ["jazzy"])
+        adopted.look(services, "vendor:1", "linux/amd64", Sought(("jazzy",)))
     assert caught.value.remedy == "name another base image"
+
+
+@pytest.mark.parametrize(
+    ("lacking", "sources", "says"),
+    [
+        ("dpkg/status", "Types: deb\n", "has no /var/lib/dpkg/status, so ROS cannot be installed on it"),
+        ("apt/debian.sources", "", "has no source for apt, so ROS cannot be installed on it"),
+        ("", "# deb http://x y main\nTypes: deb-src\n", "has no source for apt"),
+    ],
+)
+def test_what_an_installation_needs(
+    services: Services, monkeypatch: pytest.MonkeyPatch, lacking: str, sources: str, says: str
+) -> None:
+    """Its files say so at once, while another build may have the builder."""
+    whole = [name for name in WHOLE if name != lacking]
+    leaves(monkeypatch, whole=whole, contents={"apt/debian.sources": sources})
+    with pytest.raises(RosmlError, match=says) as caught:
+        adopt.with_ros(Base("vendor:1", "sha256:1", {}), services, VALUES, ("linux/amd64",), print)
+    assert caught.value.exit_code == 2 and caught.value.remedy
+
+
+def test_what_is_too_large_to_copy_is_there(services: Services, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The list of dpkg, in an image with a thousand packages."""
+    leaves(monkeypatch, contents={"dpkg/status": "x" * (5 << 20)})
+    assert adopt.with_ros(Base("vendor:1", "sha256:1", {}), services, VALUES, ("linux/amd64",), print).adopted
+
+
+@pytest.mark.parametrize("path", ["", "/opt/conda/bin", "/usr/bin:/bin", "$PATH:/usr/sbin"])
+def test_a_path_without_the_systems_programs(services: Services, path: str) -> None:
+    for environment in ({"PATH": path}, {"PATH": path, "ROS_DISTRO": "jazzy"}):
+        with pytest.raises(RosmlError, match=r"vendor:1: its PATH lacks /usr/s?bin") as caught:
+            adopt.with_ros(Base("vendor:1", "sha256:1", environment), services, VALUES, ("linux/amd64",), print)
+        assert "with ENV PATH=$PATH:/usr/" in caught.value.remedy
+
+
+@pytest.mark.parametrize(
+    ("entrypoint", "script", "off", "called", "says"),
+    [
+        (("/entrypoint.sh",), 'exec "$@"', False, "/usr/local/lib/rosml/entrypoint.sh", "runs before each command"),
+        (("bash", "/start.sh"), 'exec "$@"', False, "bash /start.sh", "runs before each command"),
+        (("/start.sh",), "exec nginx", False, "", 'is left out, it is no script that ends in exec "$@"'),
+        (("/start.sh",), None, False, "", "is left out"),
+        (("sleep", "1000"), 'exec "$@"', False, "", "is left out"),
+        (("/start.sh",), 'exec "$@"', True, "", "is left out, as --no-base-entrypoint says"),
+    ],
+)
+def test_an_entrypoint_runs_before_the_command_if_it_becomes_it(
+    services: Services,
+    monkeypatch: pytest.MonkeyPatch,
+    entrypoint: tuple[str, ...],
+    script: str | None,
+    off: bool,
+    called: str,
+    says: str,
+) -> None:
+    """After a server, no app would ever start."""
+    scripts = {"entrypoint/0/x.sh": f"#!/bin/sh\n{script}\n"} if script and not off else {}
+    leaves(monkeypatch, *scripts, contents=scripts)
+    said: list[str] = []
+    values = Values(base_entrypoint=not off)
+    base = Base("vendor:1", "sha256:1", {}, entrypoint=entrypoint)
+    onto = adopt.with_ros(base, services, values, ("linux/amd64",), said.append).adopted
+    assert onto and " ".join(onto.entrypoint) == called
+    assert [line for line in said if says in line]
+    assert len({replace(onto, entrypoint=words).inputs for words in ((), ("x",))}) == 2, "a cache has one of both"
 
 
 def test_steps_run_as_on_our_own_images(tmp_path: Path) -> None:

@@ -119,7 +119,7 @@ def test_an_image(place: Place) -> None:
         "comment": "joined in the registry",
     }
     assert config["config"]["Env"] == [
-        "PATH=/usr/bin:/bin",
+        "PATH=/usr/sbin:/usr/bin",
         "TORCH_VERSION=2.10.0",
         "CUDA_VERSION=12.8.90",
         "CUDNN_VERSION=9.10.2.21",

@@ -13,7 +13,7 @@ from rosml.base.errors import RosmlError
 from rosml.images.builds import adopted
 from rosml.images.image_set import load
 from rosml.images.image_set.model import ImageSet
-from rosml.images.image_set.system import TOOLS, System, choose, system
+from rosml.images.image_set.system import NEEDED, System, choose, system
 
 UBUNTU = """PRETTY_NAME="Ubuntu 24.04.3 LTS"
 NAME="Ubuntu"
@@ -57,8 +57,9 @@ def test_the_row_that_fits(image_set: ImageSet, release: str, named: str, compon
         (system(JAMMY), "", "robot", "no component named 'robot'"),
         (system(JAMMY), "", "core-run", "no component named 'core-run'"),
         (system('ID=fedora\nPRETTY_NAME="Fedora Linux 42"'), "", "core", "vendor:1 is Fedora Linux 42, and ROS is installed on"),
-        (system(JAMMY, tools=["bash"]), "", "core", "vendor:1 has no apt-get, so ROS cannot be installed on it"),
-        (System(tools=frozenset(TOOLS)), "", "core", "vendor:1 does not say which system it has"),
+        (system(JAMMY, tools={*NEEDED} - {"source for apt"}), "", "core", "vendor:1 has no source for apt, so ROS cannot be installed"),
+        (system(JAMMY, tools={*NEEDED} - {"apt-get"}), "", "core", "vendor:1 has no apt-get, so ROS cannot be installed on it"),
+        (System(tools=frozenset(NEEDED)), "", "core", "vendor:1 does not say which system it has"),
     ],
 )  # fmt: skip
 def test_what_does_not_fit_is_named(image_set: ImageSet, found: System, named: str, component: str, says: str) -> None:
@@ -80,21 +81,55 @@ def test_os_release_is_a_strangers_word(text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("entrypoint", "words"),
+    ("entrypoint", "path", "paths"),
     [
-        ((), ()),
-        (("/opt/nvidia/nvidia_entrypoint.sh",), ("/opt/nvidia/nvidia_entrypoint.sh",)),
-        (("/entrypoint.sh", "--quiet"), ("/usr/local/lib/rosml/entrypoint.sh", "--quiet")),
-        (("/usr/bin/tini", "-g", "--", "/start.sh"), ("/start.sh",)),
-        (("/tini", "--"), ()),
-        (("dumb-init", "/start.sh"), ("/start.sh",)),
-        (("bash", "/start.sh"), ("bash", "/start.sh")),
-        (("/bin/sh", "-c", "exec /start.sh"), ()),
-        (("/bin/bash", "-lc", "exec /start.sh"), ()),
-        (("/bin/bash",), ()),
-        (("/usr/local/bin/python3.12", "serve.py"), ()),
+        ((), "/bin", ()),
+        (("/opt/nvidia/nvidia_entrypoint.sh",), "/bin", ("/opt/nvidia/nvidia_entrypoint.sh",)),
+        (("/usr/bin/tini", "-g", "--", "/start.sh"), "/bin", ("/start.sh",)),
+        (("dumb-init", "bash", "/start.sh"), "/bin", ("/start.sh",)),
+        (("start.sh",), "/opt/x/bin:/bin", ("/opt/x/bin/start.sh", "/bin/start.sh", "/usr/bin/start.sh")),
+        (("/tini", "--"), "/bin", ()),
+        (("sleep", "1000"), "/bin", ()),
+        (("/entrypoint.sh", "--quiet"), "/bin", ()),
+        (("/bin/sh", "-c", "exec /start.sh"), "/bin", ()),
+        (("/usr/local/bin/python3.12", "serve.py"), "/bin", ()),
+        (("/a b.sh",), "/bin", ()),
+        (("/x /\nRUN true",), "/bin", ()),
+        (("/[a]*.sh",), "/bin", ()),
+        (("start.sh",), "$X:a b:", ()),
     ],
 )
-def test_what_is_called_of_an_entrypoint(entrypoint: tuple[str, ...], words: tuple[str, ...]) -> None:
-    """All but what takes no command after it; of two inits, one."""
-    assert adopted.called(entrypoint) == words
+def test_where_the_script_of_an_entrypoint_is(entrypoint: tuple[str, ...], path: str, paths: tuple[str, ...]) -> None:
+    """Of two inits, one is left; a program that gets words of its own may be a server."""
+    assert adopted.scripts(entrypoint, {"PATH": path}) == paths
+
+
+NVIDIA = """#!/bin/bash
+shopt -s nullglob
+if [[ $# -eq 0 ]]; then
+  exec "/bin/bash"
+else
+  exec "$@"
+fi
+"""
+
+
+@pytest.mark.parametrize(
+    ("script", "passes_on"),
+    [
+        (NVIDIA, True),
+        ('#!/bin/bash\nset -e\nsource /opt/sdk/setup.sh --\nexec "$@"\n# the end\n\n', True),
+        ('#!/usr/bin/env bash\nexec -- "${@}"', True),
+        ('#!/bin/sh\nexec gosu me "$@"\n', True),
+        ("#!/bin/sh\nexec $@\n", False),
+        ('#!/bin/sh\nexec nginx "$@"\n', False),
+        ('#!/bin/sh\nexec "$@"\nsleep 1000\n', False),
+        ('#!/bin/sh\nif [ "$1" = debug ]; then\n  exec "$@"\nfi\n', False),
+        ('#!/usr/bin/python3\nexec "$@"\n', False),
+        ("#!/bin/sh\n", False),
+        ("\x7fELF", False),
+        ("", False),
+    ],
+)
+def test_a_script_that_becomes_the_command(script: str, passes_on: bool) -> None:
+    assert adopted.ends_in_the_command(script) is passes_on

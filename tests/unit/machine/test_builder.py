@@ -20,6 +20,7 @@ from stubs import answering_registry, buildx, calls, services
 
 from rosml.base import web
 from rosml.base.errors import RosmlError
+from rosml.base.file_lock import turn
 from rosml.machine import buildx as builder
 from rosml.machine.buildx import Bake
 from rosml.machine.progress import BuildProgress
@@ -184,6 +185,17 @@ def test_builds_in_one_builder_take_turns(
     assert said.count("waiting for another build in builder 'rosml'") == 1
     assert said.count("this one begins") == 1, "the end of the wait is seen as well"
     assert 0.1 < builder.waited() - before < 30, "a summary says how long it was"
+
+
+def test_a_look_into_an_image_waits_for_no_build(
+    tmp_path: Path, registry: str, bake: Bake, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """And has no line for each file that it copies."""
+    steps = [vertex(f"[system {number}/9] COPY --from=os /x /", completed=f"{DAY}12Z") for number in range(9)]
+    machine = having(tmp_path, registry, says(*steps))
+    with turn(builder.turn_file(machine), lambda: None):
+        progress, _ = builder.run(machine, replace(bake, glance="looking into vendor:1"))
+    assert len(progress.steps) == 9 and capfd.readouterr().err == ""
 
 
 @pytest.mark.parametrize("content", ["", "{", "{}", '{"b": {"containerimage.digest": "x"}}', "[]", '{"a": null}'])

@@ -45,9 +45,9 @@ class Clock:
 class Build:
     """A build that a test tells, step by step."""
 
-    def __init__(self) -> None:
+    def __init__(self, summary: str = "") -> None:
         self.out, self.log, self.clock = StringIO(), StringIO(), Clock()
-        self.progress = BuildProgress(self.out, self.log, self.clock)
+        self.progress = BuildProgress(self.out, self.log, self.clock, summary)
 
     def vertex(self, name: str, **facts: Any) -> None:
         self.progress.feed(json.dumps({"vertexes": [{"digest": f"sha256:{name}", "name": name, **facts}]}) + "\n")
@@ -195,6 +195,14 @@ def test_heartbeat_names_what_runs_longest(build: Build) -> None:
     build.clock.now += progress.HEARTBEAT_SECONDS - 1
     build.vertex(TORCH, started=f"{DAY}05Z")
     assert build.shown.count("\n") == 1, "it waits as long for the next one"
+
+
+def test_heartbeat_of_a_build_with_a_summary() -> None:
+    build = Build(summary="looking into vendor:1")
+    build.vertex("[x context os] pull", started=f"{DAY}01Z")
+    build.clock.now += progress.HEARTBEAT_SECONDS
+    build.vertex(ROS, started=f"{DAY}01Z", completed=f"{DAY}21Z")
+    assert build.shown == "    0:20     …      looking into vendor:1\n"
 
 
 def test_a_line_puts_the_heartbeat_off(build: Build) -> None:

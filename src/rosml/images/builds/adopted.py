@@ -11,8 +11,8 @@ import os
 import re
 import shutil
 import tempfile
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
 from pathlib import Path, PurePosixPath
 from typing import Any
@@ -29,7 +29,7 @@ from rosml.images.bake.inputs import Inputs
 from rosml.images.bake.targets import NoInput, Overridable, Value
 from rosml.images.image_set import labels
 from rosml.images.image_set.model import Image, ImageSet
-from rosml.images.image_set.system import OTHER, TOOLS, System, system
+from rosml.images.image_set.system import DPKG, OTHER, PROGRAMS, SOURCE, System, system
 from rosml.machine import buildx, exported
 from rosml.machine.services import Services
 from rosml.registry import oci
@@ -57,11 +57,23 @@ _DEFAULT_SHELL = ("/bin/sh", "-c")
 
 _INITS = ("tini", "tini-static", "docker-init", "dumb-init", "catatonit")
 
-_INTERPRETERS = re.compile(r"(python|perl|ruby|node|java|php)[\d.]*")
-_PROGRAMS = re.compile(rf"{_INTERPRETERS.pattern}|(ba|da|z)?sh")
+_SHELLS = ("sh", "bash", "dash", "ash")
+_SHEBANG = re.compile(r"#![ \t]*(/usr)?/bin/(env[ \t]+)?(ba|da|a)?sh\b")
+
+_BECOMES = re.compile(r'exec (-- |(gosu|su-exec) [\w:.-]+ )?"\$(@|\{@\})"')
+"""The line by which a script becomes the command that it gets."""
+
+_PATH = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
+"""PATH of an image that sets none."""
+
+_FOLDERS = 16
+"""The most folders of PATH in which an entrypoint is looked for."""
+
+_PLAIN = re.compile(r"(/[\w.+-]*[\w.])+", re.ASCII)
+"""A path that means the same in a Dockerfile, and as a pattern."""
 
 _FACTS = exported.Limits(entries=200, each=4 << 20, total=8 << 20)
-"""Limits of what is copied out of an image to examine it: os-release, two programs, and files of ROS."""
+"""Limits of what is copied out of an image to examine it. Of larger files it counts that they are there."""
 
 
 @dataclass(frozen=True)
@@ -74,7 +86,7 @@ class Adopted:
         image: the ROS image whose ROS is installed.
         environment: from the config.
         user: from the config.
-        entrypoint: from the config.
+        entrypoint: the words of its entrypoint that ours calls before the command.
         shell: from the config.
         labels: from the config.
         carries: CUDA and frameworks that the image has.
@@ -99,36 +111,50 @@ class Adopted:
         """A digest of everything that decides the result, except the image itself and its platforms."""
         inputs = Inputs(ROOT, self.image_set)
         found = [inputs.digest(self.image.target, architecture) for architecture in self.image.architectures]
-        return hashlib.sha256(oci.encoded({"inputs": found, "sync": self.sync})).hexdigest()
+        return hashlib.sha256(
+            oci.encoded({"inputs": found, "sync": self.sync, "entrypoint": [*self.entrypoint]})
+        ).hexdigest()
 
 
-def look(
-    services: Services, reference: str, platform: str, ros: Iterable[str], frameworks: Iterable[str] = ()
-) -> System:
+@dataclass(frozen=True)
+class Sought:
+    """What to look for in an image.
+
+    Attributes:
+        ros: the distributions to look for in /opt/ros.
+        frameworks: Python packages.
+        scripts: paths of which the first existing one is its entrypoint.
+    """
+
+    ros: tuple[str, ...] = ()
+    frameworks: tuple[str, ...] = ()
+    scripts: tuple[str, ...] = ()
+
+
+def look(services: Services, reference: str, platform: str, sought: Sought) -> System:
     """Examines an image. The builder copies a few files out of it, and runs nothing. The result is kept for its digest.
 
     Args:
         services: the builder.
         reference: as the builder takes it.
         platform: which image of an index.
-        ros: the distributions to look for in /opt/ros.
-        frameworks: Python packages to look for.
+        sought: what to look for.
 
     Raises:
         RosmlError: the image is not available, or cannot be examined.
     """
-    asked = {"reference": reference, "platform": platform, "ros": sorted(set(ros)), "for": sorted(set(frameworks))}
-    state = services.state / "adopted" / hashlib.sha256(oci.encoded(asked)).hexdigest()
-    known = state / "known.json"
+    question = {"reference": reference, "platform": platform, **asdict(sought)}
+    state = services.state / "adopted" / hashlib.sha256(oci.encoded(question)).hexdigest()
+    answer = state / "known.json"
     with turn(state / "lock", lambda: None):
-        if "@" in reference and known.is_file():
+        if "@" in reference and answer.is_file():
             try:
-                return _SYSTEM.validate_json(known.read_bytes())
+                return _SYSTEM.validate_json(answer.read_bytes())
             except ValidationError:
                 pass  # from another version of this program
-        found = _look(services, reference, platform, state, sorted(set(ros)), sorted(set(frameworks)))
-        files.write(known, _SYSTEM.dump_json(found).decode())
-    return found
+        facts = _look(services, reference, platform, state, sought)
+        files.write(answer, _SYSTEM.dump_json(facts).decode())
+    return facts
 
 
 _SYSTEM = adapter(System)
@@ -137,25 +163,39 @@ _LINK = "failed to calculate checksum of ref"
 """The builder's message about a link that leads nowhere."""
 
 
-def _look(
-    services: Services, reference: str, platform: str, state: Path, ros: Iterable[str], frameworks: Iterable[str]
-) -> System:
-    archive = state / "system.tar"
-    # Each part of a path is a pattern, so that it may match nothing. Links are followed.
-    copies = ["/et[c]/os-releas[e] /etc/", "/us[r]/li[b]/os-releas[e] /usr/lib/"]
-    copies += [f"/us[r]/bi[n]/{tool[:-1]}[{tool[-1]}] /bi[n]/{tool[:-1]}[{tool[-1]}] /bin/" for tool in TOOLS]
+def _copies(sought: Sought) -> list[str]:
+    """What to copy out of an image: sources and destination of each COPY. Links are followed."""
+    copies = [f"{_if_there('/etc/os-release')} /etc/", f"{_if_there('/usr/lib/os-release')} /usr/lib/"]
+    copies += [f"{_if_there(f'/usr/bin/{tool}')} {_if_there(f'/bin/{tool}')} /bin/" for tool in PROGRAMS]
+    copies.append(f"{_if_there(DPKG)} /dpkg/")
+    copies.append(" ".join([*map(_if_there, _SOURCES), "/apt/"]))
     # Images for Jetson have it in the folder `install` of the distribution's folder.
-    for name in ros:
-        place = f"/op[t]/ro[s]/{name[:-1]}[{name[-1]}]"
-        copies.append(f"{place}/setup.bas[h] {place}/instal[l]/setup.bas[h] /opt/ros/{name}/")
-    copies.append("/op[t]/ro[s]/*/setup.bas[h] /op[t]/ro[s]/*/instal[l]/setup.bas[h] /opt/ros/")  # any other ROS
-    copies.append("/us[r]/loca[l]/cud[a]/version.jso[n] /us[r]/loca[l]/cuda-*/version.jso[n] /carries/cuda/")
-    for name in frameworks:  # where pip and apt put them
-        package = f"python3*/*-packages/{name}/__init__.p[y]"
-        copies.append(f"/us[r]/loca[l]/li[b]/{package} /us[r]/li[b]/{package} /carries/{name}/")
+    places = [(f"/opt/ros/{name}", name) for name in sought.ros] + [("/opt/ros/*", "")]  # any other ROS
+    for place, name in places:
+        setups = (f"{place}/setup.bash", f"{place}/install/setup.bash")
+        copies.append(f"{' '.join(map(_if_there, setups))} {PurePosixPath('/opt/ros', name)}/")
+    cuda = ("/usr/local/cuda/version.json", "/usr/local/cuda-*/version.json")
+    copies.append(f"{' '.join(map(_if_there, cuda))} /carries/cuda/")
+    for name in sought.frameworks:  # where pip and apt put them
+        modules = (f"{folder}/python3*/*-packages/{name}/__init__.py" for folder in ("/usr/local/lib", "/usr/lib"))
+        copies.append(f"{' '.join(map(_if_there, modules))} /carries/{name}/")
+    copies += [f"{_if_there(path)} /entrypoint/{number}/" for number, path in enumerate(sought.scripts)]
+    return copies
+
+
+_SOURCES = ("/etc/apt/sources.list", "/etc/apt/sources.list.d/*.list", "/etc/apt/sources.list.d/*.sources")
+
+
+def _if_there(path: str) -> str:
+    """A pattern for COPY that matches a path, or nothing: each part of it is a pattern."""
+    return "/".join(part if "*" in part else f"{part[:-1]}[{part[-1]}]" if part else "" for part in path.split("/"))
+
+
+def _look(services: Services, reference: str, platform: str, state: Path, sought: Sought) -> System:
+    archive = state / "system.tar"
     target = {
         "context": str(empty(state)),
-        "dockerfile-inline": "\n".join(["FROM scratch", *(f"COPY --from=os {copy}" for copy in copies), ""]),
+        "dockerfile-inline": "\n".join(["FROM scratch", *(f"COPY --from=os {copy}" for copy in _copies(sought)), ""]),
         "contexts": {"os": f"docker-image://{reference}"},
         "platforms": [platform],
         "output": [exported.output(archive)],
@@ -165,27 +205,50 @@ def _look(
     archive.unlink(missing_ok=True)
     remedy = "name another base image"
     try:
-        buildx.run(services, buildx.Bake("system", f"system-{state.name[:12]}", file))
+        call = buildx.Bake("system", f"system-{state.name[:12]}", file, glance=f"looking into {reference}")
+        buildx.run(services, call)
     except RosmlError as error:
         if _LINK not in error.message:
             raise
-        files_read = "os-release, apt-get, bash or a setup.bash below /opt/ros"
+        files_read = "os-release, apt-get, bash, a list of apt or dpkg, its entrypoint or a setup.bash below /opt/ros"
         raise RosmlError(f"{reference} cannot be examined: {files_read} is a link that leads nowhere", remedy) from None
     folder = state / "system"
     try:
-        exported.unpack(archive, folder, limits=_FACTS)
+        larger = exported.unpack(archive, folder, limits=_FACTS)
     except RosmlError as error:
         raise RosmlError(f"{reference} cannot be examined: {error.message}", remedy) from None
     finally:
         archive.unlink(missing_ok=True)  # the archive may be large
+    facts = _facts(folder, larger, sought)
+    shutil.rmtree(folder)
+    return facts
+
+
+def _facts(folder: Path, larger: Collection[str], sought: Sought) -> System:
+    """What the files of an image say.
+
+    Args:
+        folder: the copied files.
+        larger: the paths of files that are too large to be copied.
+    """
     releases = (folder / name for name in ("etc/os-release", "usr/lib/os-release"))
     text = next((path.read_text(errors="replace") for path in releases if path.is_file()), "")
-    found = {path.parent.name for path in (folder / "opt/ros").glob("*/setup.bash")}
+    ros = {path.parent.name for path in (folder / "opt/ros").glob("*/setup.bash")}
     other = {OTHER} if (folder / "opt/ros/setup.bash").is_file() else set()
-    tools = {tool for tool in TOOLS if (folder / "bin" / tool).is_file()}
+    tools = {name for name in PROGRAMS if (folder / "bin" / name).is_file()}
+    if (folder / "dpkg/status").is_file() or "dpkg/status" in larger:
+        tools.add(DPKG)
+    if any(_SOURCE.search(path.read_text(errors="replace")) for path in (folder / "apt").glob("*") if path.is_file()):
+        tools.add(SOURCE)
     carries = sorted({path.parent.name for path in (folder / "carries").glob("*/*") if path.is_file()})
-    shutil.rmtree(folder)
-    return replace(system(text, found or other, tools), carries=tuple(carries))
+    numbers = (str(number) for number in range(len(sought.scripts)))
+    script = next((path for number in numbers for path in (folder / "entrypoint" / number).glob("*")), None)
+    passes_on = script is not None and script.is_file() and ends_in_the_command(script.read_text(errors="replace"))
+    return replace(system(text, ros or other, tools), carries=tuple(carries), passes_on=passes_on)
+
+
+_SOURCE = re.compile(r"^[ \t]*(deb[ \t]|Types:(.*[ \t])?deb([ \t]|$))", re.MULTILINE)
+"""A line of apt's list that names a source of packages."""
 
 
 def stage(services: Services, adopted: Adopted) -> Path:
@@ -313,25 +376,57 @@ def _last(adopted: Adopted, kept: Iterable[str]) -> str:
     lines.append(f"SHELL {json.dumps(adopted.shell or _DEFAULT_SHELL)}")
     if adopted.user:
         lines.append(f"USER {adopted.user}")
-    own = called(adopted.entrypoint)
     return "\n".join(
-        [*lines, "STOPSIGNAL SIGTERM", f"ENTRYPOINT {json.dumps([*ENTRYPOINT, *own])}", 'CMD ["bash"]', ""]
+        [
+            *lines,
+            "STOPSIGNAL SIGTERM",
+            f"ENTRYPOINT {json.dumps([*ENTRYPOINT, *adopted.entrypoint])}",
+            'CMD ["bash"]',
+            "",
+        ]
     )
 
 
+def scripts(entrypoint: Sequence[str], environment: Mapping[str, str]) -> tuple[str, ...]:
+    """The paths at which the script of an image's entrypoint may be: a script is all that it has, but for an init and a shell.
+
+    None if it has other words: whatever takes these may not pass the command on.
+    """
+    words = _without_init(entrypoint)
+    if len(words) == 2 and PurePosixPath(words[0]).name in _SHELLS:
+        words = words[1:]
+    if len(words) != 1:
+        return ()
+    [word] = words
+    folders = environment.get("PATH", _PATH).split(":")[:_FOLDERS]
+    places = [word] if "/" in word else [f"{folder}/{word}" for folder in folders if folder]
+    places += [f"/usr{place}" for place in places if place.startswith(("/bin/", "/sbin/"))]  # links to these, by now
+    return tuple(place for place in places if _PLAIN.fullmatch(place))
+
+
+def ends_in_the_command(script: str) -> bool:
+    """Whether a shell script becomes the command that it gets, at its end."""
+    lines = [line for raw in script.splitlines() if (line := raw.strip()) and not line.startswith("#")]
+    if not _SHEBANG.match(script) or not lines:
+        return False
+    if lines[-1] == "fi" and lines[-3:-2] == ["else"]:  # such as NVIDIA's, which becomes bash if there is no command
+        lines.pop()
+    return _BECOMES.fullmatch(lines[-1]) is not None
+
+
 def called(entrypoint: Sequence[str]) -> tuple[str, ...]:
-    """The words of an image's own entrypoint that our entrypoint calls before the command: without an init, which ours
-    has; none if the entrypoint takes no command, such as a shell line or an interpreter."""
+    """The words of an image's own entrypoint that our entrypoint calls before the command: without an init, which ours has."""
+    return tuple(MOVED if word == "/entrypoint.sh" else word for word in _without_init(entrypoint))
+
+
+def _without_init(entrypoint: Sequence[str]) -> list[str]:
     words = list(entrypoint)
     if words and PurePosixPath(words[0]).name in _INITS:
         del words[0]
         while words and words[0].startswith("-"):
             if words.pop(0) == "--":
                 break
-    shell = len(words) > 1 and re.fullmatch(r"-[a-z]*c[a-z]*", words[1])
-    if words and (_PROGRAMS if len(words) == 1 or shell else _INTERPRETERS).fullmatch(PurePosixPath(words[0]).name):
-        return ()
-    return tuple(MOVED if word == "/entrypoint.sh" else word for word in words)
+    return words
 
 
 def _argument(value: Value, sync: str) -> str | None:

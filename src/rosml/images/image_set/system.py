@@ -33,8 +33,9 @@ class System:
         codename: such as `noble`; empty if it has none.
         title: its name for people, such as `Ubuntu 24.04.3 LTS`.
         ros: ROS distributions below /opt/ros; OTHER if there are only unknown ones.
-        tools: the programs of TOOLS that it has.
+        tools: what it has of NEEDED.
         carries: its CUDA and frameworks, such as `torch`.
+        passes_on: whether its entrypoint ends by becoming the command.
     """
 
     id: str = ""
@@ -44,13 +45,21 @@ class System:
     ros: tuple[str, ...] = ()
     tools: frozenset[str] = frozenset()
     carries: tuple[str, ...] = ()
+    passes_on: bool = False
 
 
-TOOLS = ("apt-get", "bash")
-"""Programs that an installation of ROS needs."""
+PROGRAMS = ("apt-get", "bash")
+DPKG, SOURCE = "/var/lib/dpkg/status", "source for apt"
+_DEBIAN = "name a base image of Debian or Ubuntu with a package manager and a shell"
+NEEDED = {
+    **dict.fromkeys(PROGRAMS, _DEBIAN),
+    DPKG: "name an image that has dpkg's own files; one that was made small for delivery may have lost them",
+    SOURCE: "write one into /etc/apt/sources.list, in an image of your own on this one, and name that",
+}
+"""What an installation of ROS needs, each with the remedy for an image that lacks it."""
 
 
-def system(release: str, ros: Collection[str] = (), tools: Collection[str] = TOOLS) -> System:
+def system(release: str, ros: Collection[str] = (), tools: Collection[str] = tuple(NEEDED)) -> System:
     """The facts in an image's os-release. The text may be a stranger's, so we drop control characters."""
     text = "".join(letter if letter.isprintable() else "\n" for letter in release[:65536])
     facts = {found[1]: found[3].strip()[:80] for line in text.splitlines() if (found := _LINE.fullmatch(line.strip()))}
@@ -101,9 +110,10 @@ def choose(
     """
     matrix = image_set.matrix
     what = f"{name} is {found.title or found.id}" if found.id else f"{name} does not say which system it has"
-    if lacking := [tool for tool in TOOLS if tool not in found.tools]:
-        text = f"{name} has no {' and no '.join(lacking)}, so ROS cannot be installed on it"
-        raise RosmlError(text, "name a base image of Debian or Ubuntu with a package manager and a shell", exit_code=2)
+    if lacking := [thing for thing in NEEDED if thing not in found.tools]:
+        remedy = NEEDED[lacking[0]]
+        first = " and no ".join(thing for thing in lacking if NEEDED[thing] == remedy)
+        raise RosmlError(f"{name} has no {first}, so ROS cannot be installed on it", remedy, exit_code=2)
     there = rows(matrix, found)
     if not there:
         known = [_named(matrix.operating_systems[facts.os].image) for facts in matrix.distributions.values()]
