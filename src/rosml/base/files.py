@@ -74,7 +74,10 @@ def whole(file: Path) -> Iterator[BinaryIO]:
         if real.is_dir():
             raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
         mode = real.stat().st_mode & 0o777 if real.exists() else 0o644
-        descriptor, name = tempfile.mkstemp(dir=real.parent, prefix=f".{real.name[:100]}.")
+        descriptor, name = _unnamed(real.parent), str(real.parent / f".{real.name[:100]}.{os.getpid()}")
+        unnamed = descriptor is not None
+        if descriptor is None:
+            descriptor, name = tempfile.mkstemp(dir=real.parent, prefix=f".{real.name[:100]}.")
     try:
         with _told(file):
             with os.fdopen(descriptor, "wb") as stream:
@@ -82,6 +85,9 @@ def whole(file: Path) -> Iterator[BinaryIO]:
                 stream.flush()
                 os.fchmod(descriptor, mode)
                 os.fsync(descriptor)
+                if unnamed:
+                    Path(name).unlink(missing_ok=True)
+                    os.link(f"/proc/self/fd/{descriptor}", name, src_dir_fd=descriptor)  # with it, linkat follows the link
             os.replace(name, real)
             folder = os.open(real.parent, os.O_RDONLY)
             try:
@@ -93,12 +99,29 @@ def whole(file: Path) -> Iterator[BinaryIO]:
         raise
 
 
+def _unnamed(folder: Path) -> int | None:
+    """A file without a name, of which nothing is left if this process is killed; None if the file system has none."""
+    if not Path("/proc/self/fd").is_dir():  # without it, only root may give the file a name
+        return None
+    try:
+        return os.open(folder, os.O_TMPFILE | os.O_WRONLY | os.O_CLOEXEC, 0o600)
+    except OSError as error:
+        if error.errno in (errno.EOPNOTSUPP, errno.EISDIR, errno.EINVAL, errno.ENOENT) and folder.is_dir():
+            return None
+        raise
+
+
+def large_folder() -> str | None:
+    """The folder for large temporary files: the one that TMPDIR names, or else /var/tmp, as /tmp may be in memory. None for Python's own
+    choice."""
+    return None if "TMPDIR" in os.environ or not os.path.isdir("/var/tmp") else "/var/tmp"
+
+
 def temporary() -> IO[bytes]:
-    """A large file without a name: it goes away when it is closed, or when its process ends. It lies in the folder that TMPDIR names, or else
-    in /var/tmp: /tmp may be in memory."""
+    """A large file without a name: it goes away when it is closed, or when its process ends. It lies in `large_folder`."""
     import tempfile  # only needed here
 
-    return tempfile.TemporaryFile(dir=None if "TMPDIR" in os.environ or not os.path.isdir("/var/tmp") else "/var/tmp")
+    return tempfile.TemporaryFile(dir=large_folder())
 
 
 @contextlib.contextmanager

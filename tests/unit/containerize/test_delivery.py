@@ -10,6 +10,7 @@ import re
 import subprocess
 import sys
 import tarfile
+import tempfile
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -170,6 +171,7 @@ elif words[0] == "load":
         if any("blobs/" + item["digest"].replace(":", "/") not in there for item in manifest["layers"]):
             sys.exit("no such blob")
     if os.path.exists(here + "/full"):
+        open(here + "/tmpdir", "w").write(shutil.copy(here + "/loaded", os.environ.get("TMPDIR", here + "/left")))
         sys.exit("no space left on device")
 """
 
@@ -430,7 +432,37 @@ def test_an_engine_whose_disk_is_full_says_so(shop: Shop, capsys: pytest.Capture
     shop.engine("docker")
     (shop.folder / "full").write_text("")
     assert shop.call("load", file) == 1
-    assert "docker cannot load the image: no space left on device" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "docker has no space left for the image" in said and "podman system df" in said
+
+
+def test_an_engine_that_leaves_files_of_its_own(
+    shop: Shop, monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    """podman copies what it reads into TMPDIR, and leaves the copy there if it is killed or its disk gets full."""
+    file, folder = shop.save("app"), tmp_path_factory.mktemp("large")
+    monkeypatch.setenv("TMPDIR", str(folder))
+    monkeypatch.setattr(tempfile, "tempdir", None)  # which has the folder of before
+    shop.engine("podman")
+    (shop.folder / "full").write_text("")
+    assert shop.call("load", file) == 1
+    assert (shop.folder / "tmpdir").read_text().startswith(f"{folder}/")
+    assert list(folder.iterdir()) == []
+
+
+def test_an_empty_file_is_no_damaged_one(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
+    (shop.folder / "empty").write_bytes(b"")
+    assert shop.call("load", shop.folder / "empty", "--into", shop.folder / "out") == 2
+    assert "is empty: whoever wrote or copied it had no space" in capsys.readouterr().err
+
+
+def test_a_killed_save_leaves_nothing(tmp_path: Path) -> None:
+    code = "import os, pathlib, signal\nfrom rosml.base import files\n"
+    code += "with files.whole(pathlib.Path('out.tar')) as out:\n    out.write(b'x' * 10**6); os.kill(os.getpid(), 9)"
+    environment = {**os.environ, "PYTHONPATH": str(ROOT / "src")}
+    done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, env=environment, check=False)
+    assert done.returncode == -9
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_the_robot_of_another_kind_is_warned(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
@@ -675,7 +707,7 @@ TWO = [oci.descriptor(LAYER, PACKED["a"]), oci.descriptor(LAYER, PACKED["b"])]
 WRONG = {"digest": "sha256:../../../../etc/passwd", "size": 3, "mediaType": oci.IMAGE}
 
 HOSTILE: dict[str, tuple[bytes, str]] = {
-    "nothing": (b"", "no tar file"),
+    "nothing": (b"", "is empty"),
     "noise": (b"x" * 5000, "no tar file"),
     "gzip": (gzip.compress(packed(sound())), "no tar file"),
     "another tar": (packed({"a": b"b"}), "no OCI archive"),

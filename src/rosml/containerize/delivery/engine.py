@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
+import os
 import re
 import subprocess
 import tarfile
@@ -156,19 +157,32 @@ def takes_as_it_is(command: str, image: Image) -> bool:
     return True
 
 
+PATIENCE = 10.0
+"""Seconds that an engine may take to give up what it got half of. podman removes its copy then."""
+
+FULL = "free some space where it keeps images, and in TMPDIR or /var/tmp; docker system df and podman system df say what takes it"
+
+
 class NotLoaded(RosmlError):
     """The engine cannot load what it got."""
 
 
 @contextlib.contextmanager
 def loading(command: str) -> Iterator[BinaryIO]:
-    """Gives a pipe into `docker load` or `podman load`. The engine gets to an end only if all went well.
+    """Gives a pipe into `docker load` or `podman load`. If something goes wrong, the engine gets half of an archive, which names no image.
 
     Raises:
         NotLoaded: the engine cannot load what it got.
     """
-    with tempfile.TemporaryFile() as said:
-        process = _begun(command, "load", stdin=subprocess.PIPE, stdout=said, stderr=subprocess.STDOUT)
+    with (
+        tempfile.TemporaryFile() as output,
+        # podman keeps what it reads in TMPDIR, and leaves it there if the disk gets full.
+        tempfile.TemporaryDirectory(
+            prefix="rosml-load-", dir=files.large_folder(), ignore_cleanup_errors=True
+        ) as folder,
+    ):
+        streams = {"stdin": subprocess.PIPE, "stdout": output, "stderr": subprocess.STDOUT}
+        process = _begun(command, "load", env={**os.environ, "TMPDIR": folder}, **streams)
         assert process.stdin
         broken = False
         try:
@@ -179,14 +193,19 @@ def loading(command: str) -> Iterator[BinaryIO]:
             with contextlib.suppress(BrokenPipeError):
                 process.stdin.close()
         except BaseException:
-            process.kill()
             with contextlib.suppress(BrokenPipeError):
                 process.stdin.close()
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                process.wait(PATIENCE)
+            process.kill()
             process.wait()
             raise
         if process.wait() or broken:
+            last = _last(output)
+            if "no space left on device" in last.lower():
+                raise NotLoaded(f"{command} has no space left for the image: {last}", FULL)
             raise NotLoaded(
-                f"{command} cannot load the image: {_last(said)}",
+                f"{command} cannot load the image: {last}",
                 "its own message says why; docker info has its version and disk",
             )
 
