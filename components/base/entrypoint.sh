@@ -201,8 +201,10 @@ if [[ $EUID -eq 0 && -n $DOCKER_UID && -n $DOCKER_GID ]]; then
   if [[ $uid -ne 0 ]]; then
     # A read-only root has no room for a new user: the bare ids, and /tmp for a home.
     if [[ -w /etc/passwd ]]; then
+      exec {lock}</etc && flock "$lock" # docker exec comes here as well: of several at once, the first makes the user
       make_user
       give_workspace
+      exec {lock}<&-
     fi
     become "$@"
   fi

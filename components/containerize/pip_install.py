@@ -4,7 +4,7 @@
     pip_install.py WRITTEN LOCKED ARGUMENT…
 
 The arguments are those of pip. WRITTEN gets a line for each package, beside those that it has. LOCKED is such a list: if it is
-there and pip installs something else, this fails. pip before 22.2 says no hashes. A requirement that is a folder has no line.
+there, its archives are installed by their hashes, and this fails if pip then installs something else. pip before 22.2 says no hashes. A requirement that is a folder has no line.
 The lines go into images and lock files, so addresses in them have no user, password or query, which may be a secret.
 """
 
@@ -15,12 +15,13 @@ import csv
 import hashlib
 import json
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
 from importlib.metadata import distributions
 from pathlib import Path
-from typing import Any, Container, Iterable, NoReturn, Sequence
+from typing import Any, Callable, Container, Iterable, NoReturn, Sequence
 from urllib.parse import urlsplit, urlunsplit
 
 
@@ -184,13 +185,77 @@ def constraints(locked: Iterable[str]) -> str:
     return "".join(f"{item.partition(' ')[0]}\n" for item in sorted(locked) if " @ " not in item)
 
 
+PLACES = (
+    "-i",
+    "--index-url",
+    "--extra-index-url",
+    "-f",
+    "--find-links",
+    "--trusted-host",
+    "--no-binary",
+    "--only-binary",
+)
+SWITCHES = ("--no-index", "--pre", "--prefer-binary")
+"""Options of pip that say where archives come from and which kinds count, with a value and without."""
+
+
+def from_where(arguments: Sequence[str], depth: int = 0) -> list[str]:
+    """The options among arguments of pip, and in the files of requirements that they name, that say where archives come from."""
+    options: list[str] = []
+    words = iter(arguments)
+    for word in words:
+        name, equals, value = word.partition("=")
+        if name in SWITCHES:
+            options.append(name)
+        elif name in (*PLACES, "-r", "--requirement"):
+            value = value if equals else next(words, "")
+            if name in PLACES:
+                options += [name, value]
+            elif depth < DEEPEST and Path(value).is_file():
+                folder = Path(value).parent
+                for text in lines_of(Path(value)):
+                    inside = shlex.split(text, comments=True) if text.lstrip().startswith("-") else []
+                    if inside[:1] in (["-r"], ["--requirement"]) and len(inside) == 2:
+                        inside[1] = str(folder / inside[1])
+                    options += from_where(inside, depth + 1)
+    return options
+
+
+DEEPEST = 10
+"""How deep files of requirements may name others."""
+
+
+def take_locked(
+    locked: Iterable[str], arguments: Sequence[str], install: Callable[[Sequence[str]], list[str]]
+) -> list[str]:
+    """Installs the archives of a lock file by their hashes: pip compares an archive before it runs or unpacks anything of it.
+
+    Args:
+        locked: lines of the lock file. Those without a hash are left to pip: of a repository, whose commit they name, or by an old pip.
+        arguments: those of pip, which say from where.
+        install: calls pip.
+
+    Returns:
+        A line for each package that was not there.
+    """
+    hashed = [item for item in sorted(locked) if "sha256" in item]
+    if not hashed:
+        return []
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "locked.txt"
+        file.write_text("".join(f"{item}\n" for item in hashed), encoding="utf-8")
+        return install([*from_where(arguments), "--no-deps", "--require-hashes", "--requirement", str(file)])
+
+
 def main(written: Path, lock: Path, *arguments: str) -> None:
     locked = set(lines_of(lock)) if lock.exists() else set()
+    install = reported if knows_report() else compared
+    new = take_locked(locked, arguments, install)
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "constraints"
         file.write_text(constraints(locked))
-        install = reported if knows_report() else compared
-        new = sorted(filter(None, install([*arguments, "--constraint", str(file)] if locked else arguments)))
+        new += install([*arguments, "--constraint", str(file)] if locked else arguments)
+    new = sorted(set(filter(None, new)))
     forget_secrets({item.partition(" @ ")[0] for item in new if " @ " in item})
     others = [item for item in new if item not in locked]
     if lock.exists() and others:

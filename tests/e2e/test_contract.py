@@ -390,6 +390,13 @@ def test_files_that_come_and_go_keep_nobody_out(container: Container) -> None:
     assert (done.code, done.out) == (0, "well\n"), done
 
 
+def test_starts_at_once_make_one_user(container: Container) -> None:
+    """As tests of an image do, and whoever opens several shells in a container."""
+    start = "DOCKER_UID=1234 DOCKER_GID=2345 /entrypoint.sh id --user"
+    started = container.bash(f"for _ in {{1..24}}; do {start} & done; wait", DOCKER_USER="many")
+    assert started.split() == ["1234"] * 24
+
+
 def test_overlays_are_sourced_in_order(container: Container, tmp_path: Path) -> None:
     options: list[str] = []
     for number, where in enumerate(("/opt/ws_base_image/install", f"{WORKSPACE}/devel", f"{WORKSPACE}/install")):

@@ -43,8 +43,9 @@ run_one() {
 }
 export -f run_one
 
-# Files are independent of one another: as many at a time as there are processors, the child's own (the long ones) first.
-# But for pip, which changes Python's packages for a moment: when nobody imports them any more.
+# Files run on one root, as many at a time as there are processors, the child's own (the long ones) first. So each has ports and
+# folders of its own, and makes users by the entrypoint alone, which has a lock. pip changes Python's packages for a moment: it comes when
+# nobody imports them any more.
 for name in "${names[@]}"; do
   if [[ $name != pip ]]; then echo "$name"; fi
 done | tac | xargs --max-procs "$(nproc)" -I NAME bash -c 'run_one NAME'

@@ -254,3 +254,27 @@ def test_pip_installs_what_the_lock_file_has_or_nothing(script: ModuleType, tmp_
             install(script, tmp_path, [new], locked)
     with pytest.raises(SystemExit, match="the lock file does not have what pip installed: a==1"):
         install(script, tmp_path, ["a==1"], "")
+
+
+def test_the_archives_of_the_lock_file_come_by_their_hashes(script: ModuleType, tmp_path: Path) -> None:
+    """Before pip decides anything: an index may have another file of the same version by now. They come from where the requests say."""
+    (tmp_path / "more").mkdir()
+    (tmp_path / "pip").write_text("--index-url https://index.test/simple\n-r more/pip # others\na\n")
+    (tmp_path / "more/pip").write_text('-f "https://wheels.test/a b"\n--no-index\n-e .\nb\n')
+    (tmp_path / "lock").write_text(
+        "a==1 --hash=sha256:aa\nb @ https://x.test/b.zip#sha256=bb\ng @ git+https://x.test/g@c0\n"
+    )
+    calls: list[tuple[list[str], str]] = []
+
+    def installed(arguments: list[str]) -> list[str]:
+        calls.append((arguments, Path(arguments[-1]).read_text()))
+        return ["a==1 --hash=sha256:aa"] if "--require-hashes" in arguments else ["g @ git+https://x.test/g@c0"]
+
+    script.knows_report, script.reported, script.forget_secrets = lambda: True, installed, lambda names: None
+    script.main(tmp_path / "written", tmp_path / "lock", "--requirement", str(tmp_path / "pip"), "c")
+    (hashed, locked), (usual, _) = calls
+    where = ["--index-url", "https://index.test/simple", "-f", "https://wheels.test/a b", "--no-index"]
+    assert hashed[:-1] == [*where, "--no-deps", "--require-hashes", "--requirement"]
+    assert locked == "a==1 --hash=sha256:aa\nb @ https://x.test/b.zip#sha256=bb\n"
+    assert usual[:3] == ["--requirement", str(tmp_path / "pip"), "c"] and usual[3] == "--constraint"
+    assert (tmp_path / "written").read_text() == "a==1 --hash=sha256:aa\ng @ git+https://x.test/g@c0\n"
