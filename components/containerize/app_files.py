@@ -52,6 +52,9 @@ WORKING = re.compile(r"docker-ros(/ws(/.*)?)?|root/\.(ros|colcon|cache|ccache)(/
 CAPABILITY = "security.capability"
 """What lets a program do without root, such as ping."""
 
+ASKED = Path("/run")
+"""The folder with the lists of packages that were asked for."""
+
 TIME = 1767225600
 """2026-01-01T00:00:00Z, as the layers of all parts have it."""
 
@@ -192,6 +195,15 @@ def outside(environment: Path, built: Path) -> list[str]:
     ]
 
 
+def asked(runtime: Path, brought: Sequence[str]) -> set[str]:
+    """The packages of apt that the app asks for by name, in manifests and in its own list, and that its base image has. Those that it
+    brings itself come along to another base image."""
+    listed = (ASKED / "needed/exec.apt", ASKED / "requests/apt")
+    words = " ".join(file.read_text("utf-8", "replace") for file in listed if file.is_file()).split()
+    names = {word.partition("=")[0].partition(":")[0] for word in words}
+    return {key.partition(":")[0] for key in status(runtime).keys() - {*brought}} & names
+
+
 def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *locked: Path) -> None:
     root = out / "root"
     root.mkdir(parents=True)
@@ -241,7 +253,7 @@ def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *
     below = base if linked else runtime
     contents.write(contents.files([below, root]), status(runtime).values(), contents.owned(runtime), out)
     if linked:
-        write_app(root, runtime, out)
+        write_app(root, runtime, out, lacks.imported(root), asked(runtime, facts["packages"]))
 
 
 if __name__ == "__main__":

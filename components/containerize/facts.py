@@ -16,7 +16,7 @@ import os
 import re
 import sys
 from pathlib import Path
-from typing import Any, Iterable, Iterator, Sequence
+from typing import Any, Iterable, Iterator, Mapping, Sequence
 
 import contents
 from elf import Elf, Symbols, elf, symbols
@@ -89,12 +89,14 @@ def write_base(root: Path, out: Path) -> None:
     write(out, packages=_sorted(map(package, entries)), libraries=libraries)
 
 
-def write_app(layer: Path, runtime: Path, out: Path) -> None:
+def write_app(layer: Path, runtime: Path, out: Path, imports: Mapping[str, str], asks: Iterable[str]) -> None:
     """Writes the facts of an app: the packages in its layer with their files, its programs and libraries, and its other files.
 
     Args:
         layer: the root of the app's files.
         runtime: the image without the app's ROS packages, with dpkg's lists of files.
+        imports: modules of the base image that the app's Python imports, each with a file that does.
+        asks: packages of apt that the app asks for by name.
     """
     known = contents.files([layer])
     links = _links(known)
@@ -108,7 +110,14 @@ def write_app(layer: Path, runtime: Path, out: Path) -> None:
     for item in packages:
         item["files"] = sorted({*shown(_owned(item, known, runtime))})
     others = {*shown(known)}.difference(*(item["files"] for item in packages))
-    write(out, packages=packages, libraries=libraries, files=sorted(others))
+    write(
+        out,
+        packages=packages,
+        libraries=libraries,
+        files=sorted(others),
+        imports=[{"module": name, "file": file} for name, file in sorted(zip(shown(imports), shown(imports.values())))],
+        asks=sorted(asks),
+    )
 
 
 def _read(place: Path) -> tuple[Elf, Symbols] | None:

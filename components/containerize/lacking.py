@@ -46,6 +46,9 @@ COMMANDS = ("bin", "sbin")
 POINTER = b"version https://git-lfs.github.com/spec/v1\n"
 """How a file begins that Git LFS has not fetched."""
 
+STANDARD = {*sys.builtin_module_names, *getattr(sys, "stdlib_module_names", ())}
+"""Modules that Python itself has, as far as it says; before 3.10, they count as those of the image."""
+
 LINE, SIZE = 4096, 4 << 20
 """The most bytes of a line and of a text that are read."""
 
@@ -233,6 +236,22 @@ class Lacking:
         """Where the sources or the build of a package have a file; empty if they do not."""
         return min((x for x in places if WORK.match(x) and self._before.owner(x) == package), default="")
 
+    def imported(self, layer: Path) -> dict[str, str]:
+        """Modules that files of the install space import in any case, and that the image has: names, each with the first of these files.
+
+        Args:
+            layer: the files of the app; what it has itself does not count.
+        """
+        own, of_image = Files().add(layer).modules, Files().add(self._runtime).modules
+        found: dict[str, str] = {}
+        for path in sorted(self._install.rglob("*")):
+            if path.is_symlink() or not path.is_file() or not _is_python(path):
+                continue
+            for name in (name.partition(".")[0] for name in _absolute(path)):
+                if name in of_image and name not in own and name not in STANDARD:
+                    found.setdefault(name, self._shown(path))
+        return found
+
     def forgotten(self) -> dict[str, str]:
         """Launch files and programs that no image has: `PACKAGE NAME`, with the place of each in the sources or the build. Nothing
         may start them: whoever writes the command knows."""
@@ -261,13 +280,7 @@ class Lacking:
         if path in self._seen:
             return
         self._seen.add(path)
-        try:
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")
-                body = ast.parse(_text(path)).body
-        except (SyntaxError, ValueError, RecursionError, MemoryError):
-            return
-        for line in body:
+        for line in _body(path):
             if isinstance(line, ast.Import):
                 names = [item.name for item in line.names]
             elif isinstance(line, ast.ImportFrom) and line.module and not line.level:
@@ -358,6 +371,25 @@ def _read(path: Path) -> Iterator[tuple[str, str]]:
     for element in elements:
         for name in READ.get(element.tag, ()):
             yield from FOUND.findall(element.get(name, ""))
+
+
+def _body(path: Path) -> list[ast.stmt]:
+    """The statements of a file of Python that are in no other one; none if it cannot be read."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return ast.parse(_text(path)).body
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return []
+
+
+def _absolute(path: Path) -> Iterator[str]:
+    """The modules that a file imports in any case, by their whole names."""
+    for line in _body(path):
+        if isinstance(line, ast.Import):
+            yield from (item.name for item in line.names)
+        elif isinstance(line, ast.ImportFrom) and line.module and not line.level:
+            yield line.module
 
 
 def _is_python(path: Path) -> bool:

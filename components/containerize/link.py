@@ -3,13 +3,15 @@
 
     link.py OUT
 
-OUT gets a line for each thing that it does not find, in JSON: the linker's words about a file of the install space, or Python's about
-an entry point. Nothing of the app is started but the dynamic linker, and what its modules do when they are imported. Each has
+OUT gets a line for each thing that it does not find, in JSON: the linker's words about a file of the install space, Python's about
+an entry point, or a module that a script, a module or a launch file imports. Nothing of the app is started but the dynamic linker, and what its modules do when they are imported. Each has
 `SECONDS`.
 """
 
 from __future__ import annotations
 
+import ast
+import importlib.util
 import json
 import os
 import re
@@ -27,6 +29,8 @@ LACKS = re.compile(r"undefined symbol: .*|.*=> not found|.*version `[^']*' not f
 
 ADDRESS = re.compile(r"\s*\(0x[0-9a-f]+\)|\t")
 LINE = 500
+SIZE = 4 << 20
+"""The most bytes of a file of Python that are read."""
 
 
 def files() -> Iterator[Path]:
@@ -50,6 +54,33 @@ def modules() -> Iterator[str]:
             if re.fullmatch(r"\w+(\.\w+)*", module):
                 found.add(module)
     yield from sorted(found)
+
+
+def sources() -> Iterator[Path]:
+    """Scripts and modules of Python of the install space, also launch files."""
+    for path in sorted(INSTALL.rglob("*")):
+        if path.is_file() and not path.is_symlink():
+            with open(path, "rb") as file:
+                first = file.readline(LINE)
+            if path.suffix == ".py" or re.match(rb"#!.*\bpython3?\b", first):
+                yield path
+
+
+def not_found() -> Iterator[str]:
+    """Modules that no folder of Python has, and that a file imports in any case. Python looks for them, and runs nothing of them."""
+    looked: dict[str, bool] = {}
+    for path in sources():
+        try:
+            body = ast.parse(path.read_bytes()[:SIZE]).body
+        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            continue
+        names = [item.name for line in body if isinstance(line, ast.Import) for item in line.names]
+        names += [line.module for line in body if isinstance(line, ast.ImportFrom) and line.module and not line.level]
+        for first in sorted({name.partition(".")[0] for name in names}):
+            if first not in looked:
+                looked[first] = importlib.util.find_spec(first) is not None
+            if not looked[first] and not any(path.parent.glob(f"{first}*")):  # a neighbour, which a script finds
+                yield f"{path.relative_to(INSTALL)}: import {first}: there is no such module"
 
 
 def called(command: list[str]) -> tuple[int, str]:
@@ -87,6 +118,7 @@ def main(out: str) -> None:
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         found = [line for lines in pool.map(linked, files()) for line in lines]
         found += [line for lines in pool.map(imported, modules()) for line in lines]
+    found += not_found()
     text = "".join(json.dumps(line, ensure_ascii=True) + "\n" for line in sorted({*found}))
     Path(out).write_text(text, encoding="ascii")
 

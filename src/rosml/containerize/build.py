@@ -587,7 +587,10 @@ class App:
             raise RosmlError(text, "add --ros-distro, such as jazzy", exit_code=2)
         names = ("upstream", "downstream", "manifests", "requests", "empty")
         upstream, downstream, manifests, requests, empty = (state / name for name in names)
-        workspace.stage(folder, state / "staged" / "target", self._lock_file, LeftOut(folder))
+        if private := workspace.stage(folder, state / "staged" / "target", self._lock_file, LeftOut(folder)):
+            self._say(
+                f"in the images everybody may read {some(sorted(private))}, which others may not read here (umask)"
+            )
         empty.mkdir(parents=True, exist_ok=True)
         roots = {"target": folder, "upstream": upstream, "downstream": downstream}
         named = app_bake_file.mirrors_with_a_password(self._environment)
@@ -605,11 +608,7 @@ class App:
             locked.write_requests(requests)
         if self._renew:  # an earlier build may have installed older versions
             (requests / "renewed").write_text(f"{time.time()}\n")
-        for path in workspace.empty_submodules(folder):
-            self._say(f"the submodule {path} is not there: git submodule update --init --recursive")
-        if found := workspace.pointers(state / "staged" / "target"):
-            more = f" and {counted(len(found) - 1, 'file')} more" if len(found) > 1 else ""
-            self._say(f"{found[0]}{more} of Git LFS: only a pointer is there, and gets into the images: git lfs pull")
+        self._tell_sources(folder, state / "staged" / "target", private)
         packages = counted(counts["target"] + counts["upstream"], "package")
         packages += f", and {counts['downstream']} that use them," if counts["downstream"] else ""
         self._say(f"{packages} for {', '.join(self._names.platforms)}")
@@ -636,6 +635,23 @@ class App:
         return app_bake_file.Inputs(
             base, distribution, values, contexts, empty, hooked, commit.hash, commit.time, slim, conditions=conditions
         )
+
+    def _tell_sources(self, folder: Path, staged: Path, private: Sequence[str]) -> None:
+        """Says what of a repository is not as its authors may expect.
+
+        Args:
+            staged: its files as the builder gets them.
+            private: those that others may not read in the repository.
+        """
+        for path in workspace.empty_submodules(folder):
+            self._say(f"the submodule {path} is not there: git submodule update --init --recursive")
+        if found := workspace.pointers(staged):
+            more = f" and {counted(len(found) - 1, 'file')} more" if len(found) > 1 else ""
+            self._say(f"{found[0]}{more} of Git LFS: only a pointer is there, and gets into the images: git lfs pull")
+        if private:
+            self._say(
+                f"in the images everybody may read {some(sorted(private))}, which others may not read here (umask)"
+            )
 
     def _check(self, base: app_base.Base, conditions: str, requests: Path, manifests: Path) -> None:
         """Tells of names to leave out that no package has, and checks that packages are for the ROS of the base image, if it says which.

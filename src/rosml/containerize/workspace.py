@@ -131,7 +131,7 @@ def none_in(folder: Path) -> RosmlError:
     )
 
 
-def stage(folder: Path, out: Path, without: Path | None = None, left: LeftOut | None = None) -> None:
+def stage(folder: Path, out: Path, without: Path | None = None, left: LeftOut | None = None) -> list[str]:
     """Makes the folder that the builder gets: links to the files of a repository, without git's folder, files of secrets and files
     that stay. If a link has an absolute path to another place of the folder, it becomes relative.
 
@@ -140,9 +140,15 @@ def stage(folder: Path, out: Path, without: Path | None = None, left: LeftOut | 
     Args:
         without: one file that stays.
         left: other files and folders that stay.
+
+    Returns:
+        Files that others may not read in the folder, as a checkout with umask 077 has them. Everybody may read them in `out`, since an
+        image has many users.
     """
+    private: list[str] = []
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
+    out.chmod(0o755)
     for path, folders, names in os.walk(folder):
         place = out / os.path.relpath(path, folder)
         links = [name for name in folders if Path(path, name).is_symlink()]
@@ -152,14 +158,23 @@ def stage(folder: Path, out: Path, without: Path | None = None, left: LeftOut | 
             if name not in SECRET and name not in links and not (left and left.whole(Path(path, name)))
         ]
         for name in folders:
-            (place / name).mkdir(mode=0o755)
+            (place / name).mkdir()
+            (place / name).chmod(0o755)
         for name in [*names, *links]:
-            if name not in SECRET and Path(path, name) != without and not (left and left(Path(path, name))):
-                _link(Path(path, name), place / name, folder)
+            source = Path(path, name)
+            stays = name in SECRET or source == without or (left and left(source))
+            if not stays and _link(source, place / name, folder):
+                private.append(os.path.relpath(source, folder))
+    return private
 
 
-def _link(source: Path, target: Path, root: Path) -> None:
-    """Links a file to another name, or copies it if that is on another file system. Skips sockets and pipes."""
+_READABLE = 0o444
+"""The permissions that let everybody read a file."""
+
+
+def _link(source: Path, target: Path, root: Path) -> bool:
+    """Links a file to another name, or copies it if that is on another file system or if not everybody may read it. Skips sockets and
+    pipes. Returns whether not everybody may read it."""
     facts = source.lstat()
     if stat.S_ISLNK(facts.st_mode):
         leads = os.readlink(source)
@@ -167,10 +182,15 @@ def _link(source: Path, target: Path, root: Path) -> None:
             leads = os.path.relpath(os.path.realpath(source), os.path.realpath(source.parent))
         target.symlink_to(leads)
     elif stat.S_ISREG(facts.st_mode):
+        if facts.st_mode & _READABLE != _READABLE:
+            shutil.copy2(source, target)
+            target.chmod(stat.S_IMODE(facts.st_mode) | _READABLE | (0o111 if facts.st_mode & stat.S_IXUSR else 0))
+            return True
         try:
             os.link(source, target)
         except OSError:
             shutil.copy2(source, target)
+    return False
 
 
 def empty_submodules(folder: Path) -> list[str]:

@@ -57,6 +57,21 @@ def test_what_is_missing_is_named(script: ModuleType, tmp_path: Path, monkeypatc
     assert any(line.startswith("lib/node: undefined symbol: two") for line in found)
 
 
+def test_a_module_that_a_script_imports(script: ModuleType, tmp_path: Path) -> None:
+    """catkin and ament install scripts that no entry point names. What is beside a script is found there."""
+    folder = tmp_path / "install/lib/robot"
+    folder.mkdir(parents=True)
+    (folder / "node.py").write_text(
+        "#!/usr/bin/env python3\nimport json, beside, robot_that_is_gone.a\nimport beside\n"
+    )
+    (folder / "beside.py").write_text("from robot_that_is_gone_too import b\n")
+    (folder / "run").write_text("#!/bin/sh\nimport nothing\n")
+    assert said(script, tmp_path) == [
+        "lib/robot/beside.py: import robot_that_is_gone_too: there is no such module",
+        "lib/robot/node.py: import robot_that_is_gone: there is no such module",
+    ]
+
+
 def test_a_module_that_never_ends(script: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "install/x.egg-info").mkdir(parents=True)
     (tmp_path / "install/x.egg-info/entry_points.txt").write_text("[console_scripts]\na = waits:main\n")

@@ -321,10 +321,11 @@ def test_facts_of_an_app(script: ModuleType, built: Path, tmp_path: Path) -> Non
     (layer / install / "link").symlink_to("program")
     owned = "/.\n/lib\n/lib/data\n/usr/share/doc/liba1/copyright\n/usr/share/not/there\n"
     runtime = put(tmp_path / "runtime", {"var/lib/dpkg/info/liba1:amd64.list": owned})
-    script.write_app(layer, runtime, tmp_path)
+    script.write_app(layer, runtime, tmp_path, {"torch": "lib/a/b.py"}, ["python3-tabulate"])
     found = facts.parse((tmp_path / "facts.gz").read_bytes())
     [package] = found.packages
     assert package.files == ["usr/lib/data", "usr/share/doc/liba1/copyright", "var/lib/dpkg/status.d/liba1"]
+    assert found.imports == [facts.Import(module="torch", file="lib/a/b.py")] and found.asks == ["python3-tabulate"]
     own = (r"M\udcfcller", "libb.so", "link", "program")
     assert found.files == [*(f"{install}/{name}" for name in own), "etc/motd"]
     by_name = {item.path.rpartition("/")[2]: item for item in found.libraries}

@@ -319,3 +319,26 @@ def test_no_image_is_made_that_lacks_what_the_tests_had(
     assert [call["name"] for call in calls] == ["packages"]
     built = app(repository, services, **given, tests="false").build()
     assert built.images and any("libanswer.so" in text for _, text in built.summary()), "it is said"
+
+
+def test_what_python_imports_of_the_base_image(script: ModuleType, tmp_path: Path) -> None:
+    """Scripts, modules and launch files; not what comes with the app, with Python, or in some cases alone."""
+    sites = "usr/lib/python3/dist-packages"
+    runtime = {f"{sites}/{name}/__init__.py": "" for name in ("torch", "numpy", "yaml", "extra", "brought", "cv2")}
+    install = f"{WS}/install/ni"
+    files = {
+        **runtime,
+        f"{install}/lib/ni/node": "#!/usr/bin/env python3\nimport torch.nn, sys, os.path, gone\nfrom ni_msgs import msg\n",
+        f"{install}/lib/ni/text": "#!/bin/sh\nimport extra\n",
+        f"{install}/lib/python3/dist-packages/ni/core.py": "from numpy import array\nfrom . import other\nimport brought\n",
+        f"{install}/share/ni/launch/all.launch.py": "import yaml\ntry:\n    import extra\nexcept ImportError:\n    pass\n",
+        f"{install}/share/ni/broken.py": "import (\n",
+        f"{install}/share/ni/later.py": "def now():\n    import cv2\n",
+    }
+    built, layer = write(tmp_path / "built", files), write(tmp_path / "layer", {f"{sites}/brought/__init__.py": ""})
+    found = script.Lacking(write(tmp_path / "runtime", runtime), built, ["ni"])
+    assert found.imported(layer) == {
+        "torch": "ni/lib/ni/node",
+        "numpy": "ni/lib/python3/dist-packages/ni/core.py",
+        "yaml": "ni/share/ni/launch/all.launch.py",
+    }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import stat
 import subprocess
 import time
 from pathlib import Path
@@ -153,3 +154,21 @@ def test_no_pattern_takes_long(tmp_path: Path) -> None:
     started = time.monotonic()
     assert len(staged(tmp_path / "robot", tmp_path / "out")) == 2
     assert time.monotonic() - started < 10
+
+
+def test_a_checkout_with_umask_077_gives_files_that_everybody_may_read(tmp_path: Path) -> None:
+    """An image may start as any user. The files of the checkout stay as they are."""
+    write(tmp_path / "robot", "package.xml", "scripts/talk")
+    (tmp_path / "robot/scripts/talk").chmod(0o700)
+    (tmp_path / "robot/scripts").chmod(0o700)
+    before = os.umask(0o077)
+    try:
+        private = workspace.stage(tmp_path / "robot", tmp_path / "out")
+    finally:
+        os.umask(before)
+    assert private == ["scripts/talk"]
+    modes = {
+        path.name: stat.S_IMODE(path.stat().st_mode) for path in (tmp_path / "out", *(tmp_path / "out").rglob("*"))
+    }
+    assert modes == {"out": 0o755, "scripts": 0o755, "talk": 0o755, "package.xml": 0o644}
+    assert stat.S_IMODE((tmp_path / "robot/scripts/talk").stat().st_mode) == 0o700

@@ -30,7 +30,7 @@ from stubs import script_of_a_build
 from rosml.base.errors import RosmlError
 from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME, LOCK, REPLACED
 from rosml.containerize.lock import Image, Lock
-from rosml.containerize.rebase import image, variants
+from rosml.containerize.rebase import checks, image, variants
 from rosml.images.join import facts, file_lists
 from rosml.images.join.joiner import Joiner
 from rosml.images.scan import sbom
@@ -214,6 +214,57 @@ def test_another_base_image_is_refused(place: Place, new: dict[str, Any], says: 
     old = place.base()
     app = place.app(old)
     assert says in place.refused(app, place.base("newer", **new))
+
+
+TORCH = "usr/local/lib/python3.11/dist-packages/torch/__init__.py"
+TABULATE = package("python3-tabulate", "0.9")
+
+
+def test_what_the_apps_python_imports_has_to_be_in_the_base_image(place: Place) -> None:
+    """By the list of files: no image is unpacked for that."""
+    script = {"module": "torch", "file": "robot/lib/robot/node.py"}
+    app = place.app(place.base(), facts=changed(OWN, imports=[script]))
+    text = place.refused(app, place.base("newer"))
+    assert "robot/lib/robot/node.py imports torch, which the base image lacks" in text
+    assert place.rebase(app, place.base("newest", files=("usr/bin/env", TORCH))).verdict == "safe"
+
+
+def test_what_the_app_asked_for_by_name_has_to_be_in_the_base_image(place: Place) -> None:
+    """Its old base image had it, so it is in no layer of the app."""
+    old = place.base(said=changed(BASE_FACTS, packages=[*BASE_FACTS["packages"], TABULATE]))
+    app = place.app(old, facts=changed(OWN, imports=[], asks=["python3-tabulate"]))
+    assert "the app asked for python3-tabulate, which the base image lacks" in place.refused(app, place.base("newer"))
+
+
+@pytest.mark.parametrize(
+    ("more", "verdict"),
+    [({}, "check by link"), ({"imports": []}, "safe"), ({"imports": [{"module": "os", "file": "a"}]}, "check by link")],
+)
+def test_packages_that_are_gone_matter_to_an_app_with_python(place: Place, more: dict[str, Any], verdict: str) -> None:
+    """Of an app that was built earlier, nobody knows whether it has some."""
+    old = place.base(said=changed(BASE_FACTS, packages=[*BASE_FACTS["packages"], TABULATE]))
+    app = place.app(old, facts=changed(OWN, **more))
+    new = place.base("newer", files=("usr/bin/env", "usr/lib/python3.11/os.py"))
+    assert place.rebase(app, new).verdict == verdict
+
+
+@pytest.mark.parametrize(
+    ("path", "name"),
+    [
+        (TORCH, "torch"),
+        ("usr/lib/python3/dist-packages/yaml/__init__.py", "yaml"),
+        ("usr/lib/python3/dist-packages/six.py", "six"),
+        ("usr/lib/python3/dist-packages/_yaml.cpython-311-x86_64-linux-gnu.so", "_yaml"),
+        ("usr/lib/python3.11/json/__init__.py", "json"),
+        ("usr/lib/python3.11/lib-dynload/_bz2.cpython-311-x86_64-linux-gnu.so", "_bz2"),
+        ("opt/ros/jazzy/lib/python3.12/site-packages/rclpy/node.py", "rclpy"),
+        ("opt/app/venv/lib/python3.12/site-packages/a/b/c.py", "a"),
+        ("usr/lib/libtorch.so", ""),
+        ("usr/share/doc/torch/README", ""),
+    ],
+)
+def test_modules_in_a_list_of_files(path: str, name: str) -> None:
+    assert checks.modules_of([path]) == ({name} if name else set())
 
 
 def test_a_file_whose_name_is_no_unicode_is_found_in_a_base_image(place: Place) -> None:

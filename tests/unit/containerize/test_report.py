@@ -122,7 +122,7 @@ def test_what_the_build_says_has_a_shape(tmp_path: Path) -> None:
         ("[]", "app.json"),
         ("{", "app.json: invalid JSON"),
         ("[" * 100_000, "app.json: invalid JSON"),
-        (b"\xff", "app.json: invalid JSON"),
+        (b"\xff", "app.json: it is not UTF-8"),
         (json.dumps({**APP, "packages": "libfoo"}), "app.json: packages: "),
         (json.dumps({**APP, "apt": {"libfoo; rm": "1"}}), "app.json: apt."),
         (json.dumps({**APP, "apt": {"libfoo": "1 && true"}}), "app.json: apt."),

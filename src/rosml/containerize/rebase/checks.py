@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import IntEnum
 
@@ -107,7 +107,7 @@ def judge(
     app: Facts,
     old: Facts | None,
     new: Facts,
-    files: tuple[Container[str], Container[str]],
+    files: tuple[Collection[str], Container[str]],
     labels: tuple[Mapping[str, str], Mapping[str, str]],
 ) -> Judgement:
     """Whether an app runs on another base image.
@@ -125,11 +125,13 @@ def judge(
     found = Judgement()
     try:
         _packages(app, new, found)
+        _asked(app, new, found)
         if old:
             _vanished(app, old, new, found)
     except ValueError as error:
         raise RosmlError(f"the facts of an image are damaged: {error}", AGAIN) from None
     _files(app, new, files, found)
+    _imports(app, files[0], found)
     _parts(app, labels, found)
     _libraries(app, old, new, found)
     if old is None:
@@ -167,6 +169,36 @@ def _packages(app: Facts, new: Facts, found: Judgement) -> None:
             found.add(Verdict.BUILD, text)
 
 
+def _asked(app: Facts, new: Facts, found: Judgement) -> None:
+    """Packages that the app asked for by name. Its present base image has them, so they are not in its layer.
+
+    Raises:
+        ValueError: a field is damaged.
+    """
+    every = debian.Known([*new.packages, *app.packages])
+    for name in app.asks:
+        if name not in every:
+            found.add(Verdict.BUILD, f"the app asked for {name}, which the base image lacks")
+
+
+def _imports(app: Facts, files: Collection[str], found: Judgement) -> None:
+    """Modules of its present base image that the app's Python imports."""
+    modules = modules_of(files) if app.imports else ()
+    for item in app.imports or ():
+        if item.module not in modules:
+            found.add(Verdict.BUILD, f"{item.file} imports {item.module}, which the base image lacks")
+
+
+def modules_of(files: Iterable[str]) -> set[str]:
+    """The first names of the modules in folders that Python looks into, by the paths of an image's files."""
+    return {match[1] for path in files if (match := _MODULE.match(path))}
+
+
+_MODULE = re.compile(
+    r"(?:.*/(?:site|dist)-packages|(?:.*/)?(?:usr/(?:local/)?|opt/[^/]+/[^/]+/)?lib/python3(?:\.\d+)?(?:/lib-dynload)?)/([^/.]+)(?:[/.]|$)"
+)
+
+
 def _vanished(app: Facts, old: Facts, new: Facts, found: Judgement) -> None:
     """Packages that only the old base image has. Python and launch files may use them, and no list says so.
 
@@ -175,7 +207,7 @@ def _vanished(app: Facts, old: Facts, new: Facts, found: Judgement) -> None:
     """
     every = debian.Known([*new.packages, *app.packages])
     gone = sorted({package.name for package in old.packages if package.name not in every})
-    if gone:
+    if gone and app.imports != []:
         text = f"the base image until now has {_some(gone)}, and this one has not; the app's Python may use it"
         found.add(Verdict.LINK, text)
 
@@ -211,7 +243,7 @@ def _parts(app: Facts, labels: tuple[Mapping[str, str], Mapping[str, str]], foun
     """Releases of parts, whose libraries have their names: one minor release runs no programs of another."""
     lost = [name.removeprefix(PREFIX) for name in labels[0] if name.startswith(PREFIX) and name not in labels[1]]
     lost = [name for name in lost if VERSION.fullmatch(labels[0][PREFIX + name])]
-    if lost and labels[0].get(FRAMEWORK) != labels[1].get(FRAMEWORK):
+    if lost and labels[0].get(FRAMEWORK) != labels[1].get(FRAMEWORK) and app.imports != []:
         found.add(Verdict.LINK, f"this base image has no {listed(lost, 'or')}; the app's Python may use it")
     needed = sorted({name for library in app.libraries for name in library.needed})
     for label, old in labels[0].items():

@@ -93,6 +93,18 @@ class Library(_Model):
     uses: list[Symbol] = []
 
 
+class Import(_Model):
+    """A module of the base image that an app imports.
+
+    Attributes:
+        module: its first name, such as `torch`.
+        file: the first file of the app that imports it in any case, below the install space.
+    """
+
+    module: Text
+    file: Text
+
+
 class Facts(_Model):
     """The facts of an image.
 
@@ -100,11 +112,15 @@ class Facts(_Model):
         packages: of a base image all packages; of an app those in its layer.
         libraries: of a base image or a part, libraries that export something; of an app all programs and libraries in its layer.
         files: of an app, the files in its layer that belong to none of its packages, without a slash at the beginning.
+        imports: of an app, what its Python imports of its base image; None of an app that was built before facts had it.
+        asks: of an app, packages of apt that it asks for by name and that its base image has.
     """
 
     packages: list[Package]
     libraries: list[Library]
     files: list[Text] = []
+    imports: list[Import] | None = None
+    asks: list[Text] = []
 
 
 def parse(data: bytes) -> Facts:
@@ -126,11 +142,23 @@ def together(found: Iterable[Facts]) -> Facts:
     packages: dict[str, Package] = {}
     libraries: dict[str, Library] = {}
     files: dict[str, None] = {}
+    imports: dict[str, Import] = {}
+    asks: dict[str, None] = {}
+    are_known = True
     for facts in found:
         packages |= {item.model_dump_json(): item for item in facts.packages}
         libraries |= {item.model_dump_json(): item for item in facts.libraries}
         files |= dict.fromkeys(facts.files)
-    return Facts.model_construct(packages=[*packages.values()], libraries=[*libraries.values()], files=[*files])
+        imports |= {item.module: item for item in facts.imports or ()}
+        asks |= dict.fromkeys(facts.asks)
+        are_known = are_known and facts.imports is not None
+    return Facts.model_construct(
+        packages=[*packages.values()],
+        libraries=[*libraries.values()],
+        files=[*files],
+        imports=[*imports.values()] if are_known else None,
+        asks=[*asks],
+    )
 
 
 # ---- Symbols ---------------------------------------------------------------------------------------------------------
