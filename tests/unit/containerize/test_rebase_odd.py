@@ -95,12 +95,15 @@ def test_a_tag_loses_no_platform(place: Place) -> None:
         (lambda it: it["config"]["Labels"].update(mine="1"), "label mine"),
     ],
 )
+@pytest.mark.parametrize("is_gone", [False, True], ids=["", "base image gone"])
 def test_what_others_set_in_an_app_is_not_lost(
-    place: Place, change: Callable[[dict[str, Any]], object], says: str
+    place: Place, change: Callable[[dict[str, Any]], object], says: str, is_gone: bool
 ) -> None:
     """`FROM robot` with `USER me`, or `crane mutate`: no layer of its own says so."""
     old, new = place.base(), place.base("newer")
     app = altered(place, place.app(old), change)
+    if is_gone:
+        place.registry.delete("rosml/ros", place.digest(old))
     assert says in place.refused(app, new)
 
 

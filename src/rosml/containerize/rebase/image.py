@@ -106,6 +106,34 @@ def require_unaltered(app: Source, base: Source) -> None:
         raise RosmlError(text, ONLY_OURS, exit_code=2)
 
 
+def require_kept(app: Source, base: Source) -> None:
+    """Checks that an app keeps its settings on another base image, if its present one is gone: nobody knows whose they are.
+
+    Args:
+        base: the new base image.
+
+    Raises:
+        RosmlError: the app has some that the new image would not have (exit code 2).
+    """
+    given = _ordered(app.config.content.get("config") or {}, _SETTINGS)
+    expected = _config(app, base, _own_history(app), _own_labels(app))["config"]
+    lost = [
+        name
+        for name in _SETTINGS
+        if name not in ("Env", "Labels") and given.get(name) not in (None, "", expected.get(name))
+    ]
+    names = [
+        {entry.partition("=")[0] for entry in found} for found in (app.config.environment, expected.get("Env", ()))
+    ]
+    lost += [f"variable {name[:100]}" for name in sorted(names[0] - names[1])]
+    labels = sorted(app.labels.keys() - expected.get("Labels", {}).keys())
+    lost += [f"label {name[:100]}" for name in labels if not name.startswith((PREFIX, "org.opencontainers."))]
+    if lost:
+        more = [f"{len(lost) - SHOWN} more"] if len(lost) > SHOWN else []
+        text = f"the base image of {app.name} is gone, so nobody knows who set {listed([*lost[:SHOWN], *more])}; the new one has others"
+        raise RosmlError(text, AGAIN, exit_code=2)
+
+
 def index(app: Mapping[str, Any], members: Mapping[str, Joined]) -> bytes:
     """The index of an app on another base image.
 

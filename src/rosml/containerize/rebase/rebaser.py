@@ -275,6 +275,8 @@ class Rebaser:
             self.say(f"the base image until now cannot be read, so nobody compares with it: {error.message}")
         if whole:
             image.require_unaltered(app, whole)
+        else:
+            image.require_kept(app, base)
         found = checks.judge(own, had, known.facts, (known.files, known.folders), labels)
         for reason, verdict in found.reasons.items():
             judgement.add(verdict, reason)
