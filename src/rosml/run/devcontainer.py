@@ -6,6 +6,7 @@ An editor replaces the image's entrypoint by a command that waits, then enters t
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 from typing import Any
 
@@ -18,6 +19,9 @@ from rosml.run.user import VARIABLE
 
 FOLDER = "${localWorkspaceFolder}"
 """The variable for the folder that the editor opens."""
+
+VARIABLES = re.compile(r"\$\{\s*(?:env|local\w*|container\w*|devcontainer\w*)\b", re.IGNORECASE)
+"""The beginning of a variable of editors: https://containers.dev/implementors/json_reference/#variables-in-devcontainerjson."""
 
 DROPPED = ("interactive", "tty")
 """Editors have their own terminals."""
@@ -53,11 +57,12 @@ def content(call: Call) -> dict[str, Any]:
     """The content of the file. Options without a counterpart go to the engine unchanged.
 
     Raises:
-        RosmlError: an editor has its own command.
+        RosmlError: an editor has its own command, or a text has a variable of editors (exit code 2).
     """
     if call.command:
         text = f"a dev container has no command of yours, such as {call.command[0]}: its editor keeps it open"
         raise RosmlError(text, "leave the command out, and call it on the editor's terminal", exit_code=2)
+    _require_no_variables(call)
     if call.values("entrypoint"):
         raise RosmlError("a dev container has its editor's entrypoint", "leave out --entrypoint", exit_code=2)
     opened = next((option for option in call.options if _target(option, call)), None)
@@ -81,6 +86,15 @@ def content(call: Call) -> dict[str, Any]:
         "runArgs": [_word(option, call) for option in others if option.name not in (*ELSEWHERE, *DROPPED)],
     }
     return {key: value for key, value in found.items() if value not in ([], {})}
+
+
+def _require_no_variables(call: Call) -> None:
+    """Refuses variables of editors in texts of images, folders and words. An editor puts something of the desk in their place, such as a
+    password from the environment, and knows no escape."""
+    texts = [call.name, call.image, call.folder, call.place, *(option.value or "" for option in call.options)]
+    if found := next(filter(None, map(VARIABLES.search, texts)), None):
+        text = f"{found.string[:100]!a} has {found[0]}, for which an editor puts in something of your machine"
+        raise RosmlError(text, "leave it out, or take another image or folder", exit_code=2)
 
 
 def _variable(value: str) -> tuple[str, str]:

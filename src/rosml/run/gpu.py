@@ -38,6 +38,8 @@ def gpu(context: Context) -> Added:
         RosmlError: the machine's driver is too old for the image.
     """
     line, host = context.line, context.host
+    if line.has("gpus") and context.engine.podman:
+        return Added(notes=[FOR_PODMAN])
     if line.asks("no-gpu") or not context.is_here or is_theirs(line):
         return NOTHING
     if not is_nvidia(host):
@@ -47,6 +49,13 @@ def gpu(context: Context) -> Added:
         return Added(notes=[lacking(context.engine)])
     _check_driver(context)
     return Added(words, notes=tuple(_not_built_for(context)))
+
+
+FOR_PODMAN = (
+    "podman before 5.0 starts a container without a GPU for --gpus",
+    "write --device nvidia.com/gpu=all instead",
+)
+"""The warning about an option that podman takes for docker's sake."""
 
 
 def is_nvidia(host: Host) -> bool:

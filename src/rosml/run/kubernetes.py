@@ -317,10 +317,9 @@ def _gpus(option: Option, call: Call) -> dict[str, Any]:
     found = gpus(option)
     if found.ids or found.driver not in ("", "nvidia") or found.capabilities:
         raise _without(f"--gpus {option.value}", "write --gpus NUMBER: the cluster chooses which")
-    count = "1" if found.count == "all" else found.count
-    if not COUNT.fullmatch(count) or int(count) == 0:
-        raise _without(f"--gpus {option.value}", "write --gpus NUMBER")
-    return _limit(GPU, str(int(count)))
+    if not COUNT.fullmatch(found.count) or int(found.count) == 0:
+        raise _without(f"--gpus {option.value}", "write --gpus NUMBER: a cluster counts GPUs")
+    return _limit(GPU, str(int(found.count)))
 
 
 def _limit(name: str, value: str, kind: str = "limits") -> dict[str, Any]:
@@ -334,8 +333,6 @@ def _cpus(option: Option, call: Call) -> dict[str, Any]:
 
 
 def _device(option: Option, call: Call) -> dict[str, Any]:
-    if option.value == f"{GPU}=all":
-        return _limit(GPU, "1")
     remedy = "a device plugin of the cluster, or --privileged -v /dev:/dev; GPUs are --gpus NUMBER"
     raise _without(f"--device {option.value}", remedy)
 

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 from rosml.run import gpu
 from rosml.run.context import Context
@@ -25,13 +26,28 @@ _DATED = re.compile(r"-\d{8}(\.\d+)?$")
 
 def chosen(context: Context) -> str:
     """The image for this machine; empty if it is the named one, or if nobody knows: of another machine, or by a full name."""
-    known, own = _known(context), context.image.labels.get(STACK, "")
-    name, tag = _split(context.line.image)
-    named = any(tag.endswith(f"-{stack}") for stack in known) or _DATED.search(tag)  # nothing has that name and a stack
-    if own not in known or not tag or named or not context.is_here:
+    known = _known(context)
+    return _named(context, known, _best(context, known)) if context.is_here else ""
+
+
+def asked(context: Context) -> str:
+    """The image that a call for another machine asks for; empty if it is the named one. Of images for GPUs, it is the one for the oldest
+    driver, as nobody knows that machine's."""
+    known, line = _known(context), context.line
+    if line.asks("no-gpu"):
+        return _named(context, known, next((stack for stack, driver in known.items() if not driver), ""))
+    if not gpu.is_theirs(line) or known.get(context.image.labels.get(STACK, "")):
         return ""
-    best = _best(context, known)
-    return f"{name}:{tag}-{best}" if best and best != own else ""
+    with_gpu = [stack for stack, driver in known.items() if driver]
+    return _named(context, known, min(with_gpu, key=lambda stack: gpu.numbers(known[stack]), default=""))
+
+
+def _named(context: Context, known: Mapping[str, str], stack: str) -> str:
+    """The image for a stack; empty if there is none, or if the named image is for that stack or is named in full."""
+    own = context.image.labels.get(STACK, "")
+    name, tag = _split(context.line.image)
+    whole = any(tag.endswith(f"-{other}") for other in known) or _DATED.search(tag)  # nothing has that name and a stack
+    return "" if own not in known or not tag or whole or stack in ("", own) else f"{name}:{tag}-{stack}"
 
 
 def _known(context: Context) -> dict[str, str]:

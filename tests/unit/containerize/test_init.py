@@ -7,6 +7,7 @@ import os
 import re
 import shlex
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ from click.testing import CliRunner, Result
 from conftest import ROOT
 from desks import OURS, Desk
 
+from rosml.base.errors import RosmlError
 from rosml.cli import main
 from rosml.cli.containerize import init
 from rosml.containerize import app_inputs, workspace
@@ -150,7 +152,7 @@ def test_a_second_call_changes_nothing_and_keeps_to_the_first(tmp_path: Path) ->
     called(tmp_path, "--yes", *words, "--command", "mine", *REGISTRY)
     before = snapshot(tmp_path)
     assert before["Dockerfile"][0] == b"FROM mine\n" and ".github/workflows/images.yml" in before
-    done = called(tmp_path, "--yes")
+    done = called(tmp_path, "--yes", *REGISTRY)
     assert snapshot(tmp_path) == before
     assert re.findall(r"^(same|kept) +(\S+)", done.stdout, re.MULTILINE) == [
         ("kept", "Dockerfile"),
@@ -808,3 +810,78 @@ def test_a_base_image_in_a_registry_is_published_first(tmp_path: Path, monkeypat
 )
 def test_the_name_of_an_image(folder: str, name: str) -> None:
     assert contents.image_name(folder) == name
+
+
+# ---- What a repository says is written into files of others ----------------------------------------------------------
+
+HOSTILE = (
+    *(
+        "${{ toJSON(secrets) }}",
+        "${{{{ a }}",
+        "$CI_JOB_TOKEN",
+        "${TOKEN}",
+        "$(id)",
+        "`id`",
+        "%h%%",
+        "{{ .Values }}",
+        "a: b",
+    ),
+    *("# x", "- x", "'x'", '"x"', "\\", "é", "*a", "&a", "!b", "@c", "|", ">"),
+)
+"""Texts that mean something in one of the files."""
+
+
+def project_of(text: str) -> contents.Project:
+    """A project in which all that a repository may choose has a text."""
+    return contents.Project(
+        name="robot", tag="ros:jazzy-base", place="ghcr.io/me/rosml", ros=2, gpu=False, command=f"ros2 launch a '{text}'", ended=False,
+        pip=(f"{text}.txt",), repos=f"{text}.repos", one_of_several=True, packages=(text,), forge="github", source="me/rosml",
+        revision="main", keys=(text,),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("text", HOSTILE)
+def test_texts_of_a_repository_are_only_texts_in_all_files(text: str) -> None:
+    """Each file is read as its system reads it."""
+    project = project_of(text)
+    expected = {name.lower().replace("_", "-"): value for name, value in contents.variables(project).items()}
+    github = contents.contents(project)[contents.GITHUB]
+    given = yaml.safe_load(github)["jobs"]["images"]["steps"][0]["with"]
+    literal = "${{ '${{' }}"
+    for name, value in given.items():
+        if name != "push":
+            assert "${{" not in value.replace(literal, "")
+            assert value.replace(literal, "${{") == expected[name]
+    gitlab = contents.contents(replace(project, forge="gitlab"))[contents.GITLAB]
+    (include,) = yaml.safe_load(gitlab)["include"]
+    for name, value in include["inputs"].items():
+        if name not in ("rosml-url", "rosml-ref"):
+            assert (value if name in contents.AS_IT_IS else value.replace("$$", "$")) == expected[name]
+            assert name in contents.AS_IT_IS or "$" not in value.replace("$$", "")
+    dockerfile = contents.contents(project)[contents.DOCKERFILE]
+    instructions = [line for line in dockerfile.split("\n") if line and not line.startswith((" ", "#"))]
+    assert {line.split(" ")[0] for line in instructions} <= {"ARG", "FROM", "COPY", "RUN", "CMD"}
+    (copied,) = [json.loads(line[5:]) for line in instructions if line.startswith("COPY [")]
+    assert re.sub(r"\\(.)", r"\1", copied[0]) == project.repos and not re.search(r"(?<!\\)(\\\\)*\$", copied[0])
+
+
+@pytest.mark.parametrize("text", ["a\nRUN id", "a\rb", "a\x00", "a\u2028b"])
+def test_a_name_of_several_lines_is_refused(text: str) -> None:
+    with pytest.raises(RosmlError, match="has the character"):
+        contents.contents(project_of(text))
+
+
+def test_a_registry_of_the_repository_is_a_proposal(tmp_path: Path) -> None:
+    """A stranger's .env would choose whose workflow may write packages."""
+    folder = write(
+        tmp_path,
+        {"package.xml": manifest(), ".env": "BASE_IMAGE=ghcr.io/attacker/rosml/ros:jazzy-base\n", ".github/x": ""},
+    )
+    done = called(folder, "--yes", "--distribution", "jazzy")
+    assert "names the registry ghcr.io/attacker/rosml, and nobody has confirmed it" in done.stderr
+    assert not (folder / ".github/workflows").exists()
+    assert "attacker" not in (folder / "Dockerfile").read_text()
+    (folder / "Dockerfile").unlink()
+    (folder / ".env").write_text('BASE_IMAGE="x.y/a\nFROM debian AS z\nRUN id >/evil\n# /ros:jazzy-base"\n')
+    called(folder, "--yes", "--distribution", "jazzy")
+    assert "evil" not in (folder / "Dockerfile").read_text()

@@ -12,13 +12,13 @@ from typing import Any
 import pytest
 import yaml
 from desks import Desk
-from exports import PODMAN, ROOTLESS, call
+from exports import BARE, DOCKER, KINDS, ME, OWN, PODMAN, ROOTLESS, call
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from rosml.base.errors import RosmlError
-from rosml.run import compose, devcontainer, export, words
-from rosml.run.context import Host
+from rosml.run import compose, devcontainer, export, plugins, words
+from rosml.run.context import Context, Host, Image
 from rosml.run.words import split
 
 QUIET = ("--no-tz", "--no-it", "--no-user")
@@ -469,3 +469,17 @@ def test_a_call_that_is_wrong(desk: Desk, line: list[str], says: str) -> None:
 def test_bytes_that_are_no_text() -> None:
     with pytest.raises(RosmlError, match="is no text"):
         call("x", os.fsdecode(b"\xff"))
+
+
+@pytest.mark.parametrize(
+    "text", ["${localEnv:TOKEN}", "a${ localEnv:TOKEN}", "${env:A}", "${containerEnv:PATH}", "${localWorkspaceFolder}"]
+)
+def test_a_variable_of_editors_in_a_strangers_text_is_refused(text: str) -> None:
+    """Editors put in something of the desk, and have no escape."""
+    kind, image = (
+        KINDS["devcontainer"],
+        Image(environment={"DOCKER_UID": "", "WORKSPACE": f"/x/{text}"}, command=("bash",)),
+    )
+    context = kind.settled(kind.seen(Context(split(["--mws", "img"], OWN), DOCKER, ME, image, BARE, True)))
+    with pytest.raises(RosmlError, match="an editor puts in something of your machine"):
+        kind.text(export.call(context, plugins.plan(context).argv, ""))

@@ -34,6 +34,27 @@ def chosen(
 
 
 @pytest.mark.parametrize(
+    ("words", "own", "found"),
+    [
+        (["--gpus", "1"], "cpu", "a/robot:latest-cu128"),
+        (["--device", "nvidia.com/gpu=all"], "cpu", "a/robot:latest-cu128"),
+        (["--gpus", "1"], "cu130", ""),
+        ([], "cpu", ""),
+        ([], "cu130", ""),
+        (["--no-gpu"], "cu130", "a/robot:latest-cpu"),
+    ],
+)
+def test_a_file_for_another_machine_has_the_image_that_the_call_asks_for(
+    words: list[str], own: str, found: str
+) -> None:
+    """Whatever GPU this desk has."""
+    said = Image(labels={variants.LABEL: STACKS, variants.STACK: own})
+    line = split([*words, "a/robot:latest"], {"--no-gpu"})
+    context = Context(line, Engine(), Person(1000, 1000, "me", "/home/me"), said, Host(Path("/nowhere")))
+    assert variants.asked(context) == found
+
+
+@pytest.mark.parametrize(
     ("driver", "own", "found"),
     [
         ("580.65.06", "cpu", "a/robot:latest-cu132"),

@@ -101,10 +101,11 @@ def main(
     if not folder.is_dir():
         raise click.BadParameter(f"Directory '{folder}' does not exist.", param_hint="'[FOLDER]'")
     from rosml.cli.images import own_set
+    from rosml.containerize import app_inputs
     from rosml.containerize.init import choices, contents, forge, packages
     from rosml.containerize.init import folder as folders
+    from rosml.containerize.init.choices import Choice
     from rosml.images.image_set import load
-    from rosml.registry import references
     from rosml.run import gpu as gpus
     from rosml.run.host import host
 
@@ -113,8 +114,6 @@ def main(
     image_set = load.load(matrix, ROOT)
     found = packages.find(folder, choices.libraries(image_set.matrix))
     env, broken = folders.env(folder)
-    if not place and image_set.by_tag(named := env.get("BASE_IMAGE", "")) and references.has_registry(named):
-        place = named.rpartition("/")[0]
     machine = host(os.environ)
     here = choices.Here(
         datetime.datetime.now(datetime.UTC).date(),
@@ -127,6 +126,9 @@ def main(
     if not (yes or as_json) and _has_terminal():
         terminal.echo(f"{_packages(found)}\nEnter takes what is in brackets; ? lists the answers.\n", err=True)
         ask = _ask
+    proposed = "" if place else _registry_of(env, image_set)
+    if proposed and ask is _ask:
+        place = ask("Registry of the base images", Choice(proposed, f"{app_inputs.FILE} names it"), (), forge.place_of)
     address = own_set.address_of_rosml(rosml)
     decided = choices.decide(image_set, found, choices.Given(stack=accelerator, **given), here, ask)
     jobs = forge.chosen(folder, ci, place, images_to, address, image_set.matrix, ask)
@@ -154,6 +156,11 @@ def main(
         folders.write(folder, wanted)
     notes = [
         *_guessed(project, address, wanted),
+        *(
+            [(UNCONFIRMED.format(proposed), f"--registry {proposed}, if you trust it")]
+            if proposed and not place
+            else []
+        ),
         *decided.notes,
         *([broken] if broken else _lacking(env, wanted, project)),
         *_kept(folder, wanted, project),
@@ -234,6 +241,24 @@ def _guessed(project: Project, address: str, wanted: Sequence[File]) -> Iterator
     if not address and any(file.path == contents.FORGES.get(project.forge) and not file.there for file in wanted):
         text = f"that rosml is at {project.source} on {project.forge} is a guess from the registry's path"
         yield text, "name its address with --rosml, such as https://github.com/me/rosml"
+
+
+UNCONFIRMED = ".env of the repository names the registry {}, and nobody has confirmed it: the files do not"
+"""What is said of a registry that only a file of the repository names."""
+
+
+def _registry_of(env: Mapping[str, str], image_set: ImageSet) -> str:
+    """The registry and path of the base image in a `.env`; empty if it names none of our images, or no such place."""
+    from rosml.containerize.init import forge
+    from rosml.registry import references
+
+    named = env.get("BASE_IMAGE", "")
+    if not image_set.by_tag(named) or not references.has_registry(named):
+        return ""
+    try:
+        return forge.place_of(named.rpartition("/")[0])
+    except RosmlError:
+        return ""
 
 
 def _secrets(project: Project) -> Iterator[tuple[str, str]]:

@@ -243,25 +243,26 @@ def begin(context: Context, *more: Plugin) -> None:
 
 
 def of_machine(
-    program: str, line: words.Line, caller: Person, facts: engine.Facts, name: str
+    program: str, line: words.Line, caller: Person, facts: engine.Facts, name: str, elsewhere: bool = False
 ) -> tuple[words.Line, engine.Facts]:
-    """The command line with the image for this machine, if the named one is there for several accelerators, and the facts about it.
+    """The command line with the image for a machine, if the named one is there for several accelerators, and the facts about it.
 
     Args:
         facts: about the named image.
         name: the wanted name of a container, or an empty text.
+        elsewhere: it is for another machine than this one.
     """
     from rosml.run import engine, variants
     from rosml.run.host import host
 
     if facts.image is None or variants.LABEL not in facts.image.labels:
         return line, facts
-    other = variants.chosen(Context(line, facts.engine, caller, facts.image, host(os.environ)))
+    context = Context(line, facts.engine, caller, facts.image, host(os.environ))
+    other = variants.asked(context) if elsewhere else variants.chosen(context)
     if not other:
         return line, facts
-    terminal.echo(
-        f"rosml: {line.image} is there for several accelerators; {other} is the one for this machine", err=True
-    )
+    why = "what the call asks for" if elsewhere else "this machine"
+    terminal.echo(f"rosml: {line.image} is there for several accelerators; {other} is the one for {why}", err=True)
     line = replace(line, image=other)
     return line, engine.ask(program, other, name)
 
@@ -274,11 +275,12 @@ def planned(context: Context, *more: Plugin) -> plugins.Plan:
     return plan
 
 
-def looked_at(program: str, line: words.Line, caller: Person) -> Context:
+def looked_at(program: str, line: words.Line, caller: Person, elsewhere: bool = False) -> Context:
     """The context of an image that is not started.
 
     Args:
         program: the engine's command.
+        elsewhere: it will start on another machine.
 
     Raises:
         RosmlError: the engine does not have the image.
@@ -286,7 +288,7 @@ def looked_at(program: str, line: words.Line, caller: Person) -> Context:
     from rosml.run import engine
     from rosml.run.host import host
 
-    line, facts = of_machine(program, line, caller, engine.ask(program, line.image, ""), "")
+    line, facts = of_machine(program, line, caller, engine.ask(program, line.image, ""), "", elsewhere)
     if facts.image is None:
         raise engine.lacking(program, line.image)
     return Context(line, facts.engine, caller, facts.image, host(os.environ))
@@ -323,13 +325,16 @@ def exported(program: str, line: words.Line, caller: Person, files: Files, kind:
             something else.
     """
     from rosml.cli.run import export
+    from rosml.run import gpu
 
     if other := next((x for x in ("check", "dry-run", "json") if line.asks(x)), ""):
         raise RosmlError(f"--export does not go with --{other}", "leave out one of them", exit_code=2)
     whole = files.under(line)
     if kind == "devcontainer":
         whole = replace(whole, command=line.command)  # an editor has its own instead of a default
-    context = looked_at(program, whole, caller)
+    # A file of compose is for this machine, unless it asks for other GPUs.
+    elsewhere = kind in ("quadlet", "kubernetes") or (kind == "compose" and gpu.is_theirs(whole))
+    context = looked_at(program, whole, caller, elsewhere)
     context = export.KINDS[kind].seen(context)
     defaults.require(line, files.project)
     context = trust.settled(context)

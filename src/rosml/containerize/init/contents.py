@@ -8,6 +8,7 @@ import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from rosml.base.errors import RosmlError
 from rosml.containerize import app_inputs, left_out
 from rosml.containerize.init.packages import PIP
 from rosml.images.matrix.model import Distribution, Matrix
@@ -111,7 +112,12 @@ def repos_of(lists: Sequence[str], matrix: Matrix, distribution: str) -> str:
 
 
 def contents(project: Project) -> dict[str, str]:
-    """The files, by their paths in the folder."""
+    """The files, by their paths in the folder.
+
+    Raises:
+        RosmlError: a name in the repository has a line break or another control character (exit code 2).
+    """
+    _require_lines(project)
     made = {
         DOCKERFILE: _dockerfile(project),
         ".dockerignore": _lines(_dockerignore(project)),
@@ -121,6 +127,15 @@ def contents(project: Project) -> dict[str, str]:
     if project.forge in FORGES:
         made[FORGES[project.forge]] = _lines(_github(project) if project.forge == "github" else _gitlab(project))
     return made
+
+
+def _require_lines(project: Project) -> None:
+    """Refuses names that would be several lines of a file."""
+    for value in vars(project).values():
+        for text in value if isinstance(value, tuple) else (value,):
+            if isinstance(text, str) and (odd := re.search(r"[\x00-\x1f\x7f\x85\u2028\u2029]", text)):
+                message = f"{text[:100]!a} has the character {odd[0]!a}, and a file has one line for it"
+                raise RosmlError(message, "rename it in the repository", exit_code=2)
 
 
 def lacking(path: str, text: str, project: Project) -> Iterator[tuple[str, str]]:
@@ -249,7 +264,7 @@ def _source_stages(project: Project) -> Iterator[list[str]]:
     if project.repos:
         yield [
             "FROM ${BASE_IMAGE} AS upstream",
-            f"COPY {json.dumps([project.repos, '/upstream.repos'])}",
+            f"COPY {json.dumps([_of_docker(project.repos), '/upstream.repos'])}",
             "RUN mkdir /upstream && vcs import --input /upstream.repos /upstream",
         ]
         yield ["FROM scratch AS sources", "COPY --from=upstream /upstream /src/upstream", "COPY . /src/target"]
@@ -262,6 +277,11 @@ def _source_stages(project: Project) -> Iterator[list[str]]:
         "COPY --from=sources /src /src",
         f"RUN find /src ! -type d {kept} -delete && find /src -type d -empty -delete",
     ]
+
+
+def _of_docker(path: str) -> str:
+    """A path in COPY, of which Docker expands variables."""
+    return re.sub(r"([\\$])", r"\\\1", path)
 
 
 def _pip_names(project: Project) -> list[str]:
@@ -307,8 +327,10 @@ def _github(project: Project) -> Iterator[str]:
     yield f"      - uses: {project.source}/containerize@{project.revision}{loose}"
     yield "        with:"
     yield f"          base-image: {json.dumps(project.base_image)}"
-    for name, value in _beyond(project):
+    for name, value in _pushed(project):
         yield f"          {name}: {json.dumps(value)}"
+    for name, value in _inputs(project).items():
+        yield f"          {name}: {json.dumps(_of_github(value))}"
     yield "          push: ${{ github.event_name != 'pull_request' }} # a fork's job may not push"
 
 
@@ -322,8 +344,19 @@ def _gitlab(project: Project) -> Iterator[str]:
     yield f"      rosml-url: {json.dumps('$CI_SERVER_URL/' + project.source + '.git')}"
     yield f"      rosml-ref: {json.dumps(project.revision)}"
     yield f"      base-image: {json.dumps(project.base_image)}"
-    for name, value in _beyond(project):
+    for name, value in _pushed(project):
         yield f"      {name}: {json.dumps(value)}"
+    for name, value in _inputs(project).items():
+        yield f"      {name}: {json.dumps(value if name in AS_IT_IS else value.replace('$', '$$'))}"
+
+
+AS_IT_IS = ("command",)
+"""The inputs in which containerize/gitlab.yml lets GitLab expand no variable. In others, `$$` is one `$`."""
+
+
+def _of_github(value: str) -> str:
+    """A text of the repository in which GitHub finds no expression: https://docs.github.com/actions/reference/workflows-and-actions/expressions"""
+    return value.replace("${{", "${{ '${{' }}")
 
 
 def other_registry(project: Project) -> str:
@@ -343,10 +376,8 @@ def _pushed(project: Project) -> Iterator[tuple[str, str]]:
             yield "registry-password", "${{ secrets.REGISTRY_PASSWORD }}"
 
 
-def _beyond(project: Project) -> Sequence[tuple[str, str]]:
-    """The inputs beside the base image. The names of images are those that CI chooses, or the one that the user names."""
-    told = {name.lower().replace("_", "-"): value for name, value in variables(project).items()}
-    return [
-        *_pushed(project),
-        *((name, value) for name, value in told.items() if name not in ("base-image", "image-name")),
-    ]
+def _inputs(project: Project) -> dict[str, str]:
+    """The inputs beside the base image and the name of the run image, which CI chooses or the user names. Their texts are from the
+    repository."""
+    said = {name.lower().replace("_", "-"): value for name, value in variables(project).items()}
+    return {name: value for name, value in said.items() if name not in ("base-image", "image-name")}
