@@ -33,10 +33,13 @@ ADDRESSES = Path("/var/lib/cni/networks/buildkit")
 """The folder with a file for each used address."""
 RULES = (
     ("filter", "INPUT", "-j REJECT"),
+    ("filter", "FORWARD", "-d 169.254.0.0/16 -p tcp ! --dport 53 -j REJECT"),
+    ("filter", "FORWARD", "-d 169.254.0.0/16 -p udp ! --dport 53 -j REJECT"),
     ("mangle", "FORWARD", "-p tcp --tcp-flags SYN,RST SYN -j TCPMSS --clamp-mss-to-pmtu"),
 )
-"""Table, chain and rule for packets from a bridge: they do not reach the machine itself, and are no larger than its own network
-allows, whose limit may be below a bridge's 1500 bytes."""
+"""Table, chain and rule for packets from a bridge: they do not reach the machine itself, nor a service that a cloud gives to this machine
+alone, apart from its name server. They are no larger than the machine's own network allows, whose limit may be below a bridge's 1500
+bytes."""
 RESOLVED = "127.0.0.53"
 """The address of systemd-resolved. BuildKit asks that one's servers instead."""
 RESOLV = ("/etc/resolv.conf", "/run/systemd/resolve/resolv.conf")
