@@ -167,14 +167,17 @@ class Desk:
         """Whether an engine was called with this first word."""
         return any(call[1] == word for call in self.calls)
 
-    def on_a_terminal(self, *words: str, output: int | None = None, keys: bytes = b"") -> tuple[int, bytes]:
+    def on_a_terminal(
+        self, *words: str, output: int | None = None, keys: bytes = b"", before: bytes = b""
+    ) -> tuple[int, bytes]:
         """Calls it on a terminal of Python's own making: its exit code, and what the terminal gets to see.
 
         Args:
-            output: in the place of the terminal. keys: what somebody types.
+            output: in the place of the terminal. keys: what somebody types, a line at each question. before: what they typed already.
         """
         ours, theirs = pty.openpty()
-        os.write(ours, keys)
+        os.write(ours, before)
+        lines = keys.splitlines(keepends=True)
         out = theirs if output is None else output
         with subprocess.Popen(
             self.argv(*words), cwd=self.folder, env=self.environment, stdin=theirs, stdout=out, stderr=theirs
@@ -184,6 +187,8 @@ class Desk:
             with contextlib.suppress(OSError):  # how a terminal says that nobody writes any more
                 while part := os.read(ours, 1000):
                     told += part
+                    if told.endswith(b"[y/N] ") and lines:
+                        os.write(ours, lines.pop(0))
         os.close(ours)
         return process.returncode, told
 

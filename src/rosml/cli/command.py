@@ -129,8 +129,22 @@ def warn(message: str, remedy: str = "") -> None:
     _say(f"{click.style('warning:', fg='yellow', bold=True)} ", message, remedy)
 
 
+LONGEST = 10_000
+"""The most characters of a line of a message. A message may quote what others wrote, such as a label of megabytes."""
+
+
+def _cut(text: str) -> str:
+    """A message without the rest of very long lines."""
+    lines = (
+        line if len(line) <= LONGEST else f"{line[:LONGEST]}… ({len(line) - LONGEST:,} characters more)"
+        for line in text.split("\n")
+    )
+    return "\n".join(lines)
+
+
 def _say(head: str, message: str, remedy: str) -> None:
     """Prints an error or a warning, and its remedy, on standard error."""
+    message, remedy = _cut(message), _cut(remedy)
     terminal.echo(head + message, err=True)
     if remedy:
         terminal.echo(f"{click.style('remedy:', bold=True)} {remedy}", err=True)
@@ -146,7 +160,7 @@ def _told(as_json: bool, message: str, remedy: str, code: int) -> int:
     """Prints an error as a JSON object if --json is given. Returns the exit code."""
     if as_json and sys.stdout:
         try:
-            terminal.echo(json.dumps({"error": click.unstyle(message), "remedy": remedy}, indent=2))
+            terminal.echo(json.dumps({"error": _cut(click.unstyle(message)), "remedy": _cut(remedy)}, indent=2))
             sys.stdout.flush()
         except OSError:  # the reader is gone, or the disk is full; the message is printed already
             _drop_output()

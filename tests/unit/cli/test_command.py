@@ -365,3 +365,12 @@ def test_what_is_in_the_way_is_named(name: str, says: str, tmp_path: Path, capsy
     assert command.run(ending(lambda: made(tmp_path, name)), arguments=[]) == 1
     err = capsys.readouterr().err
     assert err.startswith("error: " + says.format(tmp_path)) and "Errno" not in err
+
+
+def test_a_message_does_not_quote_a_label_of_megabytes(capsys: pytest.CaptureFixture[str]) -> None:
+    for words in ([], ["--json"]):
+        failing = raising(RosmlError(f"its label is {'x' * 2_000_000}", "y" * 2_000_000))
+        failing.params.append(click.Option(["--json"], is_flag=True, expose_value=False))
+        command.run(failing, "", words)
+        done = capsys.readouterr()
+        assert len(done.out + done.err) < 50_000 and "characters more)" in done.err

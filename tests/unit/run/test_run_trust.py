@@ -150,7 +150,7 @@ def test_somebody_is_asked_once_for_a_repository(desk: Desk, keys: bytes, expect
     said = told.decode().replace("\r", "").splitlines()
     assert code == 0 and runs_as(desk) == expected
     assert f"{EVIL} wants to start as root, and to make a user with your ids then." in said
-    assert f"Trust all images of {EVIL}? [y/N] " in said
+    assert any(line.startswith(f"Trust all images of {EVIL}? [y/N] ") for line in said)
     assert remembered(desk) == {f"image {EVIL}": expected == MADE} and desk.memory.stat().st_mode & 0o777 == 0o600
     assert desk.on_a_terminal("--no-name", f"{EVIL}:2") == (0, b"") and runs_as(desk) == expected, "both are remembered"
     assert desk.call(EVIL).stderr == "" and runs_as(desk) == expected
@@ -223,6 +223,12 @@ def test_a_file_cannot_trust(desk: Desk) -> None:
     (desk.folder / ".rosml.toml").write_text('options = ["--trust"]')
     done = desk.call(EVIL)
     assert done.returncode == 125 and ".rosml.toml:1: --trust is for the command line alone" in done.stderr
+
+
+def test_what_was_typed_before_a_question_is_no_answer(desk: Desk) -> None:
+    """Somebody may hit Enter, or type the next command, while an image is pulled."""
+    code, told = desk.on_a_terminal("--no-name", EVIL, keys=b"n\n", before=b"y\n")
+    assert code == 0 and told.count(b"[y/N]") == 1 and runs_as(desk) == JO
 
 
 def test_a_files_image_is_allowed_and_not_trusted(desk: Desk) -> None:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import sys
+import termios
+from contextlib import suppress
 from pathlib import Path
 
 from rosml.base import terminal
@@ -16,12 +18,14 @@ def possible() -> bool:
 
 
 def agreed(*lines: str) -> bool:
-    """Asks, and waits for the answer. Anything but `y` and `yes` is a no.
+    """Asks, and waits for the answer. Anything but `y` and `yes` is a no. What was typed before the question is no answer to it.
 
     Args:
         lines: the text; its last line is the question.
     """
     terminal.echo("\n".join(lines), err=True, nl=False)
+    with suppress(termios.error):
+        termios.tcflush(0, termios.TCIFLUSH)
     terminal.echo(" [y/N] ", err=True, nl=False)
     return sys.stdin.buffer.readline().strip().lower() in (b"y", b"yes")
 
