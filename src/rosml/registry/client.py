@@ -30,7 +30,18 @@ from rosml.registry import credentials as docker
 from rosml.registry.answers import Answer, codes, reason
 from rosml.registry.credentials import DOCKER_HUB, Credentials
 from rosml.registry.documents import MEDIA_TYPE, TAG, Descriptor
-from rosml.registry.failures import Busy, Denied, Limited, Refused, Transient, Untrusted, named, transport, unfit
+from rosml.registry.failures import (
+    Busy,
+    Denied,
+    Immutable,
+    Limited,
+    Refused,
+    Transient,
+    Untrusted,
+    named,
+    transport,
+    unfit,
+)
 from rosml.registry.oci import (
     CONFIG,
     DOCKER_CONFIG,
@@ -67,6 +78,9 @@ PAGES = 1000
 
 LIST_BYTES = 64 << 20
 """Largest list, of all its pages together."""
+
+_IMMUTABLE = re.compile(r"\bimmutable\b|cannot be overwritten", re.IGNORECASE)
+"""What registries say if a tag may not move: Amazon's, Google's, Harbor and Quay."""
 
 _SETTLED = frozenset(range(300, 600)).difference(web.BUSY)
 _UNKNOWN = {"BLOB_UNKNOWN", "MANIFEST_BLOB_UNKNOWN", "MANIFEST_UNKNOWN"}
@@ -225,17 +239,23 @@ class Registry:
     def send_manifest(
         self, repository: str, reference: str, content: bytes | Mapping[str, Any], media_type: str
     ) -> tuple[str, httpx.Headers]:
-        """Puts a manifest like `put_manifest`; gives also the headers of the answer. All manifests are sent here."""
+        """Puts a manifest like `put_manifest`; gives also the headers of the answer. All manifests are sent here. A registry with immutable tags
+        refuses the same content, too, which is no failure."""
         data = content if isinstance(content, bytes) else encoded(content)
         digest = digest_of(data)
-        answer = self._ask(
-            "PUT",
-            _manifest(repository, reference or digest),
-            repository,
-            headers={"Content-Type": media_type},
-            content=data,
-            push=True,
-        )
+        try:
+            answer = self._ask(
+                "PUT",
+                _manifest(repository, reference or digest),
+                repository,
+                headers={"Content-Type": media_type},
+                content=data,
+                push=True,
+            )
+        except Immutable:
+            if self.head(repository, reference) != digest:
+                raise
+            return digest, httpx.Headers()
         self._there.add(repository)
         self._login.reconsider(self._scopes(repository))
         return digest, answer.headers
@@ -849,6 +869,11 @@ class Registry:
             raise Denied(error) if passing else error
         if self.base.scheme == "http" and code == 400 and b"https" in answer.content.lower():
             raise RosmlError(f"{self.host} does not speak plain http", certificates.remedy(self.host, ""))
+        if push and _IMMUTABLE.search(said):
+            tag = f"{self.host}/{repository}:{answer.url.path.rpartition('/')[2]}"
+            raise Immutable(
+                f"{tag} is there with other content, and the registry lets no tag move: {said}", "choose another tag"
+            )
         missing = "check the reference"
         refused = RosmlError(
             f"{self.host}: {said}", missing if code == 404 else "ask the registry's operator, or look into its log"

@@ -35,6 +35,10 @@ class Busy(RosmlError):
     """The registry answered each time that it is busy."""
 
 
+class Immutable(RosmlError):
+    """The registry lets no tag move."""
+
+
 class Transient(Exception):
     """A failure that may pass.
 

@@ -354,6 +354,22 @@ def test_retry_after(server: StandIn, registry: Registry, monkeypatch: pytest.Mo
         assert len(pauses) == 1 and waited <= pauses[0] <= 1.2
 
 
+@pytest.mark.parametrize("code", [400, 409, 412])
+def test_a_tag_that_may_not_move(server: StandIn, registry: Registry, code: int) -> None:
+    """The same content is there already; other content is refused at once, with the tag."""
+    registry.put_manifest("a", "x", MANIFEST)
+    body = b'{"errors": [{"code": "TAG_INVALID", "message": "The tag x is immutable and cannot be overwritten"}]}'
+    server.fault("PUT", "/manifests/x", code, 1000, body=body)
+    registry.put_manifest("a", "x", MANIFEST)
+    before = server.count("manifests/x")
+    with pytest.raises(
+        RosmlError, match="a:x is there with other content, and the registry lets no tag move"
+    ) as caught:
+        registry.put_manifest("a", "x", {**MANIFEST, "annotations": {"b": "c"}})
+    assert caught.value.remedy == "choose another tag"
+    assert server.count("manifests/x") == before + 2, "no attempt is repeated"
+
+
 @pytest.mark.parametrize(
     ("asked", "before", "requests", "remedy"),
     [
