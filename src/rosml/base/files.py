@@ -21,7 +21,7 @@ def write(file: Path, content: str, within: Path | None = None) -> bool:
     Links are followed. Pipes and devices, such as /dev/stdout, are written to, never replaced.
 
     Args:
-        within: for a name that the user did not choose: the folder that no link may lead out of.
+        within: for a name that the user did not choose, such as one in a repository: the folder below which no link is followed.
 
     Raises:
         RosmlError: the file cannot be written.
@@ -139,10 +139,15 @@ def _told(file: Path) -> Iterator[None]:
 
 
 def _require_within(file: Path, folder: Path) -> None:
-    """Raises RosmlError if links lead a file out of a folder."""
-    if not file.resolve().is_relative_to(folder.resolve()):
-        text = f"{file}: cannot be written: a link leads out of {folder}, to {file.resolve()}"
-        raise RosmlError(text, "remove the link, then run it again")
+    """Raises RosmlError if a file is not in a folder, or is a link there, or is below one."""
+    top, path = folder.resolve(), folder.resolve() / os.path.relpath(file, folder)
+    for place in (path, *path.parents):
+        if place == top:
+            return
+        if place.is_symlink():
+            text = f"{file}: cannot be written: {place} is a link, to {os.readlink(place)}"
+            raise RosmlError(text, "remove the link, then run it again")
+    raise RosmlError(f"{file}: cannot be written: it is not in {folder}", "choose a file in that folder")
 
 
 def _staged(file: Path, content: str) -> Path:

@@ -455,7 +455,7 @@ class App:
             made = made.with_other_architectures(before)
             if lost := sorted(before.apt.keys() - made.apt.keys()):
                 self._say(f"the lock file has no packages for {', '.join(lost)} any more: name all platforms at once")
-        files.write(self._lock_file, made.text())
+        files.write(self._lock_file, made.text(), within=self._folder)
 
     def _locked(self, inputs: app_bake_file.Inputs, built: Built) -> lock.Lock:
         """The lock: the inputs of the images."""
@@ -587,10 +587,7 @@ class App:
             raise RosmlError(text, "add --ros-distro, such as jazzy", exit_code=2)
         names = ("upstream", "downstream", "manifests", "requests", "empty")
         upstream, downstream, manifests, requests, empty = (state / name for name in names)
-        if private := workspace.stage(folder, state / "staged" / "target", self._lock_file, LeftOut(folder)):
-            self._say(
-                f"in the images everybody may read {some(sorted(private))}, which others may not read here (umask)"
-            )
+        private = workspace.stage(folder, state / "staged" / "target", self._lock_file, LeftOut(folder))
         empty.mkdir(parents=True, exist_ok=True)
         roots = {"target": folder, "upstream": upstream, "downstream": downstream}
         named = app_bake_file.mirrors_with_a_password(self._environment)

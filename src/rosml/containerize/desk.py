@@ -150,5 +150,6 @@ def prepare(folder: Path) -> None:
         path.mkdir(exist_ok=True)
     kept = folder / KEPT
     for mark in MARKS:
-        (kept / mark).touch()
-    files.write(kept / ".gitignore", "*\n", within=kept)
+        if not (kept / mark).is_file() or (kept / mark).is_symlink():
+            files.write(kept / mark, "", within=folder)
+    files.write(kept / ".gitignore", "*\n", within=folder)

@@ -414,3 +414,13 @@ def test_its_exit_code_is_colcons(colcon: Callable[..., tuple[int, list[str]]]) 
     assert colcon("test", FAILS="test")[0] == 3
     code, calls = colcon("test", FAILS="build")
     assert (code, len(calls)) == (3, 1), "tests that do not build do not run"
+
+
+@pytest.mark.parametrize("name", ["COLCON_IGNORE", "CATKIN_IGNORE", ".gitignore"])
+def test_no_file_is_made_behind_a_link_of_a_stranger(tmp_path: Path, name: str) -> None:
+    folder = tmp_path / "robot"
+    (folder / desk.KEPT).mkdir(parents=True)
+    (folder / desk.KEPT / name).symlink_to(tmp_path / "outside")
+    with pytest.raises(RosmlError, match=f"{name} is a link"):
+        desk.prepare(folder)
+    assert not (tmp_path / "outside").exists()
