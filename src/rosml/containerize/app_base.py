@@ -139,7 +139,8 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
         return found
     if refused and services.bases and (found := _made_here(names[-1], services, platforms, digest)):
         return found
-    ours = _ours(text) or _app_here(text, services)
+    by_digest = references.GONE if "@" in text else ""
+    ours = by_digest or _ours(text) or _app_here(text, services)
     if refused:
         if len(names) == 1:
             raise refused

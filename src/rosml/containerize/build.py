@@ -172,6 +172,10 @@ class Built:
         yield "time", time_taken(self.seconds, self.waited)
 
 
+SYMLINKS = "--symlink-install"
+"""The option of colcon for a workspace whose sources stay where they are."""
+
+
 class App:
     """Makes images of a repository with ROS packages.
 
@@ -205,6 +209,11 @@ class App:
                 "there is no command for the run image",
                 "add --command 'ros2 launch …', or --target dev; rosml init proposes one",
                 exit_code=2,
+            )
+        if "run" in self._names.targets and SYMLINKS in values.colcon_args:
+            text = f"colcon-args: with {SYMLINKS}, colcon installs links to your sources, which are in no run image"
+            raise RosmlError(
+                text, f"leave {SYMLINKS} out; rosml dev takes it: rosml dev -- colcon build {SYMLINKS}", exit_code=2
             )
         if not values.base_image:
             raise RosmlError(

@@ -67,6 +67,10 @@ def is_place(host: str, path: str) -> bool:
     return port is None or 0 < port < 1 << 16
 
 
+GONE = "check its digest; the registry may have removed it: take the image's tag, or the digest that it has now"
+"""The remedy if there is no image with a digest."""
+
+
 def is_digest(reference: str) -> bool:
     """Whether a reference is a digest, not a tag."""
     return re.fullmatch(DIGEST, reference) is not None

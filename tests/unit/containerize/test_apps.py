@@ -1072,6 +1072,10 @@ def test_a_package_that_apt_lacks_is_told_with_the_rule_that_names_it(
     [
         ({"command": "true"}, "there is no base image"),
         ({"base_image": "ros:jazzy"}, "there is no command for the run image"),
+        (
+            {"base_image": "ros:jazzy", "command": "x", "colcon_args": "--merge-install --symlink-install"},
+            "colcon-args: with --symlink-install",
+        ),
         ({"base_image": "ros:jazzy", "command": "true", "target": "run,slim"}, "'slim' is no target"),
         ({"base_image": "ros:jazzy", "command": "true", "image_name": "Robot!"}, "'Robot!' is no name of an image"),
         ({"base_image": "ros:jazzy", "command": "true", "image_tag": "a b"}, "'a b' is no tag"),

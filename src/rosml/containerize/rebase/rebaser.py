@@ -398,7 +398,9 @@ class Rebaser:
             return where, manifest
         raise RosmlError(
             f"there is no app {text} in a registry{'' if text == str(where) else f' (looked for {where})'}",
-            "name it with its registry; an app in your Docker has to be pushed first",
+            references.GONE
+            if references.is_digest(where.reference)
+            else "name it with its registry; an app in your Docker has to be pushed first",
             exit_code=2,
         )
 

@@ -241,7 +241,7 @@ class Transfer:
 def _near(registry: Registry, where: Reference) -> str:
     """What to do about an image that is not there: names of tags near its own, or some of those that its repository has."""
     if references.is_digest(where.reference):
-        return "check its digest; the registry may have removed it"
+        return references.GONE
     tags = [tag for tag in registry.tags(where.repository) if not tag.startswith("sha256-")]  # lists of attached things
     if found := near(where.reference, tags):
         return f"check its name: {found}"
