@@ -191,7 +191,6 @@ PLACES = (
     "--extra-index-url",
     "-f",
     "--find-links",
-    "--trusted-host",
     "--no-binary",
     "--only-binary",
 )

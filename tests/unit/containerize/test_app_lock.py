@@ -270,7 +270,9 @@ def test_the_archives_of_the_lock_file_come_by_their_hashes(script: ModuleType, 
         calls.append((arguments, Path(arguments[-1]).read_text()))
         return ["a==1 --hash=sha256:aa"] if "--require-hashes" in arguments else ["g @ git+https://x.test/g@c0"]
 
-    script.knows_report, script.reported, script.forget_secrets = lambda: True, installed, lambda names: None
+    script.knows_report = lambda: True  # type: ignore[attr-defined]
+    script.reported = installed  # type: ignore[attr-defined]
+    script.forget_secrets = lambda names: None  # type: ignore[attr-defined]
     script.main(tmp_path / "written", tmp_path / "lock", "--requirement", str(tmp_path / "pip"), "c")
     (hashed, locked), (usual, _) = calls
     where = ["--index-url", "https://index.test/simple", "-f", "https://wheels.test/a b", "--no-index"]

@@ -453,7 +453,7 @@ def test_an_engine_that_leaves_files_of_its_own(
 def test_an_empty_file_is_no_damaged_one(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
     (shop.folder / "empty").write_bytes(b"")
     assert shop.call("load", shop.folder / "empty", "--into", shop.folder / "out") == 2
-    assert "is empty: whoever wrote or copied it had no space" in capsys.readouterr().err
+    assert "is empty: the program that wrote or copied it had no space" in capsys.readouterr().err
 
 
 def test_a_killed_save_leaves_nothing(tmp_path: Path) -> None:

@@ -11,12 +11,13 @@ from typing import Any
 
 import pytest
 import yaml
-from desks import Desk
-from exports import BARE, DOCKER, KINDS, ME, OWN, PODMAN, ROOTLESS, call
+from desks import BARE, Desk
+from exports import DOCKER, ME, OWN, PODMAN, ROOTLESS, call
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from rosml.base.errors import RosmlError
+from rosml.cli.run.export import KINDS
 from rosml.run import compose, devcontainer, export, plugins, words
 from rosml.run.context import Context, Host, Image
 from rosml.run.words import split

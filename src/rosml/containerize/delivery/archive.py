@@ -194,7 +194,7 @@ class Archive:
         self.name, self._file = name, file
         self._length = file.seek(0, 2)
         if not self._length:
-            text = f"{name} is empty: whoever wrote or copied it had no space, or was interrupted"
+            text = f"{name} is empty: the program that wrote or copied it had no space, or was interrupted"
             raise RosmlError(text, _AGAIN, exit_code=2)
         self._places: dict[str, tuple[int, int]] = {}
         file.seek(0)
