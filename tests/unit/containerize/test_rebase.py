@@ -553,7 +553,9 @@ def test_an_app_on_several_accelerators(place: Place) -> None:
 @pytest.mark.parametrize(
     ("stacks", "says"),
     [
-        (["cpu"], "1 variants are named"),
+        ([], "0 variants are named"),
+        (["cpu"], "one variant is named"),
+        (["cpu", "cu130", "cpu"], "cpu is named twice"),
         (["cpu", "cu13 0"], "'cu13 0' is no stack"),
         (["cpu", "cu999"], "there is no image"),
         (["cpu", "cu130"], "lib/node needs libcudart.so.12, which the base image lacks"),

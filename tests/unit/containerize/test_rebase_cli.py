@@ -44,6 +44,8 @@ def called(*arguments: str, program: Command = rebase.main) -> tuple[int, str, s
         (["a/b", "--check", "run"], "belong together"),
         (["a/b", "--command", "x"], "belong together"),
         (["a/b", "--variants", "cpu", "--base", "x"], "--variants chooses base images"),
+        (["APP", "--variants", ""], "0 variants are named"),
+        (["BASE"], "is no app that rosml containerize built"),
         (["--all", "FOLDER"], "FOLDER"),
         (["--all", "EMPTY"], "EMPTY"),
         (["a B"], "is no reference"),
@@ -75,6 +77,7 @@ def test_a_dry_run_in_json(place: Place) -> None:
     assert found["verdict"] == "safe" and found["moved"] is False and found["base_digest"] == place.digest(new)
     assert called(app, "--base", new, "--json")[0] == 0
     assert place.digest(app) == found["digest"] != before
+    assert "already; nothing would change" in called(app, "--base", new, "--dry-run")[2]
 
 
 def test_the_output_names_the_way_back(place: Place) -> None:

@@ -49,7 +49,7 @@ STATES |= {"planned": "would move"}
     help="all apps that a file apps.yaml names, instead of APP",
 )
 @click.option(
-    "--variants", default="", metavar="STACKS", help="an image for each of these, such as cpu,cu130: TAG-cpu, TAG-cu130"
+    "--variants", metavar="STACKS", help="an image for each of these, such as cpu,cu130: TAG-cpu, TAG-cu130"
 )
 @click.option(
     "--fixes", default="", metavar="CVE", help="with --all: only apps that have it, if their new base image has not"
@@ -70,7 +70,7 @@ def main(
     tag: str,
     platforms: tuple[str, ...],
     apps: Path | None,
-    variants: str,
+    variants: str | None,
     fixes: str,
     check: str,
     command: str,
@@ -105,11 +105,11 @@ def main(
         "--tag": tag,
         "--platform": platforms,
         "--command": command,
-        "--variants": variants,
+        "--variants": variants is not None,
         "--check": check != "auto",
     }
     given = [name for name, value in one.items() if value]
-    if variants and (base or platforms):
+    if variants is not None and (base or platforms):
         raise RosmlError("--variants chooses base images and platforms by itself", "leave the other option out", 2)
     if apps and given:
         raise RosmlError(f"--all and {given[0]} exclude each other", "write what holds for an app into the file", 2)
@@ -122,11 +122,11 @@ def main(
         if apps:
             _fleet(rebaser, apps, fixes, with_sbom=not no_sbom, dry_run=dry_run, as_json=as_json)
             return
-        plans = [rebaser.plan(app, base, tag, platforms)] if not variants else _variants(rebaser, app, variants, tag)
+        plans = [rebaser.plan(app, base, tag, platforms)] if variants is None else _variants(rebaser, app, variants, tag)
         found = [_moved(rebaser, plan, check, command, not no_sbom, dry_run) for plan in plans]
     if as_json:
         documents = [item.to_json() for item in found]
-        terminal.echo(json.dumps(documents if variants else documents[0], indent=2))
+        terminal.echo(json.dumps(documents[0] if variants is None else documents, indent=2))
     elif not dry_run:
         for item in found:
             _print(item)
@@ -144,7 +144,10 @@ def _moved(rebaser: Rebaser, plan: Plan, check: str, command: str, with_sbom: bo
     for reason in plan.judgement.undecided:
         say(f"check by link: {reason}")
     if dry_run:
-        say(f"{plan.judgement.words}; {plan.target} would point at {plan.digest}")
+        if plan.there == plan.digest:
+            say(f"{plan.target} points at {plan.digest} already; nothing would change")
+        else:
+            say(f"{plan.judgement.words}; {plan.target} would point at {plan.digest}")
         return plan.result
     links = check in ("link", "run") or (check == "auto" and bool(plan.judgement.undecided))
     links = links and plan.there != plan.digest

@@ -171,19 +171,28 @@ def lock_of(app: Source) -> Lock | None:
         raise RosmlError(f"{app.name}: its label {LOCK} is damaged", AGAIN, exit_code=2) from None
 
 
+def require_app(image: Source) -> None:
+    """Checks that an image is an app that can move, as far as its labels tell.
+
+    Raises:
+        RosmlError: it is none (exit code 2).
+    """
+    target = image.labels.get(APP)
+    if not target:
+        text = f"{image.name} is no app that rosml containerize built: it has no label {APP}"
+        raise RosmlError(text, "name an app's run or slim image", exit_code=2)
+    if target == "dev":
+        text = f"{image.name} is an image to work on, with compilers of its base image"
+        raise RosmlError(text, "name the app's run image; build the other one again", exit_code=2)
+
+
 def _own_history(app: Source) -> list[dict[str, Any]]:
     """The entries of an app's own layer and of its settings.
 
     Raises:
         RosmlError: the image is no app with one layer of its own (exit code 2).
     """
-    target = app.labels.get(APP)
-    if not target:
-        text = f"{app.name} is no app that rosml containerize built: it has no label {APP}"
-        raise RosmlError(text, "name an app's run or slim image", exit_code=2)
-    if target == "dev":
-        text = f"{app.name} is an image to work on, with compilers of its base image"
-        raise RosmlError(text, "name the app's run image; build the other one again", exit_code=2)
+    require_app(app)
     if replaced := app.labels.get(REPLACED):
         text = f"{app.name} replaces what its base image has: {replaced[:200]}"
         raise RosmlError(text, AGAIN, exit_code=2)

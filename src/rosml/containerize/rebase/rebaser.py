@@ -199,6 +199,8 @@ class Rebaser:
         where, manifest = self._find(app)
         known = self._transfer.members(str(where), where, manifest)
         old = _chosen(known, platforms, str(where))
+        for source in old.values():
+            image.require_app(source)
         self._tell_left(str(where), manifest, known)
         target = references.parse(tag) if tag else where
         if references.is_digest(target.reference):

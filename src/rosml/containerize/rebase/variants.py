@@ -34,11 +34,13 @@ def plans(rebaser: Rebaser, app: str, stacks: Sequence[str], tag: str = "") -> l
     Raises:
         RosmlError: the app has no framework, or does not go onto one of the stacks (exit code 2); a registry does not answer or refuses.
     """
-    stacks = list(dict.fromkeys(stacks))
+    if twice := [name for number, name in enumerate(stacks) if name in stacks[:number]]:
+        raise RosmlError(f"{twice[0]} is named twice", "name each stack once, such as cpu,cu130", exit_code=2)
     if wrong := [name for name in stacks if not STACK.fullmatch(name)]:
         raise RosmlError(f"{wrong[0]!r} is no stack", "name stacks such as cpu,cu130", exit_code=2)
     if not 2 <= len(stacks) <= MOST:
-        raise RosmlError(f"{len(stacks)} variants are named", f"name 2 to {MOST}, such as cpu,cu130", exit_code=2)
+        text = "one variant is named" if len(stacks) == 1 else f"{len(stacks)} variants are named"
+        raise RosmlError(text, f"name 2 to {MOST}, such as cpu,cu130", exit_code=2)
     sources = rebaser.read(app)
     source = next(iter(sources.values()))
     bases = {stack: _base(source, stack) for stack in stacks}
