@@ -71,6 +71,7 @@ class App:
 
     Attributes:
         base: its base image. facts: of its layer; None for none. labels, environment: beside the usual ones.
+        annotations: of its manifest and its index.
         history: the instructions after the layer.
     """
 
@@ -79,6 +80,7 @@ class App:
     labels: Mapping[str, str] = field(default_factory=dict)
     target: str = "run"
     name: str = "robot"
+    annotations: Mapping[str, str] = field(default_factory=dict)
 
     def put(self, registry: Registry, tag: str, platforms: Sequence[str] = BOTH[:1], index: bool = False) -> str:
         """Puts it under a tag of `me/robot`; gives its reference."""
@@ -95,9 +97,12 @@ class App:
                 {**oci.descriptor(oci.IMAGE, manifest), "platform": place}
                 for manifest, place in zip(made, places, strict=True)
             ]
-            content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries}
+            content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries, **self._noted()}
             registry.put_manifest(f"me/{self.name}", tag, image.as_buildkit(content, indent=2), oci.INDEX)
         return f"{registry.host}/me/{self.name}:{tag}"
+
+    def _noted(self) -> dict[str, Any]:
+        return {"annotations": dict(self.annotations)} if self.annotations else {}
 
     def _image(self, registry: Registry, repository: str, index: str, digest: str) -> bytes:
         base = registry.manifest(repository, digest)
@@ -143,6 +148,7 @@ class App:
                 *map(_ordered, base.content["layers"]),
                 oci.descriptor("application/vnd.oci.image.layer.v1.tar+gzip", layer),
             ],
+            **self._noted(),
         }
         manifest = image.as_buildkit(content, indent=2)
         registry.put_manifest(f"me/{self.name}", "", manifest)

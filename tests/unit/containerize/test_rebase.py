@@ -61,6 +61,16 @@ def test_it_is_what_a_build_gives(place: Place, platforms: Sequence[str]) -> Non
     assert back.digest == place.digest(app) and back.before == built, "and back, with its own tag"
 
 
+@pytest.mark.parametrize("platforms", [("linux/amd64",), ("linux/amd64", "linux/arm64")])
+def test_annotations_of_an_app_come_along(place: Place, platforms: Sequence[str]) -> None:
+    """Those that somebody gave it. What is said of the old base image is not true any more."""
+    old, new = place.base(), place.base("newer")
+    own = {"com.example.robot": "arm"}
+    app = place.app(old, platforms=platforms, annotations={**own, "org.opencontainers.image.base.digest": "sha256:old"})
+    built = place.digest(App(new, annotations=own).put(place.registry, "built", platforms))
+    assert place.rebase(app, new).digest == built
+
+
 @pytest.mark.parametrize("short", [False, True])
 def test_the_way_back_keeps_the_tag(place: Place, short: bool) -> None:
     """`NAME:TAG@DIGEST` is the image of the digest, named by the tag: the old digest comes out, and the next night moves the app again."""

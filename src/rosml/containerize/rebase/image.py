@@ -74,6 +74,7 @@ def moved(app: Source, base: Source, labels: Mapping[str, str]) -> Joined:
         "mediaType": oci.IMAGE,
         "config": oci.descriptor(oci.CONFIG, encoded),
         "layers": [*base.layers, app.layers[-1]],
+        **_kept(app.manifest.annotations),
     }
     layers = (*((layer, base) for layer in base.layers), (app.layers[-1], app))
     return Joined(app.platform, encoded, as_buildkit(manifest, indent=2), config["config"]["Labels"], layers)
@@ -144,8 +145,20 @@ def index(app: Mapping[str, Any], members: Mapping[str, Joined]) -> bytes:
     entries = []
     for entry in app["manifests"]:
         if image := members.get(entry["digest"]):
-            entries.append({**oci.descriptor(oci.IMAGE, image.manifest), "platform": entry["platform"]})
-    return as_buildkit({"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries}, indent=2)
+            annotations = _kept(entry.get("annotations", {}))
+            entries.append({**oci.descriptor(oci.IMAGE, image.manifest), **annotations, "platform": entry["platform"]})
+    annotations = _kept(app.get("annotations", {}))
+    return as_buildkit({"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries, **annotations}, indent=2)
+
+
+def _kept(annotations: Mapping[str, str]) -> dict[str, dict[str, str]]:
+    """The field `annotations` with those that say something of the app; no field if there are none.
+
+    What rosml wrote, and what is said of the base image, is of the old image.
+    """
+    old = (PREFIX, "org.opencontainers.image.base.")
+    kept = {name: text for name, text in annotations.items() if not name.startswith(old)}
+    return {"annotations": kept} if kept else {}
 
 
 def as_buildkit(content: Mapping[str, Any], indent: int | None = None) -> bytes:
