@@ -48,9 +48,7 @@ STATES |= {"planned": "would move"}
     type=click.Path(path_type=Path),
     help="all apps that a file apps.yaml names, instead of APP",
 )
-@click.option(
-    "--variants", metavar="STACKS", help="an image for each of these, such as cpu,cu130: TAG-cpu, TAG-cu130"
-)
+@click.option("--variants", metavar="STACKS", help="an image for each of these, such as cpu,cu130: TAG-cpu, TAG-cu130")
 @click.option(
     "--fixes", default="", metavar="CVE", help="with --all: only apps that have it, if their new base image has not"
 )
@@ -122,7 +120,9 @@ def main(
         if apps:
             _fleet(rebaser, apps, fixes, with_sbom=not no_sbom, dry_run=dry_run, as_json=as_json)
             return
-        plans = [rebaser.plan(app, base, tag, platforms)] if variants is None else _variants(rebaser, app, variants, tag)
+        plans = (
+            [rebaser.plan(app, base, tag, platforms)] if variants is None else _variants(rebaser, app, variants, tag)
+        )
         found = [_moved(rebaser, plan, check, command, not no_sbom, dry_run) for plan in plans]
     if as_json:
         documents = [item.to_json() for item in found]
