@@ -22,7 +22,7 @@ from rosml.machine.services import Services
 
 NO_FORMAT_1 = (
     (b"", "invalid JSON"),
-    (b"\xff", "invalid JSON"),
+    (b"\xff", "it is not UTF-8"),
     (b"[]", "input should be an object"),
     (b"{}", "version: field required"),
     (b'{"version": 2}', "version: input should be 1"),

@@ -25,6 +25,8 @@ from rosml.base.terminal import shown
 _PREFIX = re.compile(r"^\[(?P<context>[^\]]*)\]\s*(?P<command>.*)$")
 _PART = re.compile(r"^\[(?:_files-|part-)?(?P<part>\S+) part-files [^]]*\] .*/assemble\.sh")
 _MOUNT = re.compile(r"--mount=\S+\s*")
+_WORD = re.compile(r'"([^"\\]*)",?')
+_START = re.compile(r"^\S+/step\.sh ")
 
 HEARTBEAT_SECONDS = 20.0
 """If a step is silent for so long, its name is printed again as a sign of life."""
@@ -68,7 +70,7 @@ class Step:
 
     @property
     def label(self) -> str:
-        """Short text for people: the step's work, without its mounts."""
+        """Short text for people: the step's work, without its mounts and the script that starts it."""
         match = _PREFIX.match(self.name)
         if not match:
             return self.name
@@ -76,6 +78,8 @@ class Step:
         if part := _PART.match(self.name):
             return f"build part {part['part']} from its lock"
         command = _MOUNT.sub("", command).replace("RUN ", "", 1).strip()
+        if command.startswith('["/'):
+            command = _START.sub("", " ".join(_WORD.findall(command)))
         return f"[{context}] {' '.join(command.split())}"
 
     @property

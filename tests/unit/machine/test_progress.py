@@ -88,6 +88,10 @@ def build() -> Build:
             "[ros1-bookworm-core-torch-cu128-test test-run 1/2] /run/tests/run.sh /structure-report",
         ),
         ("[ros1-bookworm-core] exporting to image", "[ros1-bookworm-core] exporting to image"),
+        (
+            '[robot app-files 1/2] RUN --mount=type=bind,target=/x ["/run/scripts/containerize/step.sh", "/run/app.py", "/base"]',
+            "[robot app-files 1/2] /run/app.py /base",
+        ),
         ("pushing layers", "pushing layers"),
         ("[_os-bookworm base 3/4] WORKDIR /ws", "[_os-bookworm base 3/4] WORKDIR /ws"),
     ],

@@ -41,8 +41,8 @@ def record(run: Run, file: Path) -> None:
     """
     try:
         data = file.read_bytes()
+        content = _Handed.model_validate_json(untrusted.json_text(data, WRITTEN_BYTES))
         untrusted.json_value(data, WRITTEN_BYTES)  # checks it: the entries go into the records unchanged
-        content = _Handed.model_validate_json(data)
         entries = [_entry(item) for item in content.entries]
     except (OSError, ValueError) as error:
         reason = first_of(error) if isinstance(error, ValidationError) else getattr(error, "strerror", "") or error
