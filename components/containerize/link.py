@@ -78,7 +78,8 @@ def not_found() -> Iterator[str]:
         names += [line.module for line in body if isinstance(line, ast.ImportFrom) and line.module and not line.level]
         for first in sorted({name.partition(".")[0] for name in names}):
             if first not in looked:
-                looked[first] = importlib.util.find_spec(first) is not None
+                # Not all that is loaded has a spec: __main__ has none.
+                looked[first] = first in sys.modules or importlib.util.find_spec(first) is not None
             if not looked[first] and not any(path.parent.glob(f"{first}*")):  # a neighbour, which a script finds
                 yield f"{path.relative_to(INSTALL)}: import {first}: there is no such module"
 
