@@ -20,11 +20,12 @@ from rosml.containerize.rebase import image
 from rosml.containerize.rebase.rebaser import Plan, Rebased, Rebaser
 from rosml.images.image_set.labels import APP, REVISION, TITLE
 from rosml.images.join import facts
+from rosml.images.join.joiner import Joiner
 from rosml.images.scan import sbom
 from rosml.machine.services import Services
 from rosml.registry import failures, oci, references
 from rosml.registry.client import Registries, Registry
-from tests.e2e.parts import archive, ros
+from tests.e2e.parts import archive, part, ros
 
 BOTH = ("linux/amd64", "linux/arm64")
 WHEN = "2026-11-20T10:00:00Z"
@@ -254,6 +255,47 @@ class Place:
     def digest(self, reference: str) -> str:
         where = references.parse(reference)
         return self.registry.head(where.repository, where.reference)
+
+
+ADDON = ("common-cpu-py311", "graph-cc-cpu", "graph-cpu-py311")
+"""The tags of an add-on's parts on the stack cpu."""
+
+
+def addon(place: Place, salt: str, stack: str = "cpu") -> list[str]:
+    """The parts of an add-on on a stack; each has facts."""
+    names, cuda = [], [] if stack.startswith("cpu") else ["cuda-cpu"]
+    for kind, tag in (name.split("-cpu") for name in (*cuda, *ADDON)):
+        made, tag = part(kind, stack, salt=salt), f"{kind}-{stack}{tag}"
+        reference = made.put(place.registry, "rosml/part", tag)
+        [entry] = place.registry.manifest("rosml/part", tag).members  # type: ignore[union-attr]
+        subject = {"mediaType": entry.mediaType, "digest": entry.digest, "size": entry.size}
+        own = [library("usr/lib/libgraphruntime.so.1", ("OrtGetApiBase",))] if "cc" in kind else []
+        attach(place.registry, "rosml/part", subject, {"packages": [], "libraries": own})
+        names.append(reference)
+    return names
+
+
+def app_with_addon(place: Place, base: str, parts: Sequence[str]) -> str:
+    """As `containerize --addons` makes it: its base image's name is that without the add-on."""
+    with Joiner(lambda _: place.registry) as joiner:
+        joined = joiner.join(base, parts, f"{place.server.address}/me/joined:x", BOTH[:1]).reference
+    uses = library("docker-ros/ws/install/lib/node", needed=["libgraphruntime.so.1"], uses=["OrtGetApiBase"])
+    own = changed(OWN, libraries=[uses])
+    return place.app(joined, facts=own, labels={BASE_NAME: base, BASE_DIGEST: place.digest(base)})
+
+
+def on_stack(place: Place, stack: str, said: Mapping[str, Any], driver: str = "") -> str:
+    """Puts a base image with a framework."""
+    labels = {**ros().labels, "io.rosml.stack": stack, "io.rosml.framework": "torch"}
+    labels |= {"io.rosml.gpu.driver": driver} if driver else {}
+    tag = f"ros1-bookworm-core-{stack}"
+    made = replace(ros(salt=stack), labels=labels).put(place.registry, "rosml/ros-torch", tag, BOTH[:1])
+    found = place.registry.manifest("rosml/ros-torch", tag)
+    assert found
+    [entry] = found.members
+    subject = {"mediaType": entry.mediaType, "digest": entry.digest, "size": entry.size}
+    attach(place.registry, "rosml/ros-torch", subject, said)
+    return made
 
 
 @contextmanager

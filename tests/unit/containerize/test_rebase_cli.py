@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from click import Command
 from click.testing import CliRunner
-from rebasing import App, Place, moving
+from rebasing import BASE_FACTS, App, Place, addon, app_with_addon, moving, on_stack
 
 from rosml.base import clock
 from rosml.base.errors import RosmlError
@@ -44,6 +44,8 @@ def called(*arguments: str, program: Command = rebase.main) -> tuple[int, str, s
         (["a/b", "--check", "run"], "belong together"),
         (["a/b", "--command", "x"], "belong together"),
         (["a/b", "--variants", "cpu", "--base", "x"], "--variants chooses base images"),
+        (["a/b", "--back", "sha256:0", "--base", "x"], "--back and --base exclude each other"),
+        (["APP", "--back", "sha256:0"], "--back sha256:0 is no digest"),
         (["APP", "--variants", ""], "0 variants are named"),
         (["BASE"], "is no app that rosml containerize built"),
         (["--all", "FOLDER"], "FOLDER"),
@@ -80,14 +82,33 @@ def test_a_dry_run_in_json(place: Place) -> None:
     assert "already; nothing would change" in called(app, "--base", new, "--dry-run")[2]
 
 
-def test_the_output_names_the_way_back(place: Place) -> None:
+def test_each_line_of_the_way_back_gives_the_digest_of_before(place: Place) -> None:
+    """Also of an app whose add-on took the new base image's accelerator, and of each tag of `--variants`."""
+    cpu, gpu = (on_stack(place, stack, BASE_FACTS) for stack in ("cpu", "cu128"))
+    without = place.base()
+    addon(place, "cu128", "cu128")
+    apps = {"plain": place.app(without, "plain"), "addon": app_with_addon(place, without, addon(place, "tonight"))}
+    apps["gpu"] = App(gpu, name="gpu").put(place.registry, "latest")
+    App(gpu, name="gpu").put(place.registry, "latest-cpu")
+    moves = {"plain": ("--base", cpu), "addon": ("--variants", "cu128,cpu"), "gpu": ("--variants", "cpu,cu128")}
+    before = {name: place.digest(name) for name in (*apps.values(), f"{apps['gpu']}-cpu")}
+    for kind, app in apps.items():
+        code, out, _ = called(app, *moves[kind])
+        lines = [line.partition("; back: rosml rebase ")[2] for line in out.splitlines() if "; back: " in line]
+        assert (code, len(lines)) == (0, 2 if kind == "gpu" else 1), "a tag that was not there has no way back"
+        for line in lines:
+            name = line.split()[0]
+            assert place.digest(name) != before[name]
+            assert "would point at" in called(*line.split(), "--dry-run")[1] and place.digest(name) != before[name]
+            code, out, _ = called(*line.split())
+            assert (code, place.digest(name)) == (0, before[name]) and "back: " in out
+            assert "it was there already" in called(*line.split())[1]
+
+
+def test_the_way_back_to_an_image_that_the_registry_removed(place: Place) -> None:
     base = place.base()
-    old, app = place.digest(base), place.app(base)
-    place.base(files=("usr/bin/env", "bin", "usr/bin/new"))
-    code, out, _ = called(app)
-    assert code == 0 and f"before  {base}@{old}; back: rosml rebase {app} --base {base}@{old}\n" in out
-    pin = f"{base.rpartition(':')[0]}@{old}"
-    assert f"base    {pin}\n" in called(app, "--base", pin)[1]
+    code, _, said = called(place.app(base), "--back", place.digest(base))
+    assert code == 2 and "has no image sha256:" in said and "any more" in said
 
 
 def test_many_apps_are_told_with_the_way_back(place: Place, tmp_path: Path) -> None:

@@ -48,6 +48,7 @@ STATES |= {"planned": "would move"}
     type=click.Path(path_type=Path),
     help="all apps that a file apps.yaml names, instead of APP",
 )
+@click.option("--back", default="", metavar="DIGEST", help="move APP's tag back to this earlier image of it")
 @click.option("--variants", metavar="STACKS", help="an image for each of these, such as cpu,cu130: TAG-cpu, TAG-cu130")
 @click.option(
     "--fixes", default="", metavar="CVE", help="with --all: only apps that have it, if their new base image has not"
@@ -68,6 +69,7 @@ def main(
     tag: str,
     platforms: tuple[str, ...],
     apps: Path | None,
+    back: str,
     variants: str | None,
     fixes: str,
     check: str,
@@ -79,7 +81,7 @@ def main(
     """Puts APP on another base image, such as tonight's, and moves its tag there.
 
     APP is a run or slim image of 'rosml containerize' in a registry. The result is the image that a build of the same packages on that
-    base image would give. Only a manifest and a config are pushed: nothing is built or pulled. --base NAME:TAG@DIGEST moves back.
+    base image would give. Only a manifest and a config are pushed: nothing is built or pulled. --back DIGEST moves the tag back.
 
     Before it writes anything, it compares packages, files and libraries of the app and of both base images, and refuses what does not
     fit. If C++ libraries changed in a way that these facts do not decide, the builder links the app in the new image first.
@@ -103,6 +105,7 @@ def main(
         "--tag": tag,
         "--platform": platforms,
         "--command": command,
+        "--back": back,
         "--variants": variants is not None,
         "--check": check != "auto",
     }
@@ -111,6 +114,8 @@ def main(
         raise RosmlError("--variants chooses base images and platforms by itself", "leave the other option out", 2)
     if apps and given:
         raise RosmlError(f"--all and {given[0]} exclude each other", "write what holds for an app into the file", 2)
+    if back and (other := [name for name in given if name not in ("APP", "--back")]):
+        raise RosmlError(f"--back and {other[0]} exclude each other", "leave one of them out", exit_code=2)
     if fixes and not apps:
         raise RosmlError("--fixes looks at the apps of a file", "name it with --all apps.yaml", exit_code=2)
     if not apps and not app:
@@ -120,13 +125,20 @@ def main(
         if apps:
             _fleet(rebaser, apps, fixes, with_sbom=not no_sbom, dry_run=dry_run, as_json=as_json)
             return
-        plans = (
-            [rebaser.plan(app, base, tag, platforms)] if variants is None else _variants(rebaser, app, variants, tag)
-        )
-        found = [_moved(rebaser, plan, check, command, not no_sbom, dry_run) for plan in plans]
+        if back:
+            found = [rebaser.back(app, back, dry_run)]
+        else:
+            plans = (
+                [rebaser.plan(app, base, tag, platforms)]
+                if variants is None
+                else _variants(rebaser, app, variants, tag)
+            )
+            found = [_moved(rebaser, plan, check, command, not no_sbom, dry_run) for plan in plans]
     if as_json:
         documents = [item.to_json() for item in found]
         terminal.echo(json.dumps(documents[0] if variants is None else documents, indent=2))
+    elif dry_run and back:
+        terminal.echo(f"{found[0].reference} would point at {back}")
     elif not dry_run:
         for item in found:
             _print(item)
@@ -261,21 +273,23 @@ def _start(found: Rebased, pairs: dict[str, Pair], command: str) -> None:
 
 def _print(found: Rebased) -> None:
     from rosml.base.units import duration, size
-    from rosml.containerize.rebase.rebaser import in_full
 
     terminal.echo(f"{found.reference}@{found.digest}")
     if not found.moved:
         terminal.echo("it was there already")
         return
-    terminal.echo(f"base    {in_full(found.base, found.base_digest)}")
-    back = (
-        f"; back: rosml rebase {found.reference} --base {found.back}"
-        if found.back and found.app == found.reference
-        else ""
-    )
-    terminal.echo(f"before  {in_full(found.old_base, found.old_base_digest) or 'an unknown base image'}{back}")
+    terminal.echo(f"base    {_in_full(found.base, found.base_digest)}")
+    back = f"; back: rosml rebase {found.reference} --back {found.back}" if found.back else ""
+    terminal.echo(f"before  {_in_full(found.old_base, found.old_base_digest) or 'an unknown base image'}{back}")
+    if not found.verdict:  # after --back, which sends no layer
+        return
     terminal.echo(f"check   {found.verdict}{', and the linker finds everything' if found.linked else ''}")
     counts = ((found.mounted, "mounted"), (found.present, "there already"), (found.copied, "copied"))
     ways = ", ".join(f"{number} {what}" for number, what in counts if number)
     terminal.echo(f"layers  {found.layers} for {', '.join(found.manifests)}: {ways}")
     terminal.echo(f"sent    {size(found.uploaded)} in {duration(found.seconds)}")
+
+
+def _in_full(name: str, digest: str) -> str:
+    """An image's name with its digest, which it may have already."""
+    return name if "@" in name or not name or not digest else f"{name}@{digest}"

@@ -51,9 +51,9 @@ class Rebased(Transferred):
         base_digest: its digest.
         old_base: the base image until now, as the app names it.
         old_base_digest: its digest.
-        back: the `--base` that moves it back, and keeps the tag as its base image.
+        back: the digest at which the tag was before, for `--back`; empty if there was no such tag.
         moved: whether the tag points elsewhere than before.
-        verdict: what the facts of both base images say: `safe` or `check by link`.
+        verdict: what the facts of both base images say: `safe` or `check by link`; empty after `--back`.
         reasons: why.
         linked: whether it was linked in the builder.
     """
@@ -93,7 +93,6 @@ class Plan:
         judgement: what the facts of both base images say.
         document: the manifest or the index to which the tag will point.
         is_index: whether it is an index.
-        back: the `--base` that moves the app back; empty if it does not say which base image it is on.
     """
 
     app: Reference
@@ -107,7 +106,6 @@ class Plan:
     judgement: Judgement
     document: bytes
     is_index: bool
-    back: str = ""
 
     @property
     def digest(self) -> str:
@@ -127,7 +125,7 @@ class Plan:
             base_digest=self.base.digest,
             old_base=first.labels.get(BASE_NAME, ""),
             old_base_digest=first.labels.get(BASE_DIGEST, ""),
-            back=self.back,
+            back=self.there,
             verdict=self.judgement.words,
             reasons=[*self.judgement.reasons],
         )
@@ -236,10 +234,7 @@ class Rebaser:
         else:
             document = next(iter(images.values())).manifest
         own = where._replace(reference=manifest.digest)
-        back = self._back(next(iter(old.values())))
-        return Plan(
-            own, str(where), target, there, found, images, old, bases, judgement, document, manifest.is_index, back
-        )
+        return Plan(own, str(where), target, there, found, images, old, bases, judgement, document, manifest.is_index)
 
     def _tell_left(self, name: str, manifest: oci.Manifest, known: Mapping[str, Source]) -> None:
         """Tells what of an app's index is not in the new one, such as attestations by buildx.
@@ -369,6 +364,53 @@ class Rebaser:
         found.moved = True
         found.seconds += time.monotonic() - started
 
+    def back(self, app: str, digest: str, dry_run: bool = False) -> Rebased:
+        """Points an app's tag at an earlier image of its repository again, whatever moved it.
+
+        Args:
+            app: the app by its tag, by any name that `rosml run` takes.
+            digest: of the earlier image or index.
+            dry_run: change nothing.
+
+        Raises:
+            RosmlError: the app is named by a digest, or there is no such image of an app (exit code 2); a registry does not answer or refuses.
+        """
+        where, now = self._find(app)
+        if references.is_digest(where.reference):
+            raise RosmlError(f"{app} names the app by its digest, and a tag has to move", "name its tag", 2)
+        if not references.is_digest(digest):
+            raise RosmlError(f"--back {digest} is no digest", "copy it from the output: sha256:…", exit_code=2)
+        registry, earlier = self.registries(where.host), where._replace(reference=digest)
+        manifest = registry.manifest(*earlier[1:])
+        if manifest is None:
+            text = f"{where.host}/{where.repository} has no image {digest} any more"
+            raise RosmlError(text, "the registry removed it; put the app on its earlier base image with --base", 2)
+        old, new = (self._first(str(place), place, found) for place, found in ((where, now), (earlier, manifest)))
+        if moves := now.digest != digest and not dry_run:
+            registry.tag(where.repository, digest, where.reference)
+        return Rebased(
+            app=str(where),
+            reference=str(where),
+            digest=digest,
+            before=now.digest,
+            base=new.labels.get(BASE_NAME, ""),
+            base_digest=new.labels.get(BASE_DIGEST, ""),
+            old_base=old.labels.get(BASE_NAME, ""),
+            old_base_digest=old.labels.get(BASE_DIGEST, ""),
+            back=now.digest,
+            moved=moves,
+        )
+
+    def _first(self, name: str, where: Reference, manifest: oci.Manifest) -> Source:
+        """An app's image for the first of its platforms.
+
+        Raises:
+            RosmlError: it is no app (exit code 2), or the registry does not answer or refuses.
+        """
+        found = next(iter(_chosen(self._transfer.members(name, where, manifest), (), name).values()))
+        image.require_app(found)
+        return found
+
     # ---- Reading -----------------------------------------------------------------------------------------------------
 
     def where(self, text: str) -> Reference:
@@ -452,14 +494,6 @@ class Rebaser:
                 raise RosmlError(text, "check its digest; if the registry removed it, name another one", 2) from None
             raise
 
-    def _back(self, app: Source) -> str:
-        """The `--base` that puts an app on its present base image again, as its lock spells that one's tag."""
-        name, digest = (app.labels.get(label, "") for label in (BASE_NAME, BASE_DIGEST))
-        known = image.lock_of(app)
-        pin = known and (known.slim_base_image if app.labels.get(APP) == SLIM else known.base_image)
-        spelled = pin.name if pin and self._same(pin.name, name) else name
-        return in_full(spelled, digest)
-
     def _spelled(self, known: str, onto: _Onto) -> str:
         """A base image's name for a lock: as the app's lock spells the same tag, or else as the user wrote it."""
         return known if not onto.text or self._same(known, onto.whole.name) else onto.text
@@ -513,11 +547,6 @@ def pinned(text: str) -> tuple[str, str]:
     """The name and the digest of `NAME:TAG@DIGEST`. A name with a digest and no tag stays whole, and the digest is empty."""
     name, _, digest = text.partition("@")
     return (name, digest) if references.is_digest(digest) and ":" in name.rpartition("/")[2] else (text, "")
-
-
-def in_full(name: str, digest: str) -> str:
-    """An image's name with its digest, which it may have already."""
-    return name if "@" in name or not name or not digest else f"{name}@{digest}"
 
 
 def _chosen(known: Mapping[str, Source], platforms: Sequence[str], name: str) -> dict[str, Source]:
