@@ -26,12 +26,13 @@ import stat
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any, Sequence
+from typing import Any, Container, Sequence
 
 import contents
 import lacking
 from contents import STATUS, entries, status
 from facts import shown, write_app
+from pip_install import normal
 
 LEFT_OUT = re.compile(
     r"etc/ld\.so\.cache|etc/(passwd|group|shadow|gshadow|subuid|subgid)-|(etc|var/lib/dbus)/machine-id"
@@ -54,6 +55,9 @@ CAPABILITY = "security.capability"
 
 ASKED = Path("/run")
 """The folder with the lists of packages that were asked for."""
+
+REQUIRED = re.compile(r"\s*([A-Za-z0-9][A-Za-z0-9._-]*)")
+"""The name at the beginning of a requirement of pip."""
 
 TIME = 1767225600
 """2026-01-01T00:00:00Z, as the layers of all parts have it."""
@@ -204,6 +208,18 @@ def asked(runtime: Path, brought: Sequence[str]) -> set[str]:
     return {key.partition(":")[0] for key in status(runtime).keys() - {*brought}} & names
 
 
+def asked_of_pip(brought: Container[str]) -> set[str]:
+    """The packages of pip that the app asks for by name, in manifests and in its own list, and that its base image has.
+
+    Args:
+        brought: names of packages of Python that the base image has.
+    """
+    listed = (ASKED / "needed/exec.pip", ASKED / "requests/pip")
+    lines = [line for file in listed if file.is_file() for line in file.read_text("utf-8", "replace").splitlines()]
+    names = {normal(match.group(1)) for match in map(REQUIRED.match, lines) if match}
+    return {name for name in names if name in brought}
+
+
 def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *locked: Path) -> None:
     root = out / "root"
     root.mkdir(parents=True)
@@ -253,7 +269,8 @@ def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *
     below = base if linked else runtime
     contents.write(contents.files([below, root]), status(runtime).values(), contents.owned(runtime), out)
     if linked:
-        write_app(root, runtime, out, lacks.imported(root), asked(runtime, facts["packages"]))
+        of_pip = asked_of_pip(lacks.distributions(root))
+        write_app(root, runtime, out, lacks.imported(root), asked(runtime, facts["packages"]), of_pip)
 
 
 if __name__ == "__main__":

@@ -89,14 +89,16 @@ def write_base(root: Path, out: Path) -> None:
     write(out, packages=_sorted(map(package, entries)), libraries=libraries)
 
 
-def write_app(layer: Path, runtime: Path, out: Path, imports: Mapping[str, str], asks: Iterable[str]) -> None:
+def write_app(
+    layer: Path, runtime: Path, out: Path, imports: Mapping[str, str], asks: Iterable[str], asks_pip: Iterable[str]
+) -> None:
     """Writes the facts of an app: the packages in its layer with their files, its programs and libraries, and its other files.
 
     Args:
         layer: the root of the app's files.
         runtime: the image without the app's ROS packages, with dpkg's lists of files.
         imports: modules of the base image that the app's Python imports, each with a file that does.
-        asks: packages of apt that the app asks for by name.
+        asks: packages of apt that the app asks for by name. asks_pip: those of pip.
     """
     known = contents.files([layer])
     links = _links(known)
@@ -117,6 +119,7 @@ def write_app(layer: Path, runtime: Path, out: Path, imports: Mapping[str, str],
         files=sorted(others),
         imports=[{"module": name, "file": file} for name, file in sorted(zip(shown(imports), shown(imports.values())))],
         asks=sorted(asks),
+        asks_pip=sorted(asks_pip),
     )
 
 

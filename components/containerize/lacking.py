@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Iterable, Iterator
 
 from elf import elf
+from pip_install import normal
 
 INSTALL = "docker-ros/ws/install"
 WORK = re.compile(r"docker-ros/ws/(src|build)/")
@@ -38,6 +39,9 @@ LAUNCH = (".launch", ".launch.xml", ".launch.py", ".launch.yaml", "_launch.xml",
 READ = {"include": ["file"], "rosparam": ["file"], "param": ["textfile", "binfile", "command", "from"]}
 """What launch files read, by element and attribute."""
 
+DISTRIBUTION = re.compile(r"([A-Za-z0-9._]+)(-.*)?\.(dist|egg)-info")
+"""Where a package of pip, or one of Debian's Python, says what it is."""
+
 FOUND = re.compile(r"\$\(find(?:-pkg-share)?\s+([\w.-]+)\s*\)/([\w./+-]+)(?![\w./+$-])")
 """A path in a package."""
 COMMANDS = ("bin", "sbin")
@@ -58,9 +62,9 @@ class Files:
 
     Attributes:
         libraries: a place of each. programs: all places in the workspace of what can be started. commands: a place of each in
-            a folder for programs. launches: of launch files. modules: of Python, with the folders that have them. sources: of
-            Python in the working folder, as paths without their endings. manifests: folders of sources that have one, with
-            the name of the package.
+            a folder for programs. launches: of launch files. modules: of Python, with the folders that have them.
+            distributions: names of packages of Python, as indexes compare them. sources: of Python in the working folder, as
+            paths without their endings. manifests: folders of sources that have one, with the name of the package.
     """
 
     def __init__(self) -> None:
@@ -68,6 +72,7 @@ class Files:
         self.programs: dict[str, list[str]] = {}
         self.commands: dict[str, str] = {}
         self.modules: dict[str, set[Path]] = {}
+        self.distributions: set[str] = set()
         self.sources: set[str] = set()
         self.launches: dict[str, list[str]] = {}
         self.manifests: dict[str, str] = {}
@@ -79,6 +84,9 @@ class Files:
             if MODULES.fullmatch(place):
                 for name in folders + names:
                     self.modules.setdefault(name.partition(".")[0], set()).add(Path(above))
+                    match = DISTRIBUTION.fullmatch(name)
+                    if match:
+                        self.distributions.add(normal(match.group(1)))
             for name in names:
                 path, where = os.path.join(above, name), os.path.normpath(os.path.join(place, name))
                 if LIBRARY.fullmatch(name) and _leads_somewhere(path):
@@ -141,6 +149,7 @@ class Lacking:
     def __init__(self, runtime: Path, built: Path, packages: Iterable[str]) -> None:
         self._root, self._install, self._packages = built, built / INSTALL, {*packages}
         self._runtime = runtime
+        self._of_image = Files().add(runtime)
         self._image = Files().add(runtime).add(built, INSTALL)
         self._before = Files().add(built)
         shells = (elf(runtime / name) for name in ("usr/bin/dash", "bin/dash", "usr/bin/bash", "bin/bash"))
@@ -242,7 +251,7 @@ class Lacking:
         Args:
             layer: the files of the app; what it has itself does not count.
         """
-        own, of_image = Files().add(layer).modules, Files().add(self._runtime).modules
+        own, of_image = Files().add(layer).modules, self._of_image.modules
         found: dict[str, str] = {}
         for path in sorted(self._install.rglob("*")):
             if path.is_symlink() or not path.is_file() or not _is_python(path):
@@ -251,6 +260,14 @@ class Lacking:
                 if name in of_image and name not in own and name not in STANDARD:
                     found.setdefault(name, self._shown(path))
         return found
+
+    def distributions(self, layer: Path) -> set[str]:
+        """Names of packages of Python that the image has, and the app has not itself.
+
+        Args:
+            layer: the files of the app.
+        """
+        return self._of_image.distributions - Files().add(layer).distributions
 
     def forgotten(self) -> dict[str, str]:
         """Launch files and programs that no image has: `PACKAGE NAME`, with the place of each in the sources or the build. Nothing

@@ -184,6 +184,13 @@ def split(words: Collection[str], own: Collection[str], with_value: Collection[s
 
 def _line(own: list[str], engine: list[Given], rest: list[str]) -> Line:
     image = rest[0] if rest else ""
+    program = any(
+        "entrypoint" in given.names for given in engine
+    )  # then the command is its arguments, which may be empty
+    for word, what in zip(rest, ("image",) if program else ("image", "command"), strict=False):
+        if not word:
+            remedy = f"leave it out, or look at the variable that should hold the {what}"
+            raise RosmlError(f"the {what} is an empty word", remedy, exit_code=2)
     if image.startswith("-"):  # after `--`; the engine would take it for an option
         remedy = "rosml run IMAGE" if image == "-" else "write an image after --"
         raise RosmlError(f"{image!r} is no name of an image", remedy, exit_code=2)

@@ -321,11 +321,12 @@ def test_facts_of_an_app(script: ModuleType, built: Path, tmp_path: Path) -> Non
     (layer / install / "link").symlink_to("program")
     owned = "/.\n/lib\n/lib/data\n/usr/share/doc/liba1/copyright\n/usr/share/not/there\n"
     runtime = put(tmp_path / "runtime", {"var/lib/dpkg/info/liba1:amd64.list": owned})
-    script.write_app(layer, runtime, tmp_path, {"torch": "lib/a/b.py"}, ["python3-tabulate"])
+    script.write_app(layer, runtime, tmp_path, {"torch": "lib/a/b.py"}, ["python3-tabulate"], ["numpy"])
     found = facts.parse((tmp_path / "facts.gz").read_bytes())
     [package] = found.packages
     assert package.files == ["usr/lib/data", "usr/share/doc/liba1/copyright", "var/lib/dpkg/status.d/liba1"]
     assert found.imports == [facts.Import(module="torch", file="lib/a/b.py")] and found.asks == ["python3-tabulate"]
+    assert found.asks_pip == ["numpy"]
     own = (r"M\udcfcller", "libb.so", "link", "program")
     assert found.files == [*(f"{install}/{name}" for name in own), "etc/motd"]
     by_name = {item.path.rpartition("/")[2]: item for item in found.libraries}
@@ -336,13 +337,24 @@ def test_facts_of_an_app(script: ModuleType, built: Path, tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize("version", ["1.0", "1.1"])
-def test_an_app_that_replaces_packages_of_its_base_has_no_facts(version: str, tmp_path: Path) -> None:
-    """It is no layer on its base, and no layer for another one."""
+def test_an_app_that_replaces_packages_of_its_base_has_no_facts(
+    version: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is no layer on its base, and no layer for another one. Else, what it asked pip for and its base has is a fact."""
     script, status = script_of_a_build("containerize/app_files.py"), "var/lib/dpkg/status"
-    base = put(tmp_path / "base", {status: STATUS})
+    sites = "usr/lib/python3/dist-packages"
+    python = {
+        f"{sites}/NumPy-1.26.4.dist-info/METADATA": "",
+        f"{sites}/typing_extensions.egg-info": "",
+        f"{sites}/x": "",
+    }
+    asked = {"requests/pip": "--no-deps\nnumpy[all] < 2 # why\ntyping-extensions\nx\nmissing==1\n"}
+    monkeypatch.setattr(script, "ASKED", put(tmp_path / "asked", asked))
+    base = put(tmp_path / "base", {status: STATUS, **python})
     new = STATUS.replace("1.0", version) + STATUS.replace("liba1", "libnew")
     runtime = put(
-        tmp_path / "runtime", {status: new, "usr/lib/new": "x", "var/lib/dpkg/info/libnew.list": "/usr/lib/new\n"}
+        tmp_path / "runtime",
+        {status: new, "usr/lib/new": "x", "var/lib/dpkg/info/libnew.list": "/usr/lib/new\n", **python},
     )
     built = put(tmp_path / "built", {status: new, "docker-ros/ws/install/setup.sh": "x"})
     script.main(base, runtime, runtime, built, tmp_path / "out")
@@ -352,3 +364,4 @@ def test_an_app_that_replaces_packages_of_its_base_has_no_facts(version: str, tm
     found = facts.parse((tmp_path / "out/facts.gz").read_bytes())
     assert [item.files for item in found.packages] == [["usr/lib/new", "var/lib/dpkg/status.d/libnew"]]
     assert found.files == ["docker-ros/ws/install/setup.sh"]
+    assert found.asks_pip == ["numpy", "typing-extensions"]

@@ -98,7 +98,7 @@ def test_a_base_image_by_its_digest_alone_is_told(place: Place) -> None:
     app, pin = place.app(full), f"{full.rpartition(':')[0]}@{place.digest(full)}"
     place.base(files=("usr/bin/env", "bin", "usr/bin/new"))
     place.rebase(app, "")
-    found = place.rebase(app, pin)
+    place.rebase(app, pin)
     assert f"{pin} has no tag, so the app stays there" in place.said[-1]
     assert f"there is no image {full}@sha256:{'0' * 64}" in place.refused(app, f"{full}@sha256:{'0' * 64}")
 
@@ -246,6 +246,13 @@ def test_what_the_app_asked_for_by_name_has_to_be_in_the_base_image(place: Place
     old = place.base(said=changed(BASE_FACTS, packages=[*BASE_FACTS["packages"], TABULATE]))
     app = place.app(old, facts=changed(OWN, imports=[], asks=["python3-tabulate"]))
     assert "the app asked for python3-tabulate, which the base image lacks" in place.refused(app, place.base("newer"))
+
+
+def test_what_the_app_asked_pip_for_has_to_be_in_the_base_image(place: Place) -> None:
+    app = place.app(place.base(), facts=changed(OWN, asks_pip=["typing-extensions"]))
+    assert "the app asked pip for typing-extensions, which the base" in place.refused(app, place.base("newer"))
+    there = "usr/local/lib/python3.11/dist-packages/typing_extensions-4.15.0.dist-info/METADATA"
+    assert place.rebase(app, place.base("newest", files=("usr/bin/env", there))).moved
 
 
 @pytest.mark.parametrize(

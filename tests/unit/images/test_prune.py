@@ -361,6 +361,9 @@ def test_what_a_tag_moves_to_while_manifests_go_stays(
     # The last one that goes: with its tag, if the registry deletes nothing but digests.
     one, other = (dated, going) if only_digests else (going, dated)
     goal = [digest for digest in one if digest in other][-1]
+    for name in registry.tags(records.repository):
+        if name.startswith(tag_moves.UNDO):  # an undo leaves what a later run moved
+            tag_moves.mark_undone(records, name, "2026-10-06T03:00:00Z")
     move = tag_moves.Move("ros", "alpha-core", goal, registry.head(path, "alpha-core"))
     old_run = "20260801T030000Z"
     records.artifact(f"undo.{old_run}", json.dumps({"moves": [move.to_json()]}).encode(), {})
@@ -389,6 +392,32 @@ def test_what_a_tag_moves_to_while_manifests_go_stays(
     assert index and all(registry.manifest(path, item["digest"]) for item in index.content["manifests"])
     assert mover == "the record of a run" or registry.head(path, "alpha-core") == goal
     reachable(nights, image_set)
+
+
+def test_an_index_that_comes_while_another_one_goes_keeps_its_images(
+    nights: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It has the same images as the index that just went."""
+    registry, path = nights.registry, f"{PREFIX}/ros"
+    here, delete = pruner(nights, image_set, days=0, newest=0), registry.delete
+    found = here.find()
+    going = [digest for repository, digest in found.manifests if repository == "ros"]
+    indexes = {digest: registry.manifest(path, digest).content.get("manifests", []) for digest in going}  # type: ignore[union-attr]
+    one = next(name for name, members in indexes.items() if {item["digest"] for item in members} & {*going})
+    came: list[str] = []
+
+    def deleting(repository: str, reference: str) -> None:
+        delete(repository, reference)
+        if (repository, reference) == (path, one):
+            again = {"schemaVersion": 2, "manifests": indexes[one], "annotations": {"from": "another run"}}
+            came.append(registry.put_manifest(path, "came", again, INDEX))
+
+    monkeypatch.setattr(registry, "delete", deleting)
+    list(here.remove(found))
+    assert came and came == [registry.head(path, "came")]
+    reachable(nights, image_set)
+    index = registry.manifest(path, "came")
+    assert index and all(registry.manifest(path, item["digest"]) for item in index.content["manifests"])
 
 
 def test_a_dated_tag_that_moved_stays(nights: Publisher, image_set: ImageSet) -> None:

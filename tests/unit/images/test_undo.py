@@ -105,6 +105,24 @@ def test_undo_says_what_a_registry_that_deletes_nothing_keeps(
         assert client.head(f"{PREFIX}/ros", TAGS[0]) == found["ros"][0]
 
 
+def test_a_tag_that_a_later_run_moved_to_the_same_index_stays(
+    server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with Registry(server.address) as client:
+        old, new = published(client)["ros"]
+        moves = [{"repository": "ros", "tag": TAGS[0], "old": oci.digest_of(b"another"), "new": new}]
+        later = json.dumps({"date": "2026-11-23T03:00:00Z", "moves": moves})
+        Records(Place(client, PREFIX)).artifact("undo.20261123T030000Z", later.encode(), {store.ANNOTATION: "{}"})
+        arguments = ["undo", RUN, "--registry", f"{server.address}/{PREFIX}"]
+        says = "the run of 2026-11-23T03:00:00Z moved it here again; undo that one first"
+        assert command.run(script.main, arguments=[*arguments, "--dry-run"]) == 0
+        assert f"ros:{TAGS[0]}  stays: {says}" in capsys.readouterr().out
+        command.run(script.main, arguments=[*arguments, "--json"])
+        outcomes = {item["target"]: item for item in json.loads(capsys.readouterr().out)["outcomes"]}
+        assert (outcomes[f"ros:{TAGS[0]}"]["state"], outcomes[f"ros:{TAGS[0]}"]["reason"]) == ("waits", says)
+        assert client.head(f"{PREFIX}/ros", TAGS[0]) == new != old
+
+
 def test_undo_without_a_place_says_how_to_name_one(clone: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert command.run(script.main, arguments=["undo"]) == 1
     assert "--registry" in capsys.readouterr().err

@@ -353,7 +353,7 @@ def _foresee(book: Records, found: Recorded, as_json: bool) -> None:
     from rosml.images.publish import undo as undoing
 
     rows = [
-        (f"{move.repository}:{move.tag}", undoing.foreseen(move, at), at)
+        (f"{move.repository}:{move.tag}", undoing.foreseen(found, move, at), at)
         for move, at in undoing.whereabouts(book, found)
     ]
     if as_json:

@@ -132,6 +132,7 @@ def judge(
         raise RosmlError(f"the facts of an image are damaged: {error}", AGAIN) from None
     _files(app, new, files, found)
     _imports(app, files[0], found)
+    _asked_of_pip(app, files[0], found)
     _parts(app, labels, found)
     _libraries(app, old, new, found)
     if old is None:
@@ -187,6 +188,23 @@ def _imports(app: Facts, files: Collection[str], found: Judgement) -> None:
     for item in app.imports or ():
         if item.module not in modules:
             found.add(Verdict.BUILD, f"{item.file} imports {item.module}, which the base image lacks")
+
+
+def _asked_of_pip(app: Facts, files: Collection[str], found: Judgement) -> None:
+    """Packages of pip that the app asked for by name, and that its present base image has."""
+    names = distributions_of(files) if app.asks_pip else ()
+    for name in app.asks_pip:
+        if name not in names:
+            found.add(Verdict.BUILD, f"the app asked pip for {name}, which the base image lacks")
+
+
+def distributions_of(files: Iterable[str]) -> set[str]:
+    """The names of Python's packages, as indexes compare them, by the paths of an image's files."""
+    names = {match[1] for path in files if (match := _DISTRIBUTION.search(path))}
+    return {re.sub(r"[-_.]+", "-", name).lower() for name in names}
+
+
+_DISTRIBUTION = re.compile(r"/(?:site|dist)-packages/([A-Za-z0-9._]+)(?:-[^/]*)?\.(?:dist|egg)-info(?:/|$)")
 
 
 def modules_of(files: Iterable[str]) -> set[str]:

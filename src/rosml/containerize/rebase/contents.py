@@ -91,7 +91,7 @@ class Contents:
         if found := self._of(Place(app.host, app.repository, app.digest)):
             return found
         text = f"{app.name} has no facts about its packages and libraries"
-        raise RosmlError(text, "build it once more with this rosml, and without --no-sbom", exit_code=2)
+        raise RosmlError(text, f"build it once more with this rosml, and without --no-sbom; {file_lists.COPY}", 2)
 
     def _base(self, reference: str, platform: str) -> Known:
         """What is known of a base image.
@@ -107,7 +107,8 @@ class Contents:
         lists = [self._lists.of(self._registry(place), place.repository, place.digest) for place in places]
         if not places or not found or not all(lists):
             text = f"{reference} has no facts about its packages, libraries and files"
-            raise RosmlError(text, "name a base image that this rosml or a later one has published", exit_code=2)
+            remedy = f"name a base image that this rosml or a later one has published; {file_lists.COPY}"
+            raise RosmlError(text, remedy, exit_code=2)
         known = [files for files in lists if files]
         paths = frozenset(path for files in known for path in _shown(files.entries))
         return Known(places, found, paths, frozenset(path for files in known for path in _shown(files.folders)))
@@ -219,7 +220,8 @@ class Contents:
         for item in self._artifacts(place, sbom.MEDIA_TYPE):
             if item.annotations.items() >= sbom.FORMAT.items():
                 return self._registry(place).part(place.repository, item.layers[0])
-        raise RosmlError(f"{app.name} has no SBOM", "build it again, or move it once, without --no-sbom", exit_code=2)
+        remedy = f"build it again, or move it once, without --no-sbom; {file_lists.COPY}"
+        raise RosmlError(f"{app.name} has no SBOM", remedy, exit_code=2)
 
     def sbom(self, app: Source, base: Known, reference: str) -> bytes:
         """The SBOM of an app on another base image: the base image's components, and the app's own.

@@ -114,6 +114,7 @@ class Facts(_Model):
         files: of an app, the files in its layer that belong to none of its packages, without a slash at the beginning.
         imports: of an app, what its Python imports of its base image; None of an app that was built before facts had it.
         asks: of an app, packages of apt that it asks for by name and that its base image has.
+        asks_pip: the same of pip, by their normalized names.
     """
 
     packages: list[Package]
@@ -121,6 +122,7 @@ class Facts(_Model):
     files: list[Text] = []
     imports: list[Import] | None = None
     asks: list[Text] = []
+    asks_pip: list[Text] = []
 
 
 def parse(data: bytes) -> Facts:
@@ -144,6 +146,7 @@ def together(found: Iterable[Facts]) -> Facts:
     files: dict[str, None] = {}
     imports: dict[str, Import] = {}
     asks: dict[str, None] = {}
+    asks_pip: dict[str, None] = {}
     are_known = True
     for facts in found:
         packages |= {item.model_dump_json(): item for item in facts.packages}
@@ -151,6 +154,7 @@ def together(found: Iterable[Facts]) -> Facts:
         files |= dict.fromkeys(facts.files)
         imports |= {item.module: item for item in facts.imports or ()}
         asks |= dict.fromkeys(facts.asks)
+        asks_pip |= dict.fromkeys(facts.asks_pip)
         are_known = are_known and facts.imports is not None
     return Facts.model_construct(
         packages=[*packages.values()],
@@ -158,6 +162,7 @@ def together(found: Iterable[Facts]) -> Facts:
         files=[*files],
         imports=[*imports.values()] if are_known else None,
         asks=[*asks],
+        asks_pip=[*asks_pip],
     )
 
 

@@ -41,6 +41,9 @@ LAYERS = 32
 
 _REMEDY = "attach it again: publish the image again"
 
+COPY = "if somebody copied the image, copy what is attached to it as well: regctl image copy --referrers"
+"""The remedy for an image in a mirror that lacks what is attached to the original."""
+
 _MERGED = ("bin", "lib", "lib32", "lib64", "libx32", "sbin")
 """These are links to folders below /usr in all operating systems of the matrix."""
 

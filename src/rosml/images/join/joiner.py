@@ -18,7 +18,7 @@ from rosml.images.image_set import restricted
 from rosml.images.image_set.labels import JOINED
 from rosml.images.image_set.restricted import Declared
 from rosml.images.join import facts, file_lists
-from rosml.images.join.file_lists import Files, Lists
+from rosml.images.join.file_lists import COPY, Files, Lists
 from rosml.images.join.layers import Joined, Source, join
 from rosml.images.join.transfer import Transfer, Transferred
 from rosml.images.matrix import names
@@ -26,7 +26,7 @@ from rosml.registry import oci, references
 from rosml.registry.client import Registry
 from rosml.registry.references import Reference
 
-UNLISTED = "use one that has it: for an app, the run image, built without --no-sbom; or continue with --allow-unlisted"
+UNLISTED = f"use one that has it: for an app, the run image, built without --no-sbom; {COPY}; or continue with --allow-unlisted"
 """The remedy for an image without a list of its files."""
 
 

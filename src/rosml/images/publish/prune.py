@@ -4,8 +4,8 @@ Reachability decides. A kept tag keeps its index, an index keeps its images, and
 Everything else that the publisher knows of can go. Nothing is removed unless that is asked for.
 
 A tag may move during the removal, by an undo or by a run on another machine, and registries have no lock for that. So
-immediately before an index goes, together with the images that only this index holds, all tags of its repository and
-the records of runs are read again. Whatever these lead to stays.
+immediately before an index goes, and once more before the images that only this index holds, all tags of its repository
+and the records of runs are read again. Whatever these lead to stays.
 
 The search asks once for each tag, side by side. An index names its images itself. Artifacts attached to a manifest are
 looked up when that manifest is removed.
@@ -96,6 +96,7 @@ class Pruner:
     _recorded: set[str] = field(default_factory=set)  # digests that the records need
     _now: set[str] = field(default_factory=set)  # digests in use, at the last look
     _together: set[str] = field(default_factory=set)  # images of the index that was removed last
+    _fresh: bool = False  # whether the last look was after that index was removed
     _runs: dict[str, str] = field(default_factory=dict)  # digests of the records of runs, as they were read
     _moved: set[tuple[str, str]] = field(default_factory=set)  # what records of runs name that changed meanwhile
     _known: dict[tuple[str, str], Manifest] = field(default_factory=dict)
@@ -262,8 +263,10 @@ class Pruner:
         path = self.place.path(repository)
         if item in found.needed or not self.place.client.head(path, digest):
             return ""
-        if repository != self._place or digest not in self._together:
-            self._now = self._needed(repository)
+        together = repository == self._place and digest in self._together
+        if not (together and self._fresh):
+            self._now, self._fresh = self._needed(repository), together
+        if not together:
             self._together = self._held_by(path, digest)
         if digest in self._now:
             return f"{repository}@{digest}{STAYS}it is in use again"

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from datetime import datetime, timedelta
 
 from rosml.base.clock import TIME, is_date
@@ -14,7 +15,7 @@ from rosml.images.image_set.model import PARTS
 from rosml.images.matrix.names import part_target
 from rosml.images.publish.run import Outcome
 from rosml.images.records.store import INDEX, Records
-from rosml.images.records.tag_moves import UNDO, Move, mark_undone, read_moves, record_name
+from rosml.images.records.tag_moves import UNDO, Move, later_moves, mark_undone, read_moves, record_name
 
 RECENT = timedelta(days=1)
 """A last run that is older than this is undone only by its name: whoever means last night's may not know that it moved no tag."""
@@ -27,10 +28,12 @@ class Recorded:
     Attributes:
         name: the tag of its record.
         moves: its moves, in their order.
+        later: where later runs moved tags, by repository, tag and digest, with the date of the last of these runs.
     """
 
     name: str
     moves: tuple[Move, ...]
+    later: Mapping[tuple[str, str, str], str] = field(default_factory=dict)
 
     @property
     def date(self) -> str:
@@ -38,6 +41,17 @@ class Recorded:
         text = self.name.removeprefix(UNDO)
         found = _STAMP.fullmatch(text)
         return "{}-{}-{}T{}:{}:{}Z".format(*found.groups()) if found else text
+
+    def why_stays(self, move: Move, there: str) -> str:
+        """Why an undo leaves a tag where it is; empty if it moves it.
+
+        Args:
+            there: the digest where the tag is now.
+        """
+        if there != move.new:
+            return "a later run moved it"
+        later = self.later.get((move.repository, move.tag, move.new), "")
+        return f"the run of {later} moved it here again; undo that one first" if later else ""
 
     def age(self, date: str) -> timedelta | None:
         """How long before a date it was; None if its own is none."""
@@ -67,7 +81,7 @@ def find(book: Records, run: str = "") -> Recorded:
         raise RosmlError(
             text, f"there are records of {dates}" if known else "no run has moved a tag in this registry yet"
         )
-    return Recorded(name, tuple(read_moves(book, name)))
+    return Recorded(name, tuple(read_moves(book, name)), later_moves(book, name))
 
 
 def undo(book: Records, date: str, run: str | Recorded = "") -> list[Outcome]:
@@ -90,14 +104,14 @@ def undo(book: Records, date: str, run: str | Recorded = "") -> list[Outcome]:
     found = run if isinstance(run, Recorded) else find(book, run)
     now = whereabouts(book, found)
     # Before the first tag moves: if this process is killed in between, the next run moves no tag to these indexes again.
-    held = {(move.repository, move.new) for move, where in now if where in (move.old, move.new)}
+    held = {(move.repository, move.new) for move, where in now if where == move.old or not found.why_stays(move, where)}
     side_by_side(lambda item: _hold(book, item[0], item[1], date), sorted(held))
     mark_undone(book, found.name, date)
     images: dict[tuple[str, str], list[tuple[Move, str]]] = {}
     for move, where in now:
         images.setdefault((move.repository, move.new), []).append((move, where))
     # The tags of one image move in their order, images side by side.
-    done = side_by_side(lambda item: [_back(book, found.name, move, where) for move, where in item], images.values())
+    done = side_by_side(lambda item: [_back(book, found, move, where) for move, where in item], images.values())
     outcomes = [outcome for several in done for outcome in several if outcome]
     return outcomes or [Outcome("undo", found.name, "", "done", "nothing was left to move back")]
 
@@ -113,16 +127,16 @@ def whereabouts(book: Records, found: Recorded) -> list[tuple[Move, str]]:
     return list(zip(recorded, there, strict=True))
 
 
-def foreseen(move: Move, there: str) -> str:
-    """What an undo would do with a tag that is at a digest now."""
+def foreseen(found: Recorded, move: Move, there: str) -> str:
+    """What an undo of a run would do with a tag that is at a digest now."""
     if there == move.old:
         return "is back already"
-    if there != move.new:
-        return "stays: a later run moved it"
+    if why := found.why_stays(move, there):
+        return f"stays: {why}"
     return f"would move back to {move.old}" if move.old else "would be removed: it was not there before"
 
 
-def _back(book: Records, record: str, move: Move, there: str) -> Outcome | None:
+def _back(book: Records, found: Recorded, move: Move, there: str) -> Outcome | None:
     """Moves one tag back; None if it is back already.
 
     Raises:
@@ -131,15 +145,17 @@ def _back(book: Records, record: str, move: Move, there: str) -> Outcome | None:
     repository, text = book.place.path(move.repository), f"{move.repository}:{move.tag}"
     if there == move.old:
         return None
-    if there != move.new:
-        return Outcome("undo", text, "", "waits", "a later run moved it")
+    if why := found.why_stays(move, there):
+        return Outcome("undo", text, "", "waits", why)
     try:
         if move.old:
             book.registry.tag(repository, move.old, move.tag)
         else:
             book.registry.delete(repository, move.tag)
     except RosmlError as error:  # the registry deletes no tag, or the old index is gone: the other tags still move
-        book.registry.head(book.repository, record)  # raises if the registry is down, before all other tags time out
+        book.registry.head(
+            book.repository, found.name
+        )  # raises if the registry is down, before all other tags time out
         reason = f"{error.message}: {error.remedy}" if error.remedy else error.message
         return Outcome("undo", text, "", "failed", reason)
     return Outcome("undo", text, "", "done", f"back to {move.old}" if move.old else "removed: it was not there before")

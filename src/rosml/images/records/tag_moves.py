@@ -75,6 +75,18 @@ def undone_moves(records: Records, runs: int) -> list[Move]:
     return [move for item in found if item.undone for move in item.moves]
 
 
+def later_moves(records: Records, name: str) -> dict[tuple[str, str, str], str]:
+    """Where runs after a record moved tags, by repository, tag and digest, each with the date of the last of these runs. Runs that
+    somebody undid do not count.
+
+    Raises:
+        RosmlError: a record cannot be read; the registry does not answer or refuses.
+    """
+    names = sorted(item for item in records.registry.tags(records.repository) if item.startswith(UNDO) and item > name)
+    runs = [_read(records, item) for item in names]
+    return {(move.repository, move.tag, move.new): run.date for run in runs if not run.undone for move in run.moves}
+
+
 def mark_undone(records: Records, name: str, date: str) -> None:
     """Says in a record that the run is undone, before its tags move back.
 
