@@ -157,3 +157,25 @@ def load(root: Path, **changes: Any) -> Services:
     (root / ".state").mkdir(exist_ok=True)
     (root / ".state" / "services.json").write_text(json.dumps({**FACTS, **changes}))
     return Services.load(root)
+
+
+HOSTILE = (
+    *(
+        "${{ toJSON(secrets) }}",
+        "${{{{ a }}",
+        "$CI_JOB_TOKEN",
+        "${TOKEN}",
+        "${localEnv:TOKEN}",
+        "${containerEnv:PATH}",
+        "$(id)",
+        "$$(HOME)",
+        "%{ if true }",
+        '"} x="',
+        "`id`",
+        "%h%%",
+        "{{ .Values }}",
+        "a: b",
+    ),
+    *("# x", "- x", "'x'", '"x"', "\\", "é", "*a", "&a", "!b", "@c", "|", ">"),
+)
+"""Texts that mean something in a file for GitHub, GitLab, editors, compose, systemd, Kubernetes, Docker or buildx."""

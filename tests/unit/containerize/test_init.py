@@ -16,6 +16,7 @@ import yaml
 from click.testing import CliRunner, Result
 from conftest import ROOT
 from desks import OURS, Desk
+from stubs import HOSTILE
 
 from rosml.base.errors import RosmlError
 from rosml.cli import main
@@ -813,22 +814,6 @@ def test_the_name_of_an_image(folder: str, name: str) -> None:
 
 
 # ---- What a repository says is written into files of others ----------------------------------------------------------
-
-HOSTILE = (
-    *(
-        "${{ toJSON(secrets) }}",
-        "${{{{ a }}",
-        "$CI_JOB_TOKEN",
-        "${TOKEN}",
-        "$(id)",
-        "`id`",
-        "%h%%",
-        "{{ .Values }}",
-        "a: b",
-    ),
-    *("# x", "- x", "'x'", '"x"', "\\", "é", "*a", "&a", "!b", "@c", "|", ">"),
-)
-"""Texts that mean something in one of the files."""
 
 
 def project_of(text: str) -> contents.Project:

@@ -15,6 +15,7 @@ from bakes import printed, whole
 from conftest import ROOT, SMALL, changed, parse
 from counting import calls
 from projects import copy_for_generator
+from stubs import HOSTILE
 
 from rosml.base import files
 from rosml.base.errors import RosmlError
@@ -60,6 +61,13 @@ def small_file(tmp_path: Path) -> Path:
 
 
 # ---- HCL -------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("text", HOSTILE)
+def test_texts_that_mean_something_elsewhere_are_only_texts(text: str) -> None:
+    found = hcl.literal(text)
+    assert not re.search(r"(?<!\$)(\$\$)*\$\{|(?<!%)(%%)*%\{", found)
+    assert json.loads(re.sub(r"([$%])\1\{", r"\1{", found)) == text
 
 
 def test_text_is_never_filled_in() -> None:

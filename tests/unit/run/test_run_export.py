@@ -10,11 +10,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import units
 import yaml
 from desks import BARE, Desk
-from exports import DOCKER, ME, OWN, PODMAN, ROOTLESS, call
+from exports import DOCKER, ME, OWN, PODMAN, ROOTLESS, call, text
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from stubs import HOSTILE
 
 from rosml.base.errors import RosmlError
 from rosml.cli.run.export import KINDS
@@ -470,6 +472,53 @@ def test_a_call_that_is_wrong(desk: Desk, line: list[str], says: str) -> None:
 def test_bytes_that_are_no_text() -> None:
     with pytest.raises(RosmlError, match="is no text"):
         call("x", os.fsdecode(b"\xff"))
+
+
+def of_compose(text: str) -> tuple[list[str], str, str]:
+    (found,) = yaml.safe_load(text)["services"].values()
+    assert "$" not in str(found).replace("$$", "")
+    words = [word.replace("$$", "$") for word in (*found["command"], found["environment"]["A"], found["labels"]["l"])]
+    return words[:-2], words[-2], words[-1]
+
+
+def of_editors(text: str) -> tuple[list[str], str, str]:
+    found = json.loads(text)
+    assert "Env:" not in found["containerEnv"]["A"]
+    (label,) = [word[len("--label=l=") :] for word in found["runArgs"] if word.startswith("--label=l=")]
+    return [], found["containerEnv"]["A"], label
+
+
+def of_systemd(text: str) -> tuple[list[str], str, str]:
+    found = units.argv(text)
+    value, label = (next(w for w in found if w.startswith(name))[len(name) :] for name in ("--env=A=", "--label=l="))
+    return found[-2:], value, label
+
+
+def of_kubernetes(text: str) -> tuple[list[str], str, str]:
+    template = yaml.safe_load(text)["spec"]["template"]
+    (found,) = template["spec"]["containers"]
+    (value,) = [item["value"] for item in found["env"] if item["name"] == "A"]
+    words = [*found["args"], value, value]
+    assert "$" not in "".join(words).replace("$$", "")
+    words = [word.replace("$$", "$") for word in words]
+    return words[:-2], words[-2], words[-1]
+
+
+READERS = {"compose": of_compose, "devcontainer": of_editors, "quadlet": of_systemd, "kubernetes": of_kubernetes}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("written", HOSTILE)
+def test_texts_that_mean_something_in_a_file_are_only_texts(written: str, kind: str) -> None:
+    """Read as the file's system reads it, or refused. A cluster has no labels of containers, and an editor starts no command."""
+    label = () if kind == "kubernetes" else ("--label", f"l={written}")
+    command = [] if kind == "devcontainer" else ["ros2", written]
+    try:
+        found = text("-e", f"A={written}", *label, "img", *command, kind=kind)
+    except RosmlError as error:
+        assert kind == "devcontainer" and "${" in written and error.remedy
+        return
+    assert READERS[kind](found) == (command, written, written)
 
 
 @pytest.mark.parametrize(
