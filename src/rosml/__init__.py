@@ -59,5 +59,8 @@ MATRIX = ROOT / os.environ["ROSML_MATRIX"] if os.environ.get("ROSML_MATRIX") els
 IN_CHECKOUT = ROOT != _PACKAGE / "data"
 """Whether that is a checkout, in which images can be built."""
 
-STATE = ROOT / ".state" if IN_CHECKOUT else _cache()
+CACHE = _cache()
+"""What all checkouts and sets of a user may take from one another."""
+
+STATE = ROOT / ".state" if IN_CHECKOUT else CACHE
 """What commands keep: `.state` of the checkout; the user's cache where there is no checkout."""

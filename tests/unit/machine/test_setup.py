@@ -15,6 +15,7 @@ import threading
 import time
 import tomllib
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -33,6 +34,7 @@ from rosml.machine.setup.builder_cache import CacheLimits
 from rosml.machine.setup.daemon import Daemon, command_line, wait_until
 from rosml.machine.setup.installer import Installer
 from rosml.machine.setup.state import LONGEST_SOCKET_PATH, State
+from rosml.machine.setup.tool_cache import ToolCache
 from rosml.registry import credentials
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -40,7 +42,7 @@ ROOT = Path(__file__).resolve().parents[3]
 
 @pytest.fixture
 def state(tmp_path: Path) -> State:
-    made = State(tmp_path, print, uv="/uv")
+    made = State(tmp_path, print, uv="/uv", cache=tmp_path / "cache")
     for folder in (made.bin, made.log, made.run):
         folder.mkdir(parents=True)
     return made
@@ -290,7 +292,7 @@ def go(state: State, monkeypatch: pytest.MonkeyPatch) -> Path:
     (module / "go.sum").write_text("")
     script = """case $1 in
   version) echo go version go1.26.8 linux/amd64 ;;
-  build) while [ "$1" != -o ]; do shift; done; echo "$GOFLAGS|$CGO_ENABLED|$GOMODCACHE" >"$2" ;;
+  build) while [ "$1" != -o ]; do shift; done; echo "$GOFLAGS|$CGO_ENABLED|$GOMODCACHE" >"$2" && chmod +x "$2" ;;
 esac"""
     path = program(state.root / "go-bin", "go", script)
     monkeypatch.setenv("PATH", f"{path.parent}:/usr/bin:/bin")
@@ -306,6 +308,54 @@ def test_go_tool_is_built_once(state: State, go: Path, capsys: pytest.CaptureFix
     again = Installer(state)
     again.go_program("regctl")
     assert again.have == ["regctl v1.2.3"]
+
+
+def test_another_checkout_takes_a_go_tool(state: State, go: Path, tmp_path: Path) -> None:
+    Installer(state).go_program("regctl")
+    other = replace(state, root=tmp_path / "other")
+    other.bin.mkdir(parents=True)
+    (other.root / "tools").symlink_to(state.root / "tools")
+    go.unlink()
+    taken = Installer(other)
+    path = Path(taken.go_program("regctl"))
+    assert path.parent == other.bin and "readonly" in path.read_text() and os.access(path, os.X_OK)
+    assert taken.have == ["regctl v1.2.3 (built for another checkout)"] and taken.is_built("regctl")
+    (kept,) = (state.cache / "tools").iterdir()
+    assert re.fullmatch(r"regctl-v1\.2\.3-[0-9a-f]{16}-\w+", kept.name)
+
+
+@pytest.mark.parametrize("wrong", ["writable", "link", "another's folder", "other pins"])
+def test_a_go_tool_that_somebody_else_may_have_put_there_is_not_taken(
+    state: State, go: Path, wrong: str, tmp_path: Path
+) -> None:
+    Installer(state).go_program("regctl")
+    (kept,) = (state.cache / "tools").iterdir()
+    kept.write_text("evil")
+    if wrong == "writable":
+        kept.chmod(0o775)
+    elif wrong == "link":
+        kept.rename(tmp_path / "evil")
+        kept.symlink_to(tmp_path / "evil")
+    elif wrong == "another's folder":
+        kept.parent.chmod(0o777)
+    else:
+        (state.root / "tools/go/regctl/go.sum").write_text("changed")
+    (state.bin / "regctl").unlink()
+    assert "readonly" in Path(Installer(state).go_program("regctl")).read_text()
+
+
+def test_a_cache_that_cannot_be_written_loses_nothing(state: State, go: Path) -> None:
+    state.cache.write_text("no folder")
+    assert "readonly" in Path(Installer(state).go_program("regctl")).read_text()
+
+
+def test_a_go_tool_that_nobody_takes_any_more_goes(state: State, go: Path) -> None:
+    cache = ToolCache(state.cache / "tools")
+    cache.folder.mkdir(parents=True)
+    old, new = (program(cache.folder, name, "") for name in ("regctl-v1-0-x86_64", "regctl-v2-0-x86_64"))
+    os.utime(old, (0, 0))
+    Installer(state).go_program("regctl")
+    assert not old.exists() and new.exists()
 
 
 @pytest.mark.parametrize("changed", ["go.sum", "main.go"])

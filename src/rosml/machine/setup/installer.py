@@ -18,6 +18,7 @@ from rosml.base.programs import Pin, parse_pin
 from rosml.base.units import duration, size
 from rosml.machine.setup.process import detached, end_group, output_of, run
 from rosml.machine.setup.state import State
+from rosml.machine.setup.tool_cache import ToolCache
 
 Version = tuple[int, ...]
 
@@ -57,6 +58,7 @@ class Installer:
     def __init__(self, state: State) -> None:
         self.state = state
         self.have: list[str] = []
+        self._cache = ToolCache(state.cache / "tools")
 
     def report(self) -> None:
         """Prints a line with the programs that were there already. In CI, lets the next steps of the job find all programs."""
@@ -119,7 +121,9 @@ class Installer:
 
         It ignores failures: the build, which waits for its modules, reports them. Nothing runs after the block.
         """
-        wanted = [name for name in names if not self.is_built(name)]
+        wanted = [
+            name for name in names if not self.is_built(name) and not self._cache.has(name, self._stamp_text(name))
+        ]
         go = shutil.which("go", path=self.go_path())
         if not wanted or go is None:
             yield
@@ -134,9 +138,10 @@ class Installer:
             end_group(process)
 
     def go_program(self, name: str) -> str:
-        """The path of a Go program in ``.state/bin``. Builds it if it is missing, or if its pins have changed.
+        """The path of a Go program in ``.state/bin``. If it is missing, or if its pins have changed, copies it from the user's
+        cache, or builds it.
 
-        You may interrupt it: the build writes to another name, and the program's stamp comes last.
+        You may interrupt it: what comes has another name first, and the program's stamp comes last.
 
         Raises:
             RosmlError: Go is not installed, the disk is full, or the build fails.
@@ -146,6 +151,28 @@ class Installer:
         if self.is_built(name):
             self.have.append(title)
             return str(program)
+        self._stamp(name).unlink(missing_ok=True)
+        for left in self.state.bin.glob(f".{name}.*.partial"):
+            left.unlink()
+        partial = self.state.bin / f".{name}.{os.getpid()}.partial"  # the build of a killed setup may still be running
+        pins = self._stamp_text(name)
+        if self._cache.take(name, pins, partial):
+            self.have.append(f"{title} (built for another checkout)")
+        else:
+            self._build(name, partial)
+            self._cache.keep(name, pins, partial)
+        partial.replace(program)
+        files.write(self._stamp(name), pins)
+        return str(program)
+
+    def _build(self, name: str, program: Path) -> None:
+        """Builds a Go program.
+
+        Raises:
+            RosmlError: Go is not installed, the disk is full, or the build fails.
+        """
+        pin = self.pin(name)
+        title = f"{name} {pin.version}"
         go = self.go()
         free = shutil.disk_usage(self.state.folder).free
         if free < BUILD_BYTES:
@@ -153,18 +180,11 @@ class Installer:
             raise RosmlError(f"{size(free)} of disk are free; {needed}", "free some disk space")
         self.state.say(f"{title}: building from its Go module")
         started = time.monotonic()
-        self._stamp(name).unlink(missing_ok=True)
-        for left in self.state.bin.glob(f".{name}.*.partial"):
-            left.unlink()
-        partial = self.state.bin / f".{name}.{os.getpid()}.partial"  # the build of a killed setup may still be running
         link = f"-s -w -X {VERSIONS[name]}={pin.version}" if name in VERSIONS else "-s -w"
-        build = [go, "build", "-trimpath", "-ldflags", link, "-o", str(partial), pin.package]
+        build = [go, "build", "-trimpath", "-ldflags", link, "-o", str(program), pin.package]
         log = self.state.log / f"build-{name}.log"
         run(self.state.say, title, build, log, env=self.go_environment(), cwd=self.module(name))
-        partial.replace(program)
-        files.write(self._stamp(name), self._stamp_text(name))
         self.state.say(f"{title}: built from its Go module in {duration(time.monotonic() - started)}")
-        return str(program)
 
     def go(self) -> str:
         """The path of the Go command.

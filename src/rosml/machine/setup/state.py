@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from rosml import CACHE
 from rosml.base.errors import RosmlError
 
 LONGEST_SOCKET_PATH = 107
@@ -25,12 +26,14 @@ class State:
         say: gets messages, a line each.
         uv: the path of uv.
         ca_bundle: the user's own certificates; empty if the system's count.
+        cache: what all checkouts of this user may take from one another.
     """
 
     root: Path
     say: Callable[[str], object] = lambda line: None
     uv: str = ""
     ca_bundle: str = ""
+    cache: Path = CACHE
 
     @property
     def folder(self) -> Path:
