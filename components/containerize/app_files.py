@@ -32,7 +32,6 @@ import contents
 import lacking
 from contents import STATUS, entries, status
 from facts import shown, write_app
-from pip_install import normal
 
 LEFT_OUT = re.compile(
     r"etc/ld\.so\.cache|etc/(passwd|group|shadow|gshadow|subuid|subgid)-|(etc|var/lib/dbus)/machine-id"
@@ -216,7 +215,7 @@ def asked_of_pip(brought: Container[str]) -> set[str]:
     """
     listed = (ASKED / "needed/exec.pip", ASKED / "requests/pip")
     lines = [line for file in listed if file.is_file() for line in file.read_text("utf-8", "replace").splitlines()]
-    names = {normal(match.group(1)) for match in map(REQUIRED.match, lines) if match}
+    names = {lacking.normal(match.group(1)) for match in map(REQUIRED.match, lines) if match}
     return {name for name in names if name in brought}
 
 

@@ -17,7 +17,6 @@ from pathlib import Path
 from typing import Iterable, Iterator
 
 from elf import elf
-from pip_install import normal
 
 INSTALL = "docker-ros/ws/install"
 WORK = re.compile(r"docker-ros/ws/(src|build)/")
@@ -333,6 +332,11 @@ class Lacking:
                 for file in (place / "__init__.py", place.with_name(f"{place.name}.py")):
                     if file.is_file():
                         self._imports(file, beside)
+
+
+def normal(name: str) -> str:
+    """The name of a package of Python as indexes compare names."""
+    return re.sub(r"[-_.]+", "-", name).lower()
 
 
 def _is_of(places: Iterable[str], package: str) -> bool:
