@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import shlex
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -9,7 +10,6 @@ from dataclasses import replace
 from rosml import MATRIX
 from rosml.base import files
 from rosml.base.errors import RosmlError
-from rosml.base.file_lock import turn
 from rosml.containerize import app_bake_file
 from rosml.containerize.app_base import Base
 from rosml.containerize.app_inputs import Values
@@ -112,6 +112,16 @@ def _require_path(base: Base) -> None:
         raise RosmlError(problem, remedy, exit_code=2)
 
 
+def prepare(base: Base, services: Services, environment: Mapping[str, str], platforms: tuple[str, ...]) -> None:
+    """Has the builder install ROS on a base image, if it has not done so yet. Apps on the same base image do this one after the other,
+    so that it happens once; everything else of their builds happens side by side.
+
+    Raises:
+        RosmlError: a step failed.
+    """
+    _bake(base, services, environment, platforms, "", "type=cacheonly")
+
+
 def make(
     base: Base,
     services: Services,
@@ -135,14 +145,28 @@ def make(
     Raises:
         RosmlError: a step failed.
     """
+    return _bake(base, services, environment, platforms, tag, output).get("containerimage.digest", "")
+
+
+def _bake(
+    base: Base,
+    services: Services,
+    environment: Mapping[str, str],
+    platforms: tuple[str, ...],
+    tag: str,
+    output: str,
+) -> Mapping[str, str]:
+    """Builds a base image with ROS. Gives the builder's facts about it.
+
+    Raises:
+        RosmlError: a step failed.
+    """
     assert base.adopted
-    state = services.state / "adopted"
+    named = f"image-{base.adopted.image.target}-on-{base.digest.rpartition(':')[2][:16]}"
+    state = services.state / "adopted" / named
     state.mkdir(parents=True, exist_ok=True)
-    file = state / "bake.json"
-    with turn(state / "lock", lambda: None):
-        files.write(
-            file, app_bake_file.render_base(base, services, environment, platforms, tag, output, adopted.empty(state))
-        )
-        call = buildx.Bake(BASE, f"image-{base.adopted.image.target}-on", file)
-        _progress, metadata = buildx.run(services, call)
-    return metadata.get("containerimage.digest", "")
+    text = app_bake_file.render_base(base, services, environment, platforms, tag, output, adopted.empty(state))
+    file = state / f"{hashlib.sha256(text.encode()).hexdigest()[:16]}.json"
+    files.write(file, text)
+    _progress, metadata = buildx.run(services, buildx.Bake(BASE, named, file, shares=named))
+    return metadata

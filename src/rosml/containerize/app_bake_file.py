@@ -274,7 +274,7 @@ def render_base(
 
     Args:
         environment: the names of set variables.
-        tag: its full name.
+        tag: its full name; empty if it gets none.
         output: the builder's output.
         empty: a folder without files.
     """
@@ -283,7 +283,7 @@ def render_base(
     targets = adopted.base_targets(onto, BASE, own, empty, adopted.stage(services, onto))
     said = targets[BASE]["labels"] | {TITLE: f"{base.adopted.image.target} on {base.name}"}
     said |= {BASE_NAME: base.name, BASE_DIGEST: base.digest}
-    targets[BASE] |= {"tags": [tag], "output": [output], "labels": said}
+    targets[BASE] |= {"tags": [tag] if tag else [], "output": [output], "labels": said}
     return json.dumps(_literal({"target": targets}), indent=2) + "\n"
 
 

@@ -14,7 +14,7 @@ from typing import Any
 
 from rosml.base import files
 from rosml.base.errors import RosmlError
-from rosml.base.file_lock import turn
+from rosml.base.file_lock import holder, turn
 from rosml.base.problems import SHOWN, counted, some
 from rosml.base.units import time_taken
 from rosml.containerize import (
@@ -237,8 +237,13 @@ class App:
             RosmlError: an input is wrong, or a step or a test failed.
         """
         self._state.mkdir(parents=True, exist_ok=True)
-        with turn(self._state / "lock", lambda: self._say(f"waiting for another call that makes {self._names.app}")):
+        with self._turn():
             return self._build()
+
+    def _turn(self) -> contextlib.AbstractContextManager[int]:
+        """Waits for another call that makes this app."""
+        file, waiting = self._state / "lock", f"waiting for another call that makes {self._names.app}"
+        return turn(file, lambda: self._say(f"{waiting} ({holder(file)})"))
 
     def _build(self) -> Built:
         started, waited = time.monotonic(), buildx.waited()
@@ -278,7 +283,7 @@ class App:
             RosmlError: an input is wrong, or a step failed.
         """
         self._state.mkdir(parents=True, exist_ok=True)
-        with turn(self._state / "lock", lambda: self._say(f"waiting for another call that makes {self._names.app}")):
+        with self._turn():
             base, locked = self._base()
             upstream, _ = self._import(locked)
             base = self._with_addons(base, locked)
@@ -298,6 +303,7 @@ class App:
                 file,
                 app_bake_file.render_desk(inputs, self._names, self._services, [*self._environment], asked, known),
             )
+            self._install_ros(base, known)
             metadata = self._bake(DESK, file, asked)
             reference = self._names.reference(DESK)
             if not self._names.loads:
@@ -351,6 +357,7 @@ class App:
             for archive in left.values():
                 archive.unlink(missing_ok=True)
             files.write(file, app_bake_file.render(*arguments))
+            self._install_ros(inputs.base, known)
             self._bake(app_bake_file.PACKAGES, file, left[app_bake_file.ASKED])
             said = report.Said(left[app_bake_file.REPORT], self._state / "said", self._names.platforms)
             _take(built, said, slim=inputs.slim is not None)
@@ -375,6 +382,18 @@ class App:
                 self._describe(built, said.detail)
             elif cache:
                 self._describe(built, functools.partial(cache.detail, keys))
+
+    def _install_ros(self, base: app_base.Base, known: Mapping[str, str]) -> None:
+        """Has the builder install ROS on a base image without it, one app after the other. All other steps wait for nobody.
+
+        Args:
+            known: stages that the cache has.
+
+        Raises:
+            RosmlError: a step failed.
+        """
+        if base.adopted and stage_cache.BASE not in known:
+            adopt.prepare(base, self._services, self._environment, self._names.platforms)
 
     def _bake(self, target: str, file: Path, asked: Path) -> Mapping[str, str]:
         """Builds a target that installs packages. Returns the builder's facts about it.

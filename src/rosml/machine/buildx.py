@@ -10,14 +10,14 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal
 
 from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
-from rosml.base.file_lock import turn
+from rosml.base.file_lock import holder, turn
 from rosml.machine import trust
 from rosml.machine.progress import TAIL_LINES, BuildProgress, Step
 from rosml.machine.services import Services
@@ -139,8 +139,9 @@ class Bake:
         name: the log's name, without its ending.
         file: the bake file.
         foreign: scripts that run other people's code. Its output gets no remedy from rosml.
-        glance: what the call does, for people, if it only copies files out of an image. It has no step that another build may have,
-            so it waits for none, and its steps are not shown.
+        glance: what the call does, for people, if it only copies files out of an image; its steps are not shown.
+        shares: what it has of the steps that calls beside it may have as well, such as those of parts and ROS images. Calls that name
+            the same take turns; one that names nothing waits for none.
     """
 
     target: str
@@ -150,6 +151,11 @@ class Bake:
     variables: Mapping[str, str] = field(default_factory=dict)
     foreign: Sequence[str] = ()
     glance: str = ""
+    shares: str = ""
+
+
+IMAGES = "images"
+"""What the builds of parts and ROS images share: their base images, the program that assembles parts, and these themselves."""
 
 
 def local_servers(services: Services) -> list[str]:
@@ -200,9 +206,9 @@ def command_on_it(services: Services) -> str:
     return f"{password}{config}{shlex.join(services.buildx)} build --builder {services.builder} --output {output} ."
 
 
-def turn_file(services: Services) -> Path:
-    """The lock for which builds in one builder wait."""
-    return (services.buildx_config or services.state) / "turns" / services.builder
+def turn_file(services: Services, shares: str) -> Path:
+    """The lock for which builds in one builder wait that share something."""
+    return (services.buildx_config or services.state) / "turns" / f"{services.builder}-{shares}"
 
 
 def waited() -> float:
@@ -211,16 +217,20 @@ def waited() -> float:
 
 
 @contextmanager
-def _turn(services: Services) -> Iterator[None]:
-    """Waits for the builder, and says when that begins and ends."""
+def _turn(services: Services, shares: str) -> Iterator[None]:
+    """Waits for other builds that share steps with this one, and says when that begins and ends."""
+    if not shares:
+        yield
+        return
+    file = turn_file(services, shares)
     progress, asked, others = BuildProgress(sys.stderr), time.monotonic(), False
 
     def say() -> None:
         nonlocal others
         others = True
-        progress.say(f"waiting for another build in builder '{services.builder}'")
+        progress.say(f"waiting for another build in builder '{services.builder}' ({holder(file)})")
 
-    with turn(turn_file(services), say):
+    with turn(file, say):
         if others:
             _waits.append(time.monotonic() - asked)
             progress.say("the other build has ended: this one begins, and counts from 0:00")
@@ -230,8 +240,8 @@ def _turn(services: Services) -> Iterator[None]:
 def run(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, str]]:
     """Builds a target. Lines for people go to standard error, everything goes to `.state/log/<name>.log`.
 
-    Builds in one builder take turns. BuildKit solves concurrent builds in one graph. If a build begins while another one holds
-    their common steps, it runs steps again whose results are in the cache (https://github.com/moby/buildkit/issues/4674):
+    Builds in one builder that share steps take turns. BuildKit solves concurrent builds in one graph. If a build begins while another
+    one holds their common steps, it runs steps again whose results are in the cache (https://github.com/moby/buildkit/issues/4674):
     gigabytes of parts were built three times.
 
     BuildKit sends a request once, or four times within seconds if the registry is broken. A registry needs longer if it is busy, or
@@ -249,7 +259,7 @@ def run(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, str]]:
     while True:
         attempt += 1
         try:
-            with nullcontext() if bake.glance else _turn(services):
+            with _turn(services, bake.shares):
                 return _run(services, bake, "w" if attempt == 1 else "a")
         except Unanswered as error:
             seconds = _pause(services, error, attempt)

@@ -5,12 +5,14 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import re
 import signal
 import socket
 import subprocess
 import threading
 import time
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -20,7 +22,6 @@ from stubs import answering_registry, buildx, calls, services
 
 from rosml.base import web
 from rosml.base.errors import RosmlError
-from rosml.base.file_lock import turn
 from rosml.machine import buildx as builder
 from rosml.machine.buildx import Bake
 from rosml.machine.progress import BuildProgress
@@ -161,10 +162,11 @@ def test_runs_in_the_checkout_with_no_input(tmp_path: Path, registry: str, bake:
     assert metadata == {"cwd": str(tmp_path), "input": "", "builder": "rosml"}
 
 
-def test_builds_in_one_builder_take_turns(
+def test_builds_that_share_steps_take_turns(
     tmp_path: Path, registry: str, bake: Bake, capfd: pytest.CaptureFixture[str]
 ) -> None:
     """Two checkouts, one builder: each build has ended before the next one begins."""
+    bake = replace(bake, shares="parts")
     shared = tmp_path / "buildx-config"
     roots = [tmp_path / name for name in ("one", "other")]
 
@@ -182,19 +184,33 @@ def test_builds_in_one_builder_take_turns(
         thread.join()
     assert (tmp_path / "order").read_text().split() == ["begin", "end"] * 2
     said = capfd.readouterr().err
-    assert said.count("waiting for another build in builder 'rosml'") == 1
+    (line,) = [line for line in said.splitlines() if "waiting for another build in builder 'rosml'" in line]
+    assert re.search(rf"\(process {os.getpid()}, which began \d+ s ago: rosml ", line), line
     assert said.count("this one begins") == 1, "the end of the wait is seen as well"
     assert 0.1 < builder.waited() - before < 30, "a summary says how long it was"
 
 
-def test_a_look_into_an_image_waits_for_no_build(
+def test_builds_that_share_nothing_run_side_by_side(tmp_path: Path, registry: str, bake: Bake) -> None:
+    """Two apps, and a part: each begins while the others have not ended."""
+    shared, roots = tmp_path / "buildx-config", [tmp_path / name for name in ("one", "other", "part")]
+    wait = f"touch {{}}; while [ $(ls {tmp_path}/begun-* | wc -l) != 3 ]; do sleep 0.05; done"
+
+    def build(root: Path) -> None:
+        text = f"timeout 20 sh -c '{wait.format(tmp_path / f'begun-{root.name}')}'"
+        machine = having(root, registry, text, buildx_config=str(shared))
+        builder.run(machine, replace(bake, shares="parts" if root.name == "part" else ""))
+
+    for root in roots:
+        root.mkdir()
+    with ThreadPoolExecutor(len(roots)) as pool:
+        assert len([*pool.map(build, roots)]) == len(roots)
+
+
+def test_a_look_into_an_image_has_no_line_for_each_file(
     tmp_path: Path, registry: str, bake: Bake, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    """And has no line for each file that it copies."""
     steps = [vertex(f"[system {number}/9] COPY --from=os /x /", completed=f"{DAY}12Z") for number in range(9)]
-    machine = having(tmp_path, registry, says(*steps))
-    with turn(builder.turn_file(machine), lambda: None):
-        progress, _ = builder.run(machine, replace(bake, glance="looking into vendor:1"))
+    progress, _ = builder.run(having(tmp_path, registry, says(*steps)), replace(bake, glance="looking into vendor:1"))
     assert len(progress.steps) == 9 and capfd.readouterr().err == ""
 
 

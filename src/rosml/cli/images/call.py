@@ -32,9 +32,9 @@ KEPT = "interrupted: no tag points at what is not finished; what was finished is
 
 def wait_for_turn() -> None:
     """Waits until no other publishing run of this checkout is under way. The turn ends with the command."""
-    turn = file_lock.turn(
-        ROOT / ".state/publish.lock", lambda: say("waiting for another publishing run of this checkout")
-    )
+    file = ROOT / ".state/publish.lock"
+    waiting = "waiting for another publishing run of this checkout ({})"
+    turn = file_lock.turn(file, lambda: say(waiting.format(file_lock.holder(file))))
     click.get_current_context().with_resource(turn)
 
 

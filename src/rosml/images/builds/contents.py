@@ -123,7 +123,7 @@ def _made(
         )
         variables = {names.os_variable(os_name): f"docker-image://{base}"}
         short = manifest.digest.partition(":")[2][:12]
-        buildx.run(services, buildx.Bake(TARGET, f"{TARGET}-{short}", file, sets, variables))
+        buildx.run(services, buildx.Bake(TARGET, f"{TARGET}-{short}", file, sets, variables, shares=buildx.IMAGES))
         exported.unpack(Path(folder) / "left.tar", Path(folder) / "left", limits=exported.OURS)
         found = {name: exported.read(Path(folder) / "left", name) for name in (PACKAGES, FILES, FACTS)}
     if not file_lists.unpacked(found[FILES]):

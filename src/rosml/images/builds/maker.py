@@ -188,7 +188,8 @@ class BuildKitMaker:
             folder = self._changes_with(image, packages)
             sets += [f"{target}.contexts.upstream={folder}" for target in installing]
         bake_file = write_excerpt(self.services, self.image_set, image.target)
-        call = buildx.Bake(image.target, f"build-{image.target}-{architecture}", bake_file, tuple(sets), given)
+        name = f"build-{image.target}-{architecture}"
+        call = buildx.Bake(image.target, name, bake_file, tuple(sets), given, shares=buildx.IMAGES)
         _, digest = push_by_digest(self.services, call, self.place.reference(image.repository))
         return Made(digest, parts, packages, "" if parts else base(image, given), self._describe(image, digest))
 

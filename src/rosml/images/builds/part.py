@@ -150,7 +150,7 @@ def push(
         sets.append(f"{part.target}.no-cache=true")
     variables = {"REGISTRY": prefix, names.os_variable(part.os): f"docker-image://{base.reference}"}
     say(f"part {part.name} for {', '.join(platforms)}, built on {_said(part, base)}")
-    call = buildx.Bake(part.target, part.target, file, tuple(sets), variables)
+    call = buildx.Bake(part.target, part.target, file, tuple(sets), variables, shares=buildx.IMAGES)
     _, digest = push_by_digest(services, call, f"{prefix}/part")
     return base, digest
 

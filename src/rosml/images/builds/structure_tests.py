@@ -202,7 +202,10 @@ def run(
         f"{name}.args.TEST_ATTEMPT={attempt}",
         f"{name}.args.TESTS={tests}",
     )
-    buildx.run(services, buildx.Bake(name, f"test-{image.target}-{architecture}", bake_file, sets, dict(variables)))
+    call = buildx.Bake(
+        name, f"test-{image.target}-{architecture}", bake_file, sets, dict(variables), shares=buildx.IMAGES
+    )
+    buildx.run(services, call)
     exported.unpack(left, reports)
     report = read_report(reports, (*names, "metadata"))
     if image.budget is not None:
