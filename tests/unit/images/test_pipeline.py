@@ -43,7 +43,7 @@ from rosml.images.builds import base_images, contents, maker, part, sync
 from rosml.images.builds.maker import BuildKitMaker
 from rosml.images.image_set import locked, selection
 from rosml.images.image_set import model as sets
-from rosml.images.image_set.model import ImageSet
+from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix import names
 from rosml.images.publish import run as running
 from rosml.images.publish import status
@@ -161,6 +161,11 @@ def ran(run: Run) -> dict[str, tuple[str, ...]]:
     return run.maker.tests
 
 
+def of_parts(image: Image) -> tuple[str, ...]:
+    """The tests of its parts that an image shares with others."""
+    return tuple(name for name in image.shared if name in image.carried)
+
+
 def test_what_images_of_a_row_share_is_tested_in_one_of_them(registry: Publisher, image_set: ImageSet) -> None:
     found = ran(registry.publish(image_set))
     assert all(found[target] == image_set.by_target[target].tests for target in found)
@@ -171,10 +176,11 @@ def test_what_images_of_a_row_share_is_tested_in_one_of_them(registry: Publisher
 
 
 def test_an_image_alone_is_tested_with_all_that_must_hold_in_it(registry: Publisher, image_set: ImageSet) -> None:
-    """Nothing is tested twice."""
+    """Nothing is tested twice: its ROS image runs the tests of ROS."""
     image = image_set.by_target[BASE]
     run = registry.publish(image_set, only=[BASE])
-    assert ran(run)[BASE] == (*image.tests, *image.shared)
+    assert ran(run)[BASE] == (*image.tests, *of_parts(image))
+    assert {*image.shared} - {*of_parts(image)} <= {*ran(run)["alpha-base"], *ran(run)["alpha-core"]}
     assert "latest" in registry.tagged("ros-torch")
     assert BASE not in ran(registry.publish(image_set, date=NEXT))
     registry.check(image_set)
@@ -189,8 +195,32 @@ def test_an_image_alone_is_tested_with_less_if_others_of_the_same_parts_passed(
     assert "alpha-base-cu1" in registry.tagged("ros-torch")
     registry.packages["alpha"] = "tuesday"
     run = registry.publish(image_set, date=NEXT, only=[BASE], packages="2")
-    assert ran(run)[BASE] == (*image.tests, *image.shared), "the others stand on other packages"
+    assert ran(run)[BASE] == (*image.tests, *of_parts(image)), "the others stand on other packages"
     registry.check(image_set)
+
+
+def test_a_second_image_with_the_same_parts_is_tested_with_what_is_new_in_it(
+    registry: Publisher, image_set: ImageSet
+) -> None:
+    """The first one, on a lower component, has run all tests of the parts: there is none with more frameworks."""
+    first, second = (image_set.by_target[name] for name in ("alpha-core-torch-cu1", BASE))
+    assert {*of_parts(first)} <= {*ran(registry.publish(image_set, only=[first.target]))[first.target]}
+    assert ran(registry.publish(image_set, date=NEXT, only=[second.target]))[BASE] == second.tests
+    assert "alpha-base-cu1" in registry.tagged("ros-torch")
+    everything = registry.publish(image_set, date=NEXT, only=[BASE], all_tests=True)
+    assert ran(everything) == {BASE: (*second.tests, *second.shared)}
+    assert ran(registry.publish(image_set, date=LATER, only=[BASE], all_tests=True)) == {}
+    registry.check(image_set)
+
+
+def test_what_failed_in_the_first_image_is_run_again_in_the_second(registry: Publisher, image_set: ImageSet) -> None:
+    """Nor does a higher component prove anything for a lower one."""
+    registry.publish(image_set, only=["alpha-core-torch-cu1"], poisoned={"alpha-core-torch-cu1"}, failing="pip")
+    image = image_set.by_target[BASE]
+    assert ran(registry.publish(image_set, date=NEXT, only=[BASE]))[BASE] == (*image.tests, *of_parts(image))
+    first = image_set.by_target["alpha-core-torch-cu1"]
+    run = registry.publish(image_set, date=LATER, only=[first.target])
+    assert ran(run)[first.target] == (*first.tests, *of_parts(first))
 
 
 def test_the_owner_sees_each_cause_once(registry: Publisher, image_set: ImageSet) -> None:

@@ -134,6 +134,7 @@ class Call:
     architectures: tuple[str, ...] = ()
     serve: tuple[str, ...] = ()
     force: bool = False
+    all_tests: bool = False
     plan_file: Path | None = None
     shard: str = ""
     date: str = ""
@@ -225,6 +226,7 @@ class Call:
             policy_digest(policy.load(self.policy), date) if self.require_scan else "",
             package_state,
             whole=reading,
+            all_tests=self.all_tests,
         )
         found = survey(request)
         for remark in found.remarks:

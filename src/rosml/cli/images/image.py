@@ -42,8 +42,13 @@ LONGEST_TAG = 128
     metavar="IMAGE",
     help="install the ROS of TARGET on IMAGE, not on the base image that matrix.yaml names",
 )
+@click.option(
+    "--all-tests", is_flag=True, help="run all tests, also those that other images with the same parts passed"
+)
 @sharing("force", "json")
-def main(target: str, matrix: Path, namespace: str, platform: str, on: str, force: bool, as_json: bool) -> None:
+def main(
+    target: str, matrix: Path, namespace: str, platform: str, on: str, all_tests: bool, force: bool, as_json: bool
+) -> None:
     """Builds TARGET, runs its structure tests, and moves its tags in the local registry. TARGET is a name or a tag of an image.
 
     Builds also the images and parts that TARGET needs, if they are missing or out of date. Sets this machine up first,
@@ -70,7 +75,7 @@ def main(target: str, matrix: Path, namespace: str, platform: str, on: str, forc
     from rosml.images.publish.steps.test import test
     from rosml.machine.services import Services
 
-    call = Call(matrix=matrix, force=force)
+    call = Call(matrix=matrix, force=force, all_tests=all_tests)
     image_set = call.image_set
     # A typo ends the command before anything else happens.
     native = native_architecture()

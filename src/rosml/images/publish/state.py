@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Literal
@@ -114,6 +115,7 @@ class Request:
             Packages that move later wait for the next run, unless a build fails because of them.
         whole: judge the ROS images and parts below images on all of their architectures.
         inputs: inputs of the image set's targets, if they were read before.
+        all_tests: the requested images run all tests, also those that passed in others with the same parts.
     """
 
     services: Services
@@ -128,6 +130,7 @@ class Request:
     package_state: Mapping[str, str] = field(default_factory=dict)
     whole: bool = False
     inputs: Inputs | None = None
+    all_tests: bool = False
 
 
 @dataclass
@@ -159,6 +162,7 @@ class State:
     remarks: list[str] = field(default_factory=list)
     forced: set[tuple[str, str]] = field(default_factory=set)
     digests: dict[tuple[str, str, tuple[str, ...]], str] = field(default_factory=dict, repr=False)
+    _provers: dict[str, tuple[str, ...]] = field(default_factory=dict, repr=False)
 
     @property
     def image_set(self) -> ImageSet:
@@ -334,23 +338,62 @@ class State:
     def _tested(self, item: Item, entry: Entry) -> bool:
         """Whether today's tests ran."""
         assert isinstance(item.thing, Image)
-        return entry.tested in {self._digest_of(item, names) for names in (item.thing.tests, self._all(item.thing))}
+        lacking = {*item.thing.shared} if self._runs_all(item) else set()
+        ran = self._ran(item, entry)
+        return bool(ran) and lacking <= {*ran}
+
+    def _runs_all(self, item: Item) -> bool:
+        return self.request.all_tests and item.target in self._asked
+
+    def _ran(self, item: Item, entry: Entry) -> tuple[str, ...]:
+        """The tests that ran in an image, if they are today's: its own, and perhaps some that it shares."""
+        assert isinstance(item.thing, Image)
+        image, of_ros, of_parts = item.thing, _of_ros(item.thing), _of_parts(item.thing)
+        for shared in (image.shared, of_ros, of_parts, ()):
+            if entry.tested == self.digest_of(item, (*image.tests, *shared)):
+                return (*image.tests, *shared)
+        return ()
 
     def tests(self, item: Item) -> tuple[str, ...]:
         """The tests that an image runs: its own tests; and the tests that it shares with other images, unless these are
         part of this run, or passed them before with the same parts."""
+        image = item.thing
+        assert isinstance(image, Image)
+        of_ros, of_parts = _of_ros(image), _of_parts(image)
+        if self._runs_all(item):
+            return (*image.tests, *image.shared)
+        if not of_ros or self._elsewhere(item, of_ros, image.parent):
+            of_ros = ()
+        if not of_parts or self._elsewhere(item, of_parts, *image.carriers[:1]):
+            of_parts = ()
+        return (*image.tests, *of_ros, *of_parts)
+
+    def _elsewhere(self, item: Item, names: tuple[str, ...], first: str = "") -> bool:
+        """Whether tests that an image shares run in another one, or passed in one.
+
+        Args:
+            first: the image that runs them in this run, if it is part of it.
+        """
+        return (first in self._asked and first != item.target) or not self._unproven_tests(item, names, first)
+
+    def _unproven_tests(self, item: Item, names: tuple[str, ...], first: str) -> str:
+        """Why tests that an image shares prove nothing for it; empty if they passed in one that counts for it.
+
+        Args:
+            first: the image that the reason is about.
+        """
         assert isinstance(item.thing, Image)
-        elsewhere = all(target in self._asked or not self._unproven(item, target) for target in item.thing.proven_by)
-        return item.thing.tests if elsewhere else self._all(item.thing)
+        reason = ""
+        for target in dict.fromkeys((first, *self.provers(item.thing))):
+            if target in self.image_set.by_target and (target, item.architecture) in self.known:
+                why = self._unproven(item, target, names)
+                if not why:
+                    return ""
+                reason = reason or why
+        return reason or f"tests that it shares with {first}: that image is missing"
 
-    def tests_digest(self, item: Item) -> str:
-        """A digest of the tests that an image runs: files, programs and expected values, without the image itself."""
-        return self._digest_of(item, self.tests(item))
-
-    def _all(self, image: Image) -> tuple[str, ...]:
-        return (*image.tests, *image.shared)
-
-    def _digest_of(self, item: Item, names: tuple[str, ...]) -> str:
+    def digest_of(self, item: Item, names: tuple[str, ...]) -> str:
+        """A digest of tests of an image: files, programs and expected values, without the image itself."""
         assert isinstance(item.thing, Image)
         key = (*item.key, names)
         if key not in self.digests:
@@ -360,19 +403,45 @@ class State:
             self.digests[key] = hashlib.sha256(json.dumps(own, sort_keys=True).encode()).hexdigest()
         return self.digests[key]
 
+    def provers(self, image: Image) -> tuple[str, ...]:
+        """Images that may have run tests that an image shares: on the same ROS image; or on that or a lower one, with all its parts."""
+        if image.target not in self._provers:
+            lower, below = {_ros_of(image)}, self.image_set.by_target.get(_ros_of(image))
+            while below := below and self.image_set.by_target.get(below.parent):
+                lower.add(below.target)
+            self._provers[image.target] = tuple(
+                other.target
+                for other in self._by_distribution[image.distribution]
+                if other.target != image.target
+                and (
+                    other.parent == image.parent
+                    or (other.stack == image.stack and _ros_of(other) in lower and {*image.parts} <= {*other.parts})
+                )
+            )
+        return self._provers[image.target]
+
+    @cached_property
+    def _by_distribution(self) -> Mapping[str, Sequence[Image]]:
+        found: defaultdict[str, list[Image]] = defaultdict(list)
+        for image in self.image_set.images:
+            found[image.distribution].append(image)
+        return found
+
     def unproven(self, item: Item) -> str:
         """Why shared tests in other images prove nothing for this image; empty if they passed, or the image ran all
         tests."""
-        assert isinstance(item.thing, Image)
-        entry = self.known[item.key]
-        whole = entry.tested == self._digest_of(item, self._all(item.thing))
-        for target in item.thing.proven_by:
-            if (target in self._asked or not whole) and (reason := self._unproven(item, target)):
+        image = item.thing
+        assert isinstance(image, Image)
+        names = {*self._ran(item, self.known[item.key])}
+        for shared, first in ((_of_ros(image), image.parent), (_of_parts(image), next(iter(image.carriers), ""))):
+            if first in self._asked and first != image.target and (reason := self._unproven(item, first, shared)):
+                return reason
+            if not names.issuperset(shared) and (reason := self._unproven_tests(item, shared, first)):
                 return reason
         return ""
 
-    def _unproven(self, item: Item, target: str) -> str:
-        """Why the shared tests in one other image prove nothing; empty if they passed there, with the same parts."""
+    def _unproven(self, item: Item, target: str, names: tuple[str, ...]) -> str:
+        """Why tests prove nothing that ran in one other image; empty if they passed there, with the same parts."""
         image = self.image_set.by_target[target]
         proof = Item(image, item.architecture, self._needs(image))
         entry = self.known.get(proof.key)
@@ -381,7 +450,8 @@ class State:
             return f"{what}: that image is missing"
         if proof.key in self.by_key and (why := self.reasons(proof)):
             return f"{what}: {why[0]}"
-        if not self._tested(proof, entry) or not (entry.passed or entry.failures):
+        ran = {*self._ran(proof, entry)}
+        if not ran or not (entry.passed or entry.failures):
             return f"{what} have not passed"
         assert isinstance(item.thing, Image)
         common = {*item.thing.shared, *image.carried}
@@ -390,7 +460,9 @@ class State:
         for name, digest in entry.parts.items():
             if (part := self.known.get((name, item.architecture))) and part.digest != digest:
                 return f"{what}: that image has another {name}"
-        return self.unproven(proof) if target == item.thing.parent else ""
+        if not (left := tuple(name for name in names if name not in ran)):
+            return ""
+        return self._unproven_tests(proof, left, image.parent) if target == item.thing.parent else f"{what} did not run"
 
     def _needs(self, image: Image) -> tuple[str, ...]:
         """The ROS image below an image, and its parts."""
@@ -493,3 +565,18 @@ class State:
         """Names of an item's inputs that changed since it was made. This reads the records."""
         old, new = self.records.inputs(*item.key), self.inputs.of(item.target, item.architecture)
         return sorted(name for name in old.keys() | new.keys() if old.get(name) != new.get(name)) if old else []
+
+
+def _ros_of(image: Image) -> str:
+    """The target of the ROS image that an image is or stands on."""
+    return image.parent if image.stack else image.target
+
+
+def _of_ros(image: Image) -> tuple[str, ...]:
+    """The tests of the ROS image below an image."""
+    return tuple(name for name in image.shared if name not in image.carried)
+
+
+def _of_parts(image: Image) -> tuple[str, ...]:
+    """The tests of its parts that an image does not carry itself."""
+    return tuple(name for name in image.shared if name in image.carried)

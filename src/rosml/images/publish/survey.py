@@ -42,6 +42,7 @@ def survey(request: Request) -> State:
         if isinstance(item.thing, Image)
         for target in item.thing.proven_by
     ]
+    keys += [(other, name) for image in state.images for other in state.provers(image) for name in image.architectures]
     state.known = state.records.read_all(list(dict.fromkeys(keys)))
     state.present = present(request.place, state.known.values())
     rows = _ask(state)

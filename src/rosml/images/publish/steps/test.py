@@ -39,7 +39,7 @@ def _test(run: Run, item: Item, entry: Entry) -> Entry:
     reason = f"tests failed: {some(list(found.failures))}\n{found.said}".strip()
     return replace(
         entry,
-        tested=run.state.tests_digest(item),
+        tested=run.state.digest_of(item, names),
         passed=found.passed,
         failures=found.failures,
         unpacked=found.unpacked,
