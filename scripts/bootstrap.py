@@ -23,7 +23,10 @@ if sys.version_info < (3, 9):  # noqa: UP036 (an old one may well call this)
     sys.exit("error: this needs Python 3.9 or newer, and this is {}.{}".format(*sys.version_info[:2]))
 
 ROOT = Path(__file__).resolve().parent.parent
-STATE, VENV = ROOT / ".state", ROOT / ".venv"
+PLACE = Path(os.environ.get("ROSML_PLACE") or ROOT)
+"""The folder of .state and .venv: the checkout, or a folder of somebody who may not write to it, as `rosml` names it."""
+
+STATE, VENV = PLACE / ".state", PLACE / ".venv"
 BIN, LOG, RUN = STATE / "bin", STATE / "log", STATE / "run"
 PYTHON = VENV / "bin" / "python"
 SOURCES = ROOT / "src"
@@ -139,6 +142,8 @@ def lock() -> Iterator[None]:
         stream = (RUN / "lock").open("a")
     except OSError as error:
         remedy = "let .state and what is in it be folders that this user may write to"
+        if PLACE != ROOT:
+            remedy = f"name a folder that you may write to with XDG_CACHE_HOME; or call {ROOT}/rosml once as its owner"
         raise Failure(f"{error.filename}: {error.strerror}", remedy) from None
     with stream:
         try:
@@ -219,6 +224,7 @@ def packages(uv: str, group: str) -> None:
         Failure: a package has none of the hashes in the file, or cannot be fetched.
     """
     started, log = time.monotonic(), LOG / "packages.log"
+    place = ".venv" if PLACE == ROOT else VENV
     env = {name: value for name, value in os.environ.items() if name not in ("UV_QUIET", "VIRTUAL_ENV", "UV_PYTHON")}
     env["UV_COMPILE_BYTECODE"] = "1"
     env.setdefault("UV_CACHE_DIR", str(STATE / "uv"))
@@ -226,7 +232,7 @@ def packages(uv: str, group: str) -> None:
         env["SSL_CERT_FILE"] = bundle
     fresh = output_of(str(PYTHON), "-c", "") is None
     if fresh:
-        say("Python packages: installing into .venv")
+        say(f"Python packages: installing into {place}")
         make = [uv, "venv", "--clear", "--no-project", "--python", f">={OLDEST_PYTHON}", str(VENV)]
         run("Python packages", make, log, env, UNREACHED)
     known = VENV / "group"
@@ -240,7 +246,7 @@ def packages(uv: str, group: str) -> None:
         write(folder / "rosml.pth", f"{SOURCES}\n")  # so that tests and bench import rosml
     write(known, group)
     if fresh:
-        say(f"Python packages: installed into .venv in {time.monotonic() - started:.0f} s")
+        say(f"Python packages: installed into {place} in {time.monotonic() - started:.0f} s")
 
 
 def can_hand_over() -> bool:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import reduce
 from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.run import yaml_text
-from rosml.run.export import COUNT, Call, Option, fields, file, gpus, merged, nested, placed, volume
+from rosml.run.context import Context
+from rosml.run.export import COUNT, Call, Option, fields, file, gpus, lasting, merged, nested, placed, volume
 
 SAME = (
     *("annotation", "cpus", "domainname", "expose", "hostname", "ipc", "isolation", "pid", "platform"),
@@ -83,6 +85,16 @@ MOUNT = {
     "tmpfs-mode": "tmpfs.mode",
 }
 """Compose's names of the fields of `--mount`."""
+
+
+def portable(context: Context) -> Context:
+    """The context of a file of compose, which has no word for podman's entry in /etc/passwd.
+
+    Raises:
+        RosmlError: as in `lasting`.
+    """
+    found = lasting(context)
+    return replace(found, engine=replace(found.engine, passwd=False))
 
 
 def text(call: Call) -> str:

@@ -24,6 +24,7 @@ class Engine:
         machine: the name of the machine on which it runs; empty if unknown.
         selinux: it gives its containers SELinux labels.
         snap: it is a snap, which has its own /tmp and /run, and sees no socket of a session.
+        passwd: if it is podman, its `run` has --passwd and --passwd-entry.
     """
 
     program: str = "docker"
@@ -34,6 +35,7 @@ class Engine:
     machine: str = ""
     selinux: bool = False
     snap: bool = False
+    passwd: bool = True
 
 
 @dataclass(frozen=True)

@@ -67,6 +67,9 @@ PATIENCE = 1.0
 ID = re.compile("[A-Za-z0-9][A-Za-z0-9_.-]*")
 """The id or the name of a container."""
 
+PASSWD = (4, 1)
+"""The first podman with both --passwd and --passwd-entry: its release notes of 4.0.0 and 4.1.0."""
+
 CDI = ("/etc/cdi", "/var/run/cdi")
 """The folders in which podman looks for CDI files."""
 
@@ -418,7 +421,9 @@ def _described_engine(command: str, found: Mapping[str, Any]) -> Engine | None:
         host = _kind(dict, found["host"])
         security, machine = _kind(dict, host.get("security", {})), str(host.get("hostname") or "")
         rootless, selinux = bool(security.get("rootless")), bool(security.get("selinuxEnabled"))
-        return Engine(command, podman=True, rootless=rootless, cdi=CDI, machine=machine, selinux=selinux)
+        version = _version(_kind(dict, found.get("version") or {}).get("Version"))
+        passwd = not version or version >= PASSWD
+        return Engine(command, podman=True, rootless=rootless, cdi=CDI, machine=machine, selinux=selinux, passwd=passwd)
     if found.get("ServerErrors") or not found.get("ServerVersion"):
         return None
     options = [option.partition(",")[0] for option in _texts(found.get("SecurityOptions"))]
@@ -427,6 +432,12 @@ def _described_engine(command: str, found: Mapping[str, Any]) -> Engine | None:
     machine, selinux = str(found.get("Name") or ""), "name=selinux" in options
     snap = str(found.get("DockerRootDir") or "").startswith("/var/snap/")
     return Engine(command, rootless=rootless, nvidia=nvidia, cdi=cdi, machine=machine, selinux=selinux, snap=snap)
+
+
+def _version(text: object) -> tuple[int, int] | None:
+    """The first two numbers of a version; None if it is unknown."""
+    found = re.match(r"([0-9]{1,4})\.([0-9]{1,4})", str(text))
+    return (int(found[1]), int(found[2])) if found else None
 
 
 def _guessed(command: str) -> Engine:

@@ -44,6 +44,12 @@ VARIABLE = "DOCKER_UID"
 """A variable in the environment of images that make the user themselves, and start as root for that (docs/contract.md). Any
 image can claim so."""
 
+NO_ENTRY = "--passwd=false"
+"""For podman: it writes no entry into the container's /etc/passwd."""
+
+ENTRY = ("passwd", "passwd-entry", "group-entry", "hostuser")
+"""Options of podman about its entries."""
+
 LOCKED = "no-new-privileges"
 """The value of --security-opt that gives no setuid program of the image another user's rights."""
 
@@ -55,11 +61,11 @@ def user(context: Context) -> Sequence[str]:
       if it names another user.
     - In other images the bare ids run. An engine with root locks them in; otherwise a setuid program of the image would be root.
     - In docker without root, root is the user.
-    - If the user chooses who runs, nothing is added.
+    - If the user chooses who runs, nothing is added, except `_entry` with --mwd, which sets the working directory.
     """
     line, engine = context.line, context.engine
     if line.asks("no-user") or line.has("user") or (engine.podman and line.has("userns")):
-        return []
+        return _entry(context, NO_ENTRY) if line.asks("mwd") else []
     makes_users = claims(context) and (context.trusted or not _gains(context))
     root = ["--user", "0:0"]
     as_root = context.image.user.partition(":")[0] in ("", "0", "root")
@@ -68,7 +74,9 @@ def user(context: Context) -> Sequence[str]:
     kept = [KEPT] if engine.rootless else []
     if not makes_users:
         return [*kept, *_bare(context), *(_locked(context) if _gains(context) else [])]
-    return [*kept, *([] if as_root and not kept else root), *_contract(context)]
+    if kept:
+        return [*kept, *root, *_entry(context, NO_ENTRY), *_contract(context)]
+    return [*([] if as_root else root), *_contract(context)]
 
 
 def needs_trust(context: Context) -> bool:
@@ -92,8 +100,24 @@ def _gains(context: Context) -> bool:
 def _bare(context: Context) -> Sequence[str]:
     """The bare ids. Their home is /tmp, and their name is in variables, which Python's getpass reads. root has its own."""
     person = context.person
+    ids = f"{person.uid}:{person.gid}"
+    if not person.uid:
+        return ["--user", ids]
     facts = {"HOME": "/tmp", **({"USER": person.name, "LOGNAME": person.name} if person.name else {})}
-    return ["--user", f"{person.uid}:{person.gid}", *(_variables(facts) if person.uid else [])]
+    entry = f"--passwd-entry={person.name or person.uid}:*:{ids}::/tmp:/bin/sh"
+    return ["--user", ids, *_entry(context, entry), *_variables(facts)]
+
+
+def _entry(context: Context, option: str) -> Sequence[str]:
+    """The option about podman's entry in the container's /etc/passwd, for a user whom the image lacks. In podman's own entry the
+    home is the working directory, and so a mounted project: programs would leave their files in it. Nothing if the user types such
+    an option, or podman is too old for it.
+
+    Args:
+        option: the wanted option.
+    """
+    engine = context.engine
+    return [option] if engine.podman and engine.passwd and not context.line.has(*ENTRY) else []
 
 
 def _locked(context: Context) -> Sequence[str]:

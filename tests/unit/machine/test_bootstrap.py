@@ -108,6 +108,21 @@ def test_it_hands_over(ready: Bootstrap, words: str, group: str) -> None:
     assert done.returncode == 3
 
 
+def test_packages_of_somebody_who_may_not_write_to_the_checkout(ready: Bootstrap, tmp_path: Path) -> None:
+    place = tmp_path / "cache"
+    (place / ".venv").mkdir(parents=True)
+    (ready.root / ".state").rmdir()
+    done = ready("python", ROSML_PLACE=str(place))
+    assert (done.returncode, done.stderr) == (0, "")
+    assert f"Python packages: installing into {place}/.venv\n" in done.stdout
+    made, installed = (ready.root / "calls").read_text().splitlines()
+    assert made.endswith(f" {place}/.venv") and f" --python {place}/.venv/bin/python " in installed
+    assert (place / ".venv/group").read_text() == "app" and not (ready.root / ".state").exists()
+    (tmp_path / "file").touch()
+    failed = ready("python", ROSML_PLACE=str(tmp_path / "file/cache"))
+    assert failed.returncode == 1 and "remedy: name a folder that you may write to with XDG_CACHE_HOME" in failed.stderr
+
+
 def test_only_one_set_up_at_a_time(ready: Bootstrap) -> None:
     """The lock is kept by what it hands over to."""
     (ready.root / "src/__main__.py").write_text("import time\nprint('begins', flush=True)\ntime.sleep(60)\n")

@@ -6,6 +6,9 @@ import os
 import re
 import shutil
 import subprocess
+import tempfile
+from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
@@ -108,6 +111,85 @@ def test_rosml_installs_what_it_needs_once(checkout: Path) -> None:
     assert rosml(checkout, "list", "a b") == (called, "bootstrap python\n"), "other packages are asked for now"
     (checkout / ".venv/bin/python").unlink()
     assert rosml(checkout, "list", "a b") == (called, "bootstrap python\n"), "the Python is gone"
+
+
+PYTHON3 = """\
+#!/bin/sh
+[ "$1" != -c ] || exit 0
+echo "bootstrap in $ROSML_PLACE"
+mkdir -p "$ROSML_PLACE/.venv/bin"
+cp "$(dirname "$0")/python" "$ROSML_PLACE/.venv/bin"
+touch "$ROSML_PLACE/.venv/group"
+"""
+"""In the place of the system's python3: its scripts/bootstrap.py installs the Python beside it."""
+
+
+@dataclass(frozen=True)
+class Shared:
+    """A checkout to which its caller may not write, and the caller's cache."""
+
+    checkout: Path
+    cache: Path
+
+    def installed(self) -> Path:
+        """Its owner has installed the packages. Returns their mark."""
+        folder = self.checkout / ".venv"
+        (folder / "bin").mkdir(parents=True)
+        shutil.copy(self.checkout / "mine/python", folder / "bin")
+        (folder / "group").touch()
+        return folder / "group"
+
+    def call(self, *words: str, **environment: str) -> tuple[str, str]:
+        """Calls its `rosml`; what it prints."""
+        become = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"] if os.geteuid() == 0 else []
+        self.checkout.chmod(0o555)
+        env = {"PATH": f"{self.checkout}/mine:{os.environ['PATH']}", "XDG_CACHE_HOME": str(self.cache), **environment}
+        argv = [*become, str(self.checkout / "rosml"), *words]
+        done = subprocess.run(argv, cwd="/", env=env, capture_output=True, text=True, check=True)
+        self.checkout.chmod(0o755)
+        return done.stdout, done.stderr
+
+
+@pytest.fixture
+def shared() -> Iterator[Shared]:
+    with tempfile.TemporaryDirectory() as folder:
+        found = Shared(Path(folder) / "checkout", Path(folder) / "cache")
+        for path in (found.checkout / "mine", found.checkout / "tools", found.cache):
+            path.mkdir(parents=True)
+        Path(folder).chmod(0o755)
+        found.cache.chmod(0o777)
+        shutil.copy(ROOT / "rosml", found.checkout)
+        requirements = found.checkout / "tools/requirements-app.txt"
+        requirements.touch()
+        os.utime(requirements, (9, 9))
+        for name, text in (("python3", PYTHON3), ("python", '#!/bin/sh\necho "$0" "$@"\n')):
+            (found.checkout / "mine" / name).write_text(text)
+            (found.checkout / "mine" / name).chmod(0o755)
+        yield found
+
+
+def test_somebody_who_may_not_write_to_the_checkout_has_their_own_packages(shared: Shared) -> None:
+    place = f"{shared.cache}/rosml/checkout{shared.checkout}"
+    called = f"{place}/.venv/bin/python {shared.checkout}/src run x\n"
+    assert shared.call("run", "x", _ROSML_COMPLETE="bash_complete") == ("", ""), "the Tab key installs nothing"
+    assert shared.call("run", "x") == (called, f"bootstrap in {place}\n")
+    assert shared.call("run", "x") == (called, "")
+    os.utime(f"{place}/.venv/group", (1, 1))
+    assert shared.call("run", "x") == (called, f"bootstrap in {place}\n"), "other packages are asked for now"
+    assert shared.call("run", "x", XDG_CACHE_HOME="relative", HOME=f"{shared.cache}/home")[0].startswith(
+        f"{shared.cache}/home/.cache/rosml/"
+    )
+
+
+def test_somebody_who_may_not_write_to_the_checkout_takes_its_packages(shared: Shared) -> None:
+    """Also older ones, and where they may not look into what set-up keeps."""
+    mark = shared.installed()
+    (shared.checkout / ".state").mkdir(mode=0o700 if os.geteuid() == 0 else 0)
+    called = f"{shared.checkout}/.venv/bin/python {shared.checkout}/src run x\n"
+    for when in (20, 1):
+        os.utime(mark, (when, when))
+        assert shared.call("run", "x") == (called, "")
+    assert not list(shared.cache.iterdir())
 
 
 @pytest.mark.parametrize(

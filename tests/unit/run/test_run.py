@@ -253,7 +253,7 @@ def test_podman_by_the_name_of_docker(desk: Desk) -> None:
     """As Debian's package podman-docker has it."""
     desk.engine(info=PODMAN)
     assert desk.call("--no-tz", "ours").returncode == 0
-    assert desk.ran[5:8] == ["--userns=keep-id", "--user", "0:0"]
+    assert desk.ran[5:9] == PODMANS_ROOT
 
 
 @pytest.mark.parametrize(
@@ -491,6 +491,8 @@ LABEL = ["--label", "io.rosml.run.folder=/home/jo/robot"]
 OWN = [name for option in run.main.get_params(click.Context(run.main)) for name in option.opts if name.startswith("--")]
 THEIR_IDS = ["--user", "1234:5678", "-e", "HOME=/tmp", "-e", "USER=jo", "-e", "LOGNAME=jo"]
 CONTRACT = ["-e", "DOCKER_UID=1234", "-e", "DOCKER_GID=5678", "-e", "DOCKER_USER=jo"]
+PODMANS_IDS = [*THEIR_IDS[:2], "--passwd-entry=jo:*:1234:5678::/tmp:/bin/sh", *THEIR_IDS[2:]]
+PODMANS_ROOT = ["--userns=keep-id", "--user", "0:0", "--passwd=false"]
 
 
 def added(
@@ -528,9 +530,9 @@ def without_others(**facts: Any) -> list[str]:
         (Engine(rootless=True), OURS, []),
         (Engine(rootless=True), OTHER, ["--user", "0:0"]),
         (Engine("podman", podman=True), OURS, CONTRACT),
-        (Engine("podman", podman=True), OTHER, [*THEIR_IDS, *LOCKED]),
-        (Engine("podman", podman=True, rootless=True), OURS, ["--userns=keep-id", "--user", "0:0", *CONTRACT]),
-        (Engine("podman", podman=True, rootless=True), OTHER, ["--userns=keep-id", *THEIR_IDS]),
+        (Engine("podman", podman=True), OTHER, [*PODMANS_IDS, *LOCKED]),
+        (Engine("podman", podman=True, rootless=True), OURS, [*PODMANS_ROOT, *CONTRACT]),
+        (Engine("podman", podman=True, rootless=True), OTHER, ["--userns=keep-id", *PODMANS_IDS]),
     ],
 )
 def test_files_belong_to_whoever_calls(engine: Engine, image: list[str], expected: list[str]) -> None:
@@ -542,7 +544,7 @@ def test_files_belong_to_whoever_calls(engine: Engine, image: list[str], expecte
     [
         (Engine(), ["--user", "0:0", *CONTRACT]),
         (Engine(rootless=True), ["--user", "0:0"]),
-        (Engine("podman", podman=True, rootless=True), ["--userns=keep-id", "--user", "0:0", *CONTRACT]),
+        (Engine("podman", podman=True, rootless=True), [*PODMANS_ROOT, *CONTRACT]),
     ],
 )
 def test_an_image_that_starts_as_another_user_makes_the_person_as_well(engine: Engine, expected: list[str]) -> None:
@@ -557,7 +559,8 @@ def test_an_image_that_starts_as_another_user_makes_the_person_as_well(engine: E
 def test_an_image_does_not_vouch_for_itself(engine: Engine) -> None:
     """Whoever builds an image may write DOCKER_UID into it. Without the person's trust it runs as any other image."""
     untrusted = without_others(engine=engine, trusted=False)
-    assert untrusted == without_others(engine=engine, image=OTHER) == [*THEIR_IDS, *LOCKED]
+    ids = PODMANS_IDS if engine.podman else THEIR_IDS
+    assert untrusted == without_others(engine=engine, image=OTHER) == [*ids, *LOCKED]
 
 
 @pytest.mark.parametrize(
@@ -597,6 +600,55 @@ def test_whoever_says_who_runs_is_heard(words: list[str], expected: list[str]) -
 
 def test_podman_takes_one_user_namespace() -> None:
     assert without_others(words=["--userns=host"], engine=Engine("podman", podman=True, rootless=True)) == []
+
+
+def home_options(*words: str, **facts: Any) -> list[str]:
+    """The options about podman's entry in /etc/passwd. rootless podman, unless `facts` name another engine."""
+    facts = {"engine": Engine("podman", podman=True, rootless=True), **facts}
+    return [word for word in without_others(words=words, **facts) if word.startswith("--passwd")]
+
+
+@pytest.mark.parametrize("option", ["--mwd", "--mws", "--no-gpu"])
+def test_the_mounted_folder_is_no_home(option: str) -> None:
+    """podman writes an entry for a user whom the image lacks, and takes the working directory for the home there. The entrypoint
+    takes the home of an entry."""
+    ours, other = [*OURS, "WORKSPACE=/ws"], [*OTHER, "WORKSPACE=/ws"]
+    assert home_options(option, image=ours) == ["--passwd=false"]
+    for rootless in (True, False):
+        engine = Engine("podman", podman=True, rootless=rootless)
+        assert home_options(option, image=other, engine=engine) == ["--passwd-entry=jo:*:1234:5678::/tmp:/bin/sh"]
+        for image in (ours, other):
+            assert home_options(option, image=image, engine=Engine(rootless=rootless)) == []
+
+
+@pytest.mark.parametrize("words", [["--user", "7"], ["--no-user"], ["--userns=keep-id"]])
+def test_a_chosen_user_has_no_home_in_the_mounted_folder(words: list[str]) -> None:
+    assert home_options("--mwd", *words) == ["--passwd=false"]
+    assert home_options(*words) == home_options("--mwd", *words, engine=Engine()) == []
+
+
+@pytest.mark.parametrize("option", ["--passwd", "--passwd-entry=x", "--group-entry=x", "--hostuser=jo"])
+def test_somebody_says_what_podman_writes(option: str) -> None:
+    assert home_options("--mwd", option) == home_options("--mwd", option, image=OTHER) == []
+
+
+def test_a_user_without_a_name_has_an_entry() -> None:
+    found = home_options(image=OTHER, caller=Person(1234, 5678, "", "/"))
+    assert found == ["--passwd-entry=1234:*:1234:5678::/tmp:/bin/sh"]
+    assert home_options(image=OTHER, caller=Person(0, 0, "root", "/")) == []
+
+
+@pytest.mark.parametrize(
+    ("version", "expected"),
+    [
+        *((version, False) for version in ("3.4.4", "4.0.3")),
+        *((version, True) for version in ("4.1.0-rc1", "4.3.1", "4.10", "5.0.0-dev", "10.0", "", None, 5)),
+    ],
+)
+def test_podman_has_these_options_since_4_1(desk: Desk, version: object, expected: bool) -> None:
+    """What is not known counts as new."""
+    desk.engine(info={**PODMAN, "version": {"Version": version}})
+    assert ("--passwd=false" in json.loads(desk.call("--json", "--mwd", "ours").stdout)) == expected
 
 
 @pytest.mark.parametrize("name", ["", "DOMAIN\\jo", "jo smith", "1jo", "x" * 33, "backup", "www-data"])
@@ -677,6 +729,7 @@ ODD = "error: docker answers with something that rosml does not understand: "
     "info",
     [
         *({"host": {"security": None}}, {"host": 5}, {"host": {"security": [1]}}, 5, [1, 2], None),
+        {"host": {}, "version": 5},
         *({**DOCKER, "SecurityOptions": found} for found in ([5], 5, "rootless", {"a": 1})),
         *({**DOCKER, "CDISpecDirs": found} for found in ([5], 5)),
         {**DOCKER, "Runtimes": 5},

@@ -68,6 +68,7 @@ Label="io.rosml.run.folder=/home/jo/robot"
 UserNS=keep-id
 User=0
 Group=0
+PodmanArgs=--passwd=false
 Environment="DOCKER_UID=1234"
 Environment="DOCKER_GID=5678"
 Environment="DOCKER_USER=jo"

@@ -36,7 +36,7 @@ class Kind:
 
 KINDS = {
     "devcontainer": Kind(export.lasting, devcontainer.text, devcontainer.bare),
-    "compose": Kind(export.lasting, compose.text),
+    "compose": Kind(compose.portable, compose.text),
     "quadlet": Kind(quadlet.service, quadlet.text, service=True),
     "kubernetes": Kind(kubernetes.cluster, kubernetes.text, service=True),
 }
