@@ -80,7 +80,7 @@ def test_a_frame_that_has_more_than_it_says() -> None:
     spent(started)
 
 
-@pytest.mark.parametrize("empty", [zstd.compress(b""), gzip.compress(b"")])
+@pytest.mark.parametrize("empty", [zstd.compress(b""), gzip.compress(b"")], ids=["zstd", "gzip"])
 def test_many_parts_without_content(empty: bytes) -> None:
     started = time.process_time()
     with pytest.raises(ValueError, match="1000 parts without content"):
