@@ -186,7 +186,8 @@ class Mini:
         digest = client.put_manifest(path, "", content)
         known = book.read(*item.key)
         before = (*known.superseded, known.digest) if known else ()
-        own = {"inputs": state.inputs.digest(*item.key), "tested": state.tests_digest(item), "digest": digest}
+        tested = state.digest_of(item, state.tests(item))
+        own = {"inputs": state.inputs.digest(*item.key), "tested": tested, "digest": digest}
         book.write(replace(other, architecture=OTHER, superseded=before, **own), state.inputs.of(*item.key))  # type: ignore[arg-type]
         return digest
 
