@@ -679,16 +679,18 @@ class App:
             )
 
     def _check(self, base: app_base.Base, conditions: str, requests: Path, manifests: Path) -> None:
-        """Tells of names to leave out that no package has, and checks that packages are for the ROS of the base image, if it says which.
+        """Tells of names to leave out that no package has. Checks that packages are for the ROS of the base image, if it says which,
+        and that they can be built one after another.
 
         Raises:
-            RosmlError: some are for the other ROS (exit code 2).
+            RosmlError: some are for the other ROS, or depend on each other in a ring (exit code 2).
         """
         for warning in workspace.stale(requests, manifests):
             self._say(warning)
         ros = base.environment.get("ROS_VERSION", "")
+        without = {*(requests / workspace.BLACKLIST).read_text().split()}
+        manifest.require_order(manifests, {"ROS_VERSION": ros, "ROS_DISTRO": conditions}, without)
         if ros in ("1", "2"):
-            without = {*(requests / workspace.BLACKLIST).read_text().split()}
             manifest.require_one_ros(self._folder, base.name, int(ros), conditions, without)
 
     def _with_lists(self, inputs: app_bake_file.Inputs, locked: lock.Lock | None) -> app_bake_file.Inputs:

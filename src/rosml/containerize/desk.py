@@ -29,6 +29,25 @@ MARKS = ("COLCON_IGNORE", "CATKIN_IGNORE")
 POINTS = ("src/target", "src/upstream")
 """The folders of the workspace on which sources are mounted. Without them, the engine would make them, for root."""
 
+UNUSED = (
+    "platform",
+    "push",
+    "target",
+    "enable-push-as-latest",
+    "enable-slim",
+    "slim-base-image",
+    "slim-image-name",
+    "slim-image-tag",
+    "image-name",
+    "image-tag",
+    "dev-image-name",
+    "dev-image-tag",
+    "command",
+    "downstream-workspace",
+    "tests",
+)
+"""Inputs of `rosml containerize` that say nothing of the image: `values` sets them."""
+
 
 class Record(Shape):
     """An image for `rosml dev`.

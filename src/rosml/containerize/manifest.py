@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass, replace
+from graphlib import CycleError, TopologicalSorter
+from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -24,6 +26,9 @@ EXAMPLES: Mapping[int, str] = {1: "ros:ros1-bookworm-base", 2: "ros:jazzy-base"}
 _GENERATIONS = {1: ("roscpp", "rospy", "message_generation"), 2: ("rclcpp", "rclpy", "rosidl_default_generators")}
 """Packages by which we know the ROS of a package whose build type says nothing."""
 
+_WITHOUT_ORDER = ("doc_depend", "group_depend")
+"""Dependencies for which colcon builds nothing first: those of the documentation, and groups, which are no packages."""
+
 
 @dataclass(frozen=True)
 class Package:
@@ -35,6 +40,7 @@ class Package:
         kinds: texts of its build types, each with its condition.
         tools: its build tools, likewise.
         needs: the keys that it depends on, without build tools.
+        depends: the keys after which colcon builds it, likewise with their conditions.
         languages: of LANGUAGES.
         launches: names of its launch files.
         scripts: names of its Python programs in `setup.py` or `setup.cfg`.
@@ -45,6 +51,7 @@ class Package:
     kinds: tuple[tuple[str, str], ...]
     tools: tuple[tuple[str, str], ...]
     needs: frozenset[str]
+    depends: tuple[tuple[str, str], ...] = ()
     languages: tuple[str, ...] = ()
     launches: tuple[str, ...] = ()
     scripts: tuple[str, ...] = ()
@@ -94,14 +101,15 @@ def read(folder: Path, left: LeftOut) -> list[tuple[Package, str]]:
 
 
 def require(folder: Path, given: Mapping[str, str], environment: Mapping[str, str]) -> None:
-    """Checks that a folder has packages, or names upstream ones, and that their manifests can be read. It looks at no other input.
+    """Checks that a folder has packages, or names upstream ones, that their manifests can be read, and that none depend on each
+    other in a ring. It looks at no other input.
 
     Args:
         given: inputs of the command line, by name.
         environment: the variables of the process.
 
     Raises:
-        RosmlError: it has none, or a manifest is wrong (exit code 2).
+        RosmlError: it has none, a manifest is wrong, or there is a ring (exit code 2).
     """
 
     def said(name: str) -> Path:
@@ -111,7 +119,12 @@ def require(folder: Path, given: Mapping[str, str], environment: Mapping[str, st
     if os.path.lexists(said("before-dependency-identification-script")):  # it may correct manifests
         found = any(path.name == workspace.MANIFEST for path in workspace.manifests(folder, left=left))
     else:
-        found = bool(read(folder, left))
+        packages = read(folder, left)
+        found = bool(packages)
+        if not os.path.lexists(
+            said("blacklisted-packages-file")
+        ):  # it may name packages of a ring: `require_order` knows them
+            _require_no_ring(packages)
     if not (found or os.path.lexists(said("vcs-import-file")) or repos_file.found(folder)):
         raise workspace.none_in(folder)
 
@@ -142,6 +155,64 @@ def require_one_ros(folder: Path, base: str, ros: int, ros_distro: str, without:
     raise RosmlError(text, remedy, exit_code=2)
 
 
+def require_order(manifests: Path, variables: Mapping[str, str], without: Collection[str] = ()) -> None:
+    """Checks that no packages depend on each other in a ring, those of upstream repositories included.
+
+    Args:
+        manifests: the folder that `workspace.write_manifests` wrote.
+        variables: ROS_VERSION and ROS_DISTRO of the base image, with which conditions compare.
+        without: names of packages that do not count.
+
+    Raises:
+        RosmlError: there is a ring (exit code 2).
+    """
+    try:
+        packages = read(manifests, LeftOut(manifests))
+    except RosmlError:  # a manifest of an upstream repository: the build says where it is
+        return
+    target = Path("target")
+    packages = [
+        (replace(item, folder=item.folder.relative_to(target)) if item.folder.is_relative_to(target) else item, text)
+        for item, text in packages
+    ]
+    _require_no_ring([(item, text) for item, text in packages if item.name not in without], variables)
+
+
+def _require_no_ring(packages: Iterable[tuple[Package, str]], variables: Mapping[str, str] | None = None) -> None:
+    """Checks that colcon can build some packages one after another.
+
+    Args:
+        packages: each with the text of its manifest.
+        variables: with which conditions compare; if None, dependencies with a condition do not count.
+
+    Raises:
+        RosmlError: they depend on each other in a ring (exit code 2).
+    """
+    by_name = {package.name: (package, text) for package, text in packages}
+    graph = {
+        name: [
+            key
+            for key, condition in package.depends
+            if key in by_name and (holds(condition, variables) if variables else not condition)
+        ]
+        for name, (package, _) in by_name.items()
+    }
+    try:
+        TopologicalSorter(graph).prepare()
+    except CycleError as error:
+        ring: list[str] = error.args[1][::-1]  # each needs the next one, and the last one is the first one again
+        lines = []
+        for name, needed in pairwise(ring):
+            package, text = by_name[name]
+            line = text.count("\n", 0, max(text.find(f">{needed}<"), 0)) + 1
+            lines.append(f"{package.manifest}:{line}: {name} depends on {needed}")
+        raise RosmlError(
+            "packages depend on each other in a ring, so none of them can be built first:\n" + "\n".join(lines),
+            "remove one of these dependencies; move what both packages need into a third one",
+            exit_code=2,
+        ) from None
+
+
 def _read(path: Path, folder: Path) -> tuple[Package, str]:
     """A package by its manifest, and the manifest's text.
 
@@ -168,14 +239,16 @@ def _read(path: Path, folder: Path) -> tuple[Package, str]:
     if root.tag != "package" or not name:
         what = "no <name>" if root.tag == "package" else f"its first element is <{root.tag}>, not <package>"
         raise RosmlError(f"{path}: no manifest of a ROS package: {what}", "correct it", exit_code=2)
-    kinds, tools, needs = list[tuple[str, str]](), list[tuple[str, str]](), set[str]()
+    kinds, tools, depends, needs = list[tuple[str, str]](), list[tuple[str, str]](), list[tuple[str, str]](), set[str]()
     for element in root:
         text, condition = (element.text or "").strip(), element.get("condition", "")
+        if element.tag.endswith("depend") and element.tag not in _WITHOUT_ORDER:
+            depends.append((text, condition))
         if element.tag == "buildtool_depend":
             tools.append((text, condition))
         elif element.tag.endswith("depend") and text:
             needs.add(text)
     for element in root.iterfind("export/build_type"):
         kinds.append(((element.text or "").strip(), element.get("condition", "")))
-    package = Package(name, shown.parent, tuple(kinds), tuple(tools), frozenset(needs))
+    package = Package(name, shown.parent, tuple(kinds), tuple(tools), frozenset(needs), tuple(depends))
     return package, content.decode("utf-8", "replace")

@@ -31,6 +31,9 @@ NAME = "rosdep"
 TYPE = "application/vnd.rosml.rosdep.v1"
 LAYER = f"{TYPE}.tar+gzip"
 
+TYPED = "--rosdep-index, or its variable ROSDEP_INDEX,"
+"""How a user names lists, for messages. `rosml dev` takes only the variable."""
+
 ADDRESS = "https://github.com/ros/rosdistro"
 
 INDEX = "index-v4.yaml"
@@ -38,11 +41,11 @@ INDEX = "index-v4.yaml"
 KEPT = 5
 """How many versions of the lists a machine keeps."""
 
-_PATH = re.compile(r"[A-Za-z0-9_-][A-Za-z0-9_.-]*(/[A-Za-z0-9_-][A-Za-z0-9_.-]*)*")
+_PATH = re.compile(r"[A-Za-z0-9_-][A-Za-z0-9_.-]*(/[A-Za-z0-9_-][A-Za-z0-9_.-]*){0,9}")
 
 
-LARGEST = 64 << 20
-"""The most bytes of all lists together, unpacked. ros/rosdistro has less than 10 MB."""
+LARGEST, FILES = 64 << 20, 1000
+"""The most bytes of all lists together, unpacked, and the most files. ros/rosdistro has less than 10 MB and 100 files."""
 
 
 class _Distribution(Shape):
@@ -110,7 +113,7 @@ def copied(folder: Path, out: Path) -> Path:
     shutil.rmtree(out, ignore_errors=True)
     found = [path for pattern in ("*.yaml", "*/*.yaml") for path in folder.glob(pattern) if within.there(path, folder)]
     if not any(path.parent.name == NAME for path in found):
-        text = f"rosdep-index: {folder} has no rosdep/*.yaml"
+        text = f"{TYPED} names {folder}, which has no rosdep/*.yaml"
         raise RosmlError(text, "name a checkout of ros/rosdistro", exit_code=2)
     for path in found:
         target = out / path.relative_to(folder)
@@ -177,7 +180,7 @@ class Finder:
         if named and folder.is_dir():
             return folder, ""
         if named and not re.search("[:@]", named):
-            text = f"rosdep-index: there is no folder {folder}"
+            text = f"{TYPED} names {named}: there is no folder {folder}"
             raise RosmlError(
                 text, "name a checkout of ros/rosdistro, or what a registry has, with its tag", exit_code=2
             )
@@ -206,7 +209,10 @@ class Finder:
                     self._say(f"rosdep's lists {place}")
                     return found
         if named or pin:
-            text = f"there are no lists of rosdep {pin} (looked for {', '.join(names)})".replace("  ", " ")
+            text = f"there are no lists of rosdep {pin or named}" + (
+                f" (looked for {', '.join(names)})" if names else ""
+            )
+            text = text if pin else f"{TYPED} names {named}: {text}"
             raise RosmlError(text, "check the name; 'rosml publish rosdep' publishes them", exit_code=2)
         return None
 
@@ -257,11 +263,14 @@ def unpack(content: bytes, folder: Path, what: str) -> None:
     Raises:
         RosmlError: the archive is damaged or too large, or the disk is full.
     """
-    room = LARGEST
+    room, files = LARGEST, FILES
     try:
         with tarfile.open(fileobj=io.BytesIO(content), mode="r:gz", tarinfo=archives.Entry) as tar:
             while member := tar.next():
                 tar.members.clear()  # type: ignore[attr-defined] # tarfile would keep them all
+                files -= 1
+                if files < 0:
+                    raise ValueError(f"it has more than {FILES:,} files")
                 if tar.offset > LARGEST or member.size > LARGEST:
                     raise ValueError(f"it has more than {LARGEST >> 20} MiB")
                 stream = tar.extractfile(member) if member.isreg() and _PATH.fullmatch(member.name) else None

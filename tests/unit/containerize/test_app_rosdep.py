@@ -93,9 +93,10 @@ def test_a_lock_file_names_the_lists(services: Services, checkout: Path, tmp_pat
 def test_what_is_named_must_be_there(services: Services, checkout: Path, tmp_path: Path) -> None:
     finder = Finder(services, tmp_path, lambda text: None)
     assert finder.find("rosdistro", base(services), "", False) == (checkout, "")
-    with pytest.raises(RosmlError, match=r"there is no folder .*/typo"):
+    typed = "^--rosdep-index, or its variable ROSDEP_INDEX, names"
+    with pytest.raises(RosmlError, match=rf"{typed} typo: there is no folder .*/typo$"):
         finder.find("typo", base(services), "", False)
-    with pytest.raises(RosmlError, match=r"there are no lists of rosdep .*looked for"):
+    with pytest.raises(RosmlError, match=rf"{typed} .*:typo: there are no lists of rosdep .*:typo \(looked for"):
         finder.find(f"{services.registry}/rosml/rosdep:typo", base(services), "", False)
     with Registry(services.registry) as client:
         client.put_blob("rosml/rosdep", oci.EMPTY_BLOB)

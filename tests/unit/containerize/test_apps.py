@@ -204,6 +204,27 @@ def test_a_base_image_of_a_lock_file_is_found_wherever_its_tag_is(services: Serv
     assert (found.digest, found.environment["DAY"], found.name) == (first, "1", f"{services.registry}/rosml/ros:jazzy")
 
 
+@pytest.mark.parametrize("short", [True, False])
+def test_a_wrong_digest_is_told_with_the_one_that_the_tag_has(services: Services, short: bool) -> None:
+    digest = put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    place, wrong = f"{services.registry}/rosml/ros", f"sha256:{'0' * 64}"
+    name = "ros" if short else place
+
+    def said(text: str) -> tuple[str, str]:
+        with pytest.raises(RosmlError) as caught:
+            app_base.find(text, services, ())
+        return caught.value.message, caught.value.remedy
+
+    message, remedy = said(f"{name}:jazzy@{wrong}")
+    assert message == f"{place}:jazzy is there, but not with the digest {wrong}"
+    assert remedy == f"take {name}:jazzy, or the digest that it has now: {name}:jazzy@{digest}"
+    message, remedy = said(f"{name}@{wrong}")
+    assert message == f"{place} has no image with the digest {wrong}" and remedy == "take one of its tags: jazzy"
+    message, remedy = said(f"{name}:typo@{wrong}")
+    assert message.startswith(f"there is no image {name}:typo@{wrong}") and "check its name and its digest" in remedy
+    assert (f"(looked for {place}:typo@{wrong}, docker.io/library/ros:typo@{wrong}); docker.io: " in message) is short
+
+
 def test_an_image_that_docker_alone_has(services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Where Docker builds; another builder could not have it."""
     facts = {"Id": "sha256:7", "Os": "linux", "Architecture": "amd64", "Config": {"Env": ["ROS_DISTRO=jazzy"]}}
@@ -1202,6 +1223,57 @@ def test_a_folder_is_looked_at_before_options_and_services(
         (tmp_path / name).write_text(text)
     error: Any = CliRunner().invoke(main.cli, ["containerize", str(tmp_path), "--parallel-jobs", "many"]).exception
     assert says in error.message and error.exit_code == 2 and error.remedy
+
+
+def needing(name: str, tag: str, needed: str, condition: str = "") -> str:
+    """A manifest with one dependency, on its third line."""
+    when = f' condition="{condition}"' if condition else ""
+    return f"<package>\n<name>{name}</name>\n<{tag}{when}>{needed}</{tag}></package>"
+
+
+RING = """packages depend on each other in a ring, so none of them can be built first:
+src/a/package.xml:3: a depends on b
+src/b/package.xml:3: b depends on c
+src/c/package.xml:3: c depends on a"""
+
+
+@pytest.mark.parametrize(
+    ("tag", "condition", "early", "late"),
+    [
+        ("exec_depend", "", True, True),
+        ("test_depend", "", True, True),
+        ("doc_depend", "", False, False),
+        ("depend", "$ROS_VERSION == 2", False, True),
+        ("depend", "$ROS_VERSION == 1", False, False),
+    ],
+)
+def test_a_ring_of_packages_is_named_before_anything_is_built(
+    repository: Path, services: Services, calls: list[dict[str, Any]], tag: str, condition: str, early: bool, late: bool
+) -> None:
+    """colcon orders packages by all dependencies but those of the documentation. Conditions need the base image."""
+    put(services, "rosml/ros:x", f"linux/{native_architecture()}", ROS_DISTRO="x", ROS_VERSION="2")
+    manifests = {"a": needing("a", "depend", "b"), "b": needing("b", "build_depend", "c")}
+    for name, text in (manifests | {"c": needing("c", tag, "a", condition)}).items():
+        (repository / "src" / name).mkdir()
+        (repository / "src" / name / "package.xml").write_text(text)
+
+    def ring(check: Callable[[], object]) -> str:
+        try:
+            check()
+        except RosmlError as error:
+            assert error.exit_code == 2 and error.remedy.startswith("remove one of these dependencies")
+            return error.message
+        return ""
+
+    def build() -> None:
+        app(repository, services, base_image="ros:x", command="true").build()
+
+    assert ring(lambda: manifest.require(repository, {}, {})) == (RING if early else "")
+    assert ring(build) == (RING if late else "")
+    assert bool(calls) is not late
+    (repository / "docker").mkdir()
+    (repository / "docker/blacklisted-packages.txt").write_text("c\n")
+    assert not ring(lambda: manifest.require(repository, {}, {})) and not ring(build)
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ import os
 import shutil
 import subprocess
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -24,6 +24,7 @@ from rosml.cli import main
 from rosml.cli.containerize import containerize, dev
 from rosml.cli.run import container
 from rosml.containerize import app_bake_file, build, desk, workspace
+from rosml.containerize.app_inputs import TABLE, Values
 from rosml.containerize.left_out import LeftOut
 from rosml.run import concerns
 
@@ -267,6 +268,15 @@ def test_a_container_with_an_older_image_is_entered_with_a_warning(place: Place)
         (["colcon", "test"], "a command stands after --: rosml dev -- colcon test"),
         (["htop"], "there is no folder htop"),
         (["src/arm/package.xml"], "there is no folder"),
+        (
+            ["--rosdep-index", "lists of mine"],
+            "--rosdep-index is an option of rosml containerize, not of rosml dev"
+            " set its variable: ROSDEP_INDEX='lists of mine' rosml dev",
+        ),
+        (["--skip-keys=boost"], "set its variable: SKIP_KEYS=boost rosml dev"),
+        (["--skip-keys"], "set its variable: SKIP_KEYS=VALUE rosml dev"),
+        (["--no-base-entrypoint"], "set its variable: BASE_ENTRYPOINT=false rosml dev"),
+        (["--image-tag", "mine"], "leave it out: rosml dev makes one image for this machine, without an app"),
         (["--platform", "linux/arm64"], "--platform: the image is for this machine"),
         (["--dry-run"], "the image of this folder is not made"),
         (["--base-image", "ros:jazzy-base", ".."], "PLACE"),
@@ -281,6 +291,14 @@ def test_a_wrong_call_is_told_before_anything_is_made(place: Place, words: list[
         place.call(*words)
     assert says in f"{error.value.message} {error.value.remedy}"
     assert not place.made and not (place.folder / ".rosml").exists()
+
+
+def test_inputs_without_a_use_are_those_that_the_image_has_of_its_own(tmp_path: Path) -> None:
+    flags = {item.name.replace("-", "_") for item in TABLE if item.flag}
+    other: dict[str, Any] = {name: True if name in flags else "x" for name in asdict(Values())}
+    kept = asdict(desk.values(Values(**other), tmp_path))
+    own = {name.replace("_", "-") for name, value in kept.items() if value != other[name]}
+    assert {name for name in desk.UNUSED if not name.startswith("slim-")} == own
 
 
 def test_there_is_no_engine(place: Place) -> None:

@@ -216,22 +216,48 @@ def test_an_app_that_is_gone_does_not_stop_the_others(place: Place) -> None:
     assert [outcome.state for outcome in found.values()] == ["refused", "moved"]
 
 
+MEANT = "expected an app by its tag, without a digest or spaces, such as ghcr.io/me/robot:latest or ghcr.io/me/robot:v*"
+
+
 @pytest.mark.parametrize(
-    ("content", "says"),
+    ("content", "message"),
     [
-        ({"apps": []}, "apps"),
-        ({"apps": [{"app": "a b"}]}, "an app with its registry"),
-        ({"apps": [{"app": "a/b:c", "bases": "x"}]}, "bases"),
-        ({"apps": [{"app": "a/b:c", "check": "maybe"}]}, "check"),
-        ({"apps": [{"app": "a/b:c", "check": "run"}]}, "belong together"),
-        ({"app": []}, "app"),
+        ("", "1:1: the file is empty; it needs at least 'apps: [{app: ghcr.io/me/robot:latest}]'"),
+        ("- app: a/b:c", "1:1: expected keys and values, such as 'apps: …', found a list"),
+        ("apps: null", "1:1: apps: expected a list, such as '- app: …', found nothing"),
+        ("apps: []", "1:1: apps: nothing is there; add at least one entry, such as '- app: …'"),
+        ("apps:\n- a/b:c", "2:3: apps[0]: expected keys and values, such as 'app: …', found 'a/b:c'"),
+        ("apps:\n- base: a/b:c", "2:3: apps[0]: 'app' is missing; add 'app: …' (the app, or a pattern of its tags)"),
+        ("apps:\n- app: a/b:c\n  bsae: x", "3:3: apps[0].bsae: unknown key 'bsae'; did you mean 'base'?"),
+        ("apps:\n- app: a/b:c@sha256:12", f"2:3: apps[0].app: {MEANT}, found 'a/b:c@sha256:12'"),
+        ("apps:\n- app: a b", f"2:3: apps[0].app: {MEANT}, found 'a b'"),
+        ("apps:\n- app: 5", f"2:3: apps[0].app: {MEANT}, found the number 5"),
+        ("apps:\n- app:", f"2:3: apps[0].app: {MEANT}, found nothing"),
+        (
+            "apps:\n- app: a/b:c\n  check: yes",
+            "3:3: apps[0].check: expected auto, metadata, link or run, found 'yes'",
+        ),
+        (
+            "apps:\n- app: a/b:c\n  check: run",
+            "3:3: apps[0].check: check: run needs the command that it starts; add 'command: …'",
+        ),
+        (
+            "apps:\n- app: a/b:c\n  command: ls",
+            "3:3: apps[0].command: only check: run starts a command; add 'check: run', or remove the command",
+        ),
+        (
+            "apps:\n- app: a/b:c\n  app: a/b:d",
+            "3:3: apps[0].app: the key 'app' is there twice, first on line 2; keep one",
+        ),
+        ("apps:\n\t- app: a/b:c", "2:1: not YAML: this line is indented with a tab; indent with spaces"),
     ],
 )
-def test_a_wrong_file_is_refused(tmp_path: Path, content: dict[str, Any], says: str) -> None:
-    (tmp_path / "apps.yaml").write_text(json.dumps(content))
-    with pytest.raises((InputError, RosmlError)) as caught:
-        fleet.read(tmp_path / "apps.yaml")
-    assert says in str(caught.value) and caught.value.exit_code == 2
+def test_a_wrong_file_is_refused(tmp_path: Path, content: str, message: str) -> None:
+    file = tmp_path / "apps.yaml"
+    file.write_text(content)
+    with pytest.raises(InputError) as caught:
+        fleet.read(file)
+    assert caught.value.message == f"{file}:{message}" and caught.value.exit_code == 2
 
 
 def report(sbom: bytes, _subject: str) -> Report:

@@ -57,7 +57,7 @@ def test_the_projects_policy_lets_old_pythons_have_images() -> None:
             "scan.yaml:2:18: fail[1]: expected critical, high, medium, low or unknown, found 'hihg'",
         ),
         ("high]", "critical]", "scan.yaml:2:18: fail[1]: 'critical' is there twice; keep one"),
-        ("[critical, high]", "[]", "scan.yaml:2:1: fail: nothing is there; at least one entry is needed"),
+        ("[critical, high]", "[]", "scan.yaml:2:1: fail: nothing is there; add at least one entry, such as [a, b]"),
         ("48}", "0}", "scan.yaml:4:46: database.max_age_hours: expected at least 1, found the number 0"),
         (
             "48}",

@@ -117,7 +117,7 @@ WRONG = {
     "empty list": (
         "components: [core, base]",
         "components: []",
-        "62:5: distributions.omega.components: nothing is there; at least one entry is needed",
+        "62:5: distributions.omega.components: nothing is there; add at least one entry, such as [a, b]",
     ),
     "nothing for keys": (
         "robot: {builds_on: base}",
@@ -535,8 +535,7 @@ WRONG = {
     "tab at the very start": (
         "version: 1\n",
         "\tversion: 1\n",
-        "1:1: not YAML: found character that cannot start any token; "
-        "indent with spaces, and put text that begins like this in quotes",
+        "1:1: not YAML: this line is indented with a tab; indent with spaces",
     ),
     "a range without quotes": (
         'numpy: ">=2.2,<2.3"',
@@ -556,7 +555,7 @@ WRONG = {
     "no space after a colon": (
         "lts: true",
         "lts:true",
-        "56:5: not YAML: could not find expected ':'; a key is followed by a colon and a space, as in 'ros: 2'",
+        "56:5: not YAML: could not find expected ':'; a key is followed by a colon and a space, as in 'key: value'",
     ),
     "no space after the first colon": (
         "    os: ubuntu-24.04\n    ros: 2",
@@ -628,9 +627,9 @@ def test_message(name: str) -> None:
 CONTENT = {
     "empty": (b"", "matrix.yaml:1:1: the file is empty; it needs at least 'version: 1'"),
     "comments only": (b"# nothing\n", "matrix.yaml:1:1: the file is empty; it needs at least 'version: 1'"),
-    "text": (b"hello", "matrix.yaml:1:1: expected keys and values, found 'hello'"),
-    "list": (b"- 1\n- 2\n", "matrix.yaml:1:1: expected keys and values, found a list"),
-    "null": (b"~", "matrix.yaml:1:1: expected keys and values, found nothing"),
+    "text": (b"hello", "matrix.yaml:1:1: expected keys and values, such as 'version: …', found 'hello'"),
+    "list": (b"- 1\n- 2\n", "matrix.yaml:1:1: expected keys and values, such as 'version: …', found a list"),
+    "null": (b"~", "matrix.yaml:1:1: expected keys and values, such as 'version: …', found nothing"),
     "not UTF-8": (b"version: 1\nsource: \xff", "matrix.yaml:2:9: not UTF-8 (byte 0xff); save the file as UTF-8"),
     "UTF-16": ("version: 1".encode("utf-16"), "matrix.yaml:1:1: not UTF-8 (byte 0xff); save the file as UTF-8"),
     "NUL": (b"version: \x00", "matrix.yaml:1:10: a character that YAML does not allow; remove it"),

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 import shlex
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -46,10 +47,12 @@ class Dev(run.Run):
         """The words that click reads.
 
         Raises:
-            RosmlError: a command stands before `--`, or as in `container.Words`.
+            RosmlError: a command stands before `--`, an option is one of `rosml containerize` alone, or as in `container.Words`.
         """
         end = [*args, "--"].index("--")
         command = tuple(args[end + 1 :])
+        if not ctx.resilient_parsing:
+            _require_own(args[:end], [name for parameter in self.get_params(ctx) for name in parameter.opts])
         read = super().for_click(ctx, args[:end])
         line: words.Line | None = ctx.meta.get(container.LINE)
         if line is None:  # a shell completes a word, or --help
@@ -60,6 +63,34 @@ class Dev(run.Run):
             raise RosmlError(text, f"a command stands after --: rosml dev -- {whole}", exit_code=2)
         ctx.meta[container.LINE] = replace(line, command=command)
         return read
+
+
+def _require_own(args: Sequence[str], own: Collection[str]) -> None:
+    """Checks that no option is an input of `rosml containerize` that this command takes only as a variable.
+
+    Args:
+        own: the options of the command.
+
+    Raises:
+        RosmlError: one is (exit code 2).
+    """
+    from rosml.containerize import app_inputs, desk
+
+    inputs = {f"--{item.name}": item for item in app_inputs.TABLE if not item.gone}
+    inputs |= {f"--no-{item.name}": item for item in app_inputs.TABLE if item.flag}
+    for word, following in pairwise((*args, "")):
+        option, equals, value = word.partition("=")
+        if option not in inputs or option in own or option[2:] in words.table().names:
+            continue
+        item = inputs[option]
+        if item.name in desk.UNUSED:
+            remedy = "leave it out: rosml dev makes one image for this machine, without an app"
+        else:
+            given = value if equals else following
+            if item.flag:
+                given = str(not option.startswith("--no-")).lower()
+            remedy = f"set its variable: {item.variable}={shlex.quote(given) if given else 'VALUE'} rosml dev"
+        raise RosmlError(f"{option} is an option of rosml containerize, not of rosml dev", remedy, exit_code=2)
 
 
 @click.command(
@@ -97,7 +128,7 @@ def main(context: click.Context, /, folder: str, base_image: str, addons: str, b
 
     \b
     Examples:
-      rosml dev --base-image ros:jazzy-base
+      rosml dev --base-image ghcr.io/us/ros:jazzy-base
       rosml dev -- colcon build
       rosml dev -- colcon test --packages-select my_package
       rosml dev -p 127.0.0.1:5678:5678 ~/my_robot

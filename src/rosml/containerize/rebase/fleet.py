@@ -18,7 +18,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from rosml.base.errors import RosmlError
-from rosml.base.problems import some
+from rosml.base.problems import InputError, some
 from rosml.base.side_by_side import side_by_side
 from rosml.containerize.app_bake_file import BASE_NAME
 from rosml.containerize.rebase import image
@@ -33,8 +33,10 @@ from rosml.images.records.tag_moves import Move
 from rosml.registry import references
 from rosml.registry.place import Place
 
-REFERENCE = r"^[^\s@*?\[]+(:[A-Za-z0-9_.*?\[\]-]+)?$"
-MEANING = {REFERENCE: "an app with its registry, such as ghcr.io/me/robot:latest; its tag may be a pattern, such as v*"}
+REFERENCE = r"^[^\s@*?\[]*[a-z/][^\s@*?\[]*(:[A-Za-z0-9_.*?\[\]-]+)?$"
+MEANING = {
+    REFERENCE: "an app by its tag, without a digest or spaces, such as ghcr.io/me/robot:latest or ghcr.io/me/robot:v*"
+}
 
 MANY = 10_000
 """Most apps of a file, after its patterns were replaced."""
@@ -101,13 +103,19 @@ def read(file: Path) -> tuple[Entry, ...]:
         RosmlError: the file is missing or unreadable (exit code 2).
         InputError: with every problem of the file.
     """
-    document = source.read(file, "--all")
-    found = validate.checked(document, Apps, MEANING)
-    for number, entry in enumerate(found.apps):
-        if bool(entry.command) != (entry.check == "run"):
-            problem = document.problem(("apps", number), "check: run and command belong together")
-            raise RosmlError(f"{document.name}: {problem}", "give both, or neither", exit_code=2)
-    return found.apps
+    document = source.read(file, "--all", least="apps: [{app: ghcr.io/me/robot:latest}]")
+    apps = validate.checked(document, Apps, MEANING).apps
+    problems = []
+    for number, entry in enumerate(apps):
+        if entry.check == "run" and not entry.command:
+            text = "check: run needs the command that it starts; add 'command: …'"
+            problems.append(document.problem(("apps", number, "check"), text))
+        if entry.command and entry.check != "run":
+            text = "only check: run starts a command; add 'check: run', or remove the command"
+            problems.append(document.problem(("apps", number, "command"), text))
+    if problems:
+        raise InputError(document.name, problems)
+    return apps
 
 
 @dataclass

@@ -62,8 +62,17 @@ class Document:
         return Problem(place.line, place.column, dotted(path[2:], called) if called else dotted(path), text)
 
 
-def read(file: Path, option: str = "--matrix") -> Document:
-    """Reads a YAML file. `option`: the option of the command line that names another file.
+LEAST = "version: 1"
+"""What matrix.yaml and scan.yaml need at least."""
+
+
+def read(file: Path, option: str = "--matrix", least: str = LEAST) -> Document:
+    """Reads a YAML file.
+
+    Args:
+        file: the file.
+        option: the option of the command line that names another file.
+        least: what the file needs at least, for the message about an empty one.
 
     Raises:
         RosmlError: the file is missing or unreadable (exit code 2).
@@ -79,14 +88,14 @@ def read(file: Path, option: str = "--matrix") -> Document:
         raise RosmlError(
             f"{name}: cannot be read: {reason}", f"name a file that you can read with {option}", exit_code=2
         ) from None
-    return parse(content, name)
+    return parse(content, name, least)
 
 
 LARGEST = 1 << 20
 """The most bytes of a file that people write. matrix.yaml has 25 kB."""
 
 
-def parse(content: bytes, name: str = "matrix.yaml") -> Document:
+def parse(content: bytes, name: str = "matrix.yaml", least: str = LEAST) -> Document:
     """Parses YAML text; raises as `read` does."""
     if len(content) > LARGEST:
         raise InputError(name, [Problem(1, 1, "", f"the file has more than {LARGEST >> 10} kB; check what it is")])
@@ -97,12 +106,12 @@ def parse(content: bytes, name: str = "matrix.yaml") -> Document:
             raise InputError(name, problems)
         node = untrusted.yaml_node(text)
     except yaml.MarkedYAMLError as error:
-        raise InputError(name, [_syntax(error)]) from None
+        raise InputError(name, [_syntax(error, text)]) from None
     except yaml.reader.ReaderError as error:
         what = "a character that YAML does not allow; remove it"
         raise InputError(name, [Problem(*_end(text[: error.position]), "", what)]) from None
     if node is None:
-        raise InputError(name, [Problem(1, 1, "", "the file is empty; it needs at least 'version: 1'")])
+        raise InputError(name, [Problem(1, 1, "", f"the file is empty; it needs at least '{least}'")])
     document.places[()] = _place(node)
     document.data = _value(document, (), node)
     return document
@@ -134,18 +143,20 @@ def _refused(text: str) -> Iterator[Problem]:
                 )
 
 
-def _syntax(error: yaml.MarkedYAMLError) -> Problem:
+def _syntax(error: yaml.MarkedYAMLError, text: str) -> Problem:
     what = error.problem or "cannot be read"
     mark = error.problem_mark or error.context_mark
     if error.context_mark and what == "could not find expected ':'":  # the line after the one with the mistake
         mark = error.context_mark
     line, column = (mark.line + 1, mark.column + 1) if mark else (1, 1)
+    if "cannot start any token" in what and text.split("\n")[line - 1][column - 1 :].startswith("\t"):
+        return Problem(line, column, "", "not YAML: this line is indented with a tab; indent with spaces")
     remedy = next((remedy for sign, remedy in _REMEDIES.items() if sign in what), "")
     return Problem(line, column, "", "; ".join(part for part in (f"not YAML: {what}", remedy) if part))
 
 
 _REMEDIES = {
-    "could not find expected ':'": "a key is followed by a colon and a space, as in 'ros: 2'",
+    "could not find expected ':'": "a key is followed by a colon and a space, as in 'key: value'",
     "mapping values are not allowed": "indent keys of one level alike, "
     "put a space after each colon, and text with ': ' in it in quotes",
     "did not find expected key": "look at this line and those above for a quote that is left open, or another indentation",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import types
 from collections.abc import Mapping, Sequence
 from datetime import date
@@ -40,9 +41,13 @@ def checked(document: Document, top: type[Top], meaning: Mapping[str, str]) -> T
             # The rest may be right in that version.
             text = f"{_problem(document, other[0], top, meaning).text}; {_OTHER_VERSION}"
             raise InputError(document.name, [document.problem(("version",), text)]) from None
+        complaints = [_problem(document, detail, top, meaning) for detail in details]
+        # `check: yes`: the words that are allowed, rather than what YAML reads.
+        words = {it for detail, it in zip(details, complaints, strict=True) if detail["type"] == "literal_error"}
+        places = {(it.line, it.column, it.path) for it in words}
+        problems = [it for it in problems if (it.line, it.column, it.path) not in places]
         # Values that YAML itself misreads (a key twice, `yes` for true) have their message already.
         explained = {problem.path for problem in problems}
-        complaints = [_problem(document, detail, top, meaning) for detail in details]
         raise InputError(
             document.name, [*problems, *(problem for problem in complaints if problem.path not in explained)]
         ) from None
@@ -78,17 +83,29 @@ def _problem(document: Document, error: Any, top: type[BaseModel], meaning: Mapp
     if of_key:
         value = path[-1]
     written = document.place(path).text if not of_key else ""
-    return document.problem(path, _complaint(kind, context, value, written, error["msg"], meaning))
+    pattern = _pattern(path, top)
+    scalar = not isinstance(value, (tuple, Mapping))
+    if kind == "string_type" and scalar and pattern in meaning and not re.search(pattern, written):  # in quotes neither
+        return document.problem(path, f"expected {meaning[pattern]}, found {_found(value, written)}")
+    return document.problem(
+        path, _complaint(kind, context, value, written, error["msg"], meaning, _example(path, kind, top))
+    )
 
 
 def _first_errors(details: Sequence[Any]) -> list[Any]:
     """Pydantic's errors without those that follow from others: if an item is wrong, pydantic calls its list too short."""
-    wrong = {detail["loc"][:-1] for detail in details}
-    return [detail for detail in details if detail["type"] != "too_short" or detail["loc"] not in wrong]
+    around = {detail["loc"][:end] for detail in details for end in range(len(detail["loc"]))}
+    return [detail for detail in details if detail["type"] != "too_short" or detail["loc"] not in around]
 
 
 def _complaint(
-    kind: str, context: Mapping[str, Any], value: Any, written: str, otherwise: str, meaning: Mapping[str, str]
+    kind: str,
+    context: Mapping[str, Any],
+    value: Any,
+    written: str,
+    otherwise: str,
+    meaning: Mapping[str, str],
+    example: str,
 ) -> str:
     """One sentence: what was expected, what was found, and a remedy."""
     if kind == "string_type":
@@ -103,12 +120,13 @@ def _complaint(
         known = str(context["expected"]).replace("'", "").replace(" or ", ", ").split(", ")
         return f"expected {listed(known, last='or')}, found {_found(value, written)}"
     if kind in _EXPECTED:
-        return f"expected {_EXPECTED[kind]}, found {_found(value, written)}"
+        expected = f"{_EXPECTED[kind]}, such as {example}" if example else _EXPECTED[kind]
+        return f"expected {expected}, found {_found(value, written)}"
     if kind in ("greater_than_equal", "less_than_equal"):
         bound = "at least" if kind.startswith("greater") else "at most"
         return f"expected {bound} {context.get('ge', context.get('le'))}, found {_found(value, written)}"
     if kind == "too_short":
-        return "nothing is there; at least one entry is needed"
+        return f"nothing is there; add at least one entry, such as {example}"
     if kind == "string_too_long":
         return f"too long: {len(value)} characters, at most {context['max_length']} are allowed"
     return f"{otherwise[:1].lower()}{otherwise[1:]}, found {_found(value, written)}"
@@ -117,7 +135,7 @@ def _complaint(
 _EXPECTED = {
     "model_type": "keys and values",
     "dict_type": "keys and values",
-    "tuple_type": "a list, such as [a, b]",
+    "tuple_type": "a list",
     "int_type": "a whole number",
     "bool_type": "true or false",
     "date_type": "a day, such as 2028-06-30, without quotes",
@@ -154,6 +172,25 @@ def _path(document: Document, location: Sequence[Any], kind: str) -> tuple[KeyPa
         if (*path, step) in document.places or (last and kind == "missing"):
             path = (*path, step)
     return path, of_key
+
+
+def _example(path: KeyPath, kind: str, top: type[BaseModel]) -> str:
+    """What a value looks like whose kind is wrong: `'app: …'` for keys and values, `'- app: …'` or `[a, b]` for a list."""
+    if kind not in ("model_type", "tuple_type", "too_short"):
+        return ""
+    model = _model(path if kind == "model_type" else (*path, 0), top)
+    key = next((name for name, it in model.model_fields.items() if it.is_required()), "") if model else ""
+    if kind == "model_type":
+        return f"'{key}: …'" if key else ""
+    return f"'- {key}: …'" if key else "[a, b]"
+
+
+def _pattern(path: KeyPath, top: type[BaseModel]) -> str:
+    """The pattern of the text at `path`; empty if it has none."""
+    model = _model(path[:-1], top) if path else None
+    field = model.model_fields.get(str(path[-1])) if model else None
+    patterns = (getattr(it, "pattern", None) for it in field.metadata) if field else iter(())
+    return next((it for it in patterns if it), "")
 
 
 def _fields(path: KeyPath, top: type[BaseModel]) -> list[str]:
