@@ -8,6 +8,7 @@ nobody uses it. So a plugin that was made elsewhere, with needs that nobody has,
 from __future__ import annotations
 
 import ast
+import itertools
 import os
 import re
 import sys
@@ -54,6 +55,15 @@ STANDARD = {*sys.builtin_module_names, *getattr(sys, "stdlib_module_names", ())}
 
 LINE, SIZE = 4096, 4 << 20
 """The most bytes of a line and of a text that are read."""
+
+SOURCE, STATEMENTS = 256 << 10, 20_000
+"""The most bytes, and lines, of a file of Python that is parsed: a megabyte of short lines takes a gigabyte."""
+
+MOST = 10_000
+"""The most files that a launch file may read."""
+
+NAME = 250
+"""The most bytes of a module's name: no file has a longer one."""
 
 
 class Files:
@@ -115,6 +125,9 @@ class Files:
     def has_module(self, name: str, beside: Path) -> bool:
         """Whether Python finds a module: in its folders, or beside the script that asks. Only of packages in the install space do
         the parts of a name count: others may make theirs as they like."""
+        is_odd = "" in name.split(".") or "/" in name  # an entry point may say anything
+        if is_odd or len(name.encode("utf-8", "replace")) > NAME:
+            return False
         first, _, rest = name.partition(".")
         folders = {*self.modules.get(first, ())}
         if _is_module(beside / first):
@@ -135,7 +148,10 @@ def _leads_somewhere(path: str) -> bool:
 
 
 def _is_module(path: Path) -> bool:
-    return path.is_dir() or any(path.parent.glob(f"{path.name}.*"))
+    try:
+        return path.is_dir() or any(path.parent.glob(f"{path.name}.*"))
+    except (OSError, ValueError):  # no file can have such a name, or glob takes it for a pattern
+        return False
 
 
 class Lacking:
@@ -199,7 +215,7 @@ class Lacking:
         elif path.name.endswith(LAUNCH):
             for package, program in _launched(path):
                 self._launch(path, package, program)
-            for package, file in _read(path):
+            for package, file in sorted({*itertools.islice(_read(path), MOST)}):
                 self._data(path, package, file)
         elif path.parent.parent.name == "lib" and path.parent.name in self._packages:
             self._interpreter(path)
@@ -235,9 +251,9 @@ class Lacking:
         if package not in self._packages:
             return
         folders = [self._install / below / kind / package for below in ("", package) for kind in ("share", "lib")]
-        if not any((folder / name).exists() for folder in folders for name in (file, os.path.basename(file))):
+        if not any(os.path.exists(folder / name) for folder in folders for name in (file, os.path.basename(file))):
             there = [folder for folder, name in self._before.manifests.items() if name == package]
-            before = [f"{folder}/{file}" for folder in there if (self._root / folder / file).exists()]
+            before = [f"{folder}/{file}" for folder in there if os.path.exists(self._root / folder / file)]
             self._say(path, f"{file} of {package}", min(before, default=""))
 
     def _before_of(self, places: Iterable[str], package: str) -> str:
@@ -354,20 +370,15 @@ def _package(manifest: Path) -> str:
 
 def _launched(path: Path) -> Iterator[tuple[str, str]]:
     """The nodes of a launch file: packages and programs, as they are written."""
-    text = _text(path)
     if path.suffix != ".py":
         try:
-            nodes = [*ElementTree.fromstring(text).iter("node")]
+            nodes = [*ElementTree.fromstring(_text(path)).iter("node")]
         except (ElementTree.ParseError, ValueError):
             return
         for node in nodes:
             yield node.get("pkg", ""), node.get("type", "") or node.get("exec", "")
         return
-    try:
-        calls = [node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Call)]
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return
-    for call in calls:
+    for call in (node for line in _body(path) for node in ast.walk(line) if isinstance(node, ast.Call)):
         said = {word.arg: word.value.value for word in call.keywords if isinstance(word.value, ast.Constant)}
         package, program = said.get("package"), said.get("executable")
         if isinstance(package, str) and isinstance(program, str):
@@ -377,29 +388,29 @@ def _launched(path: Path) -> Iterator[tuple[str, str]]:
 def _read(path: Path) -> Iterator[tuple[str, str]]:
     """Files that a launch file in XML reads in any case: packages, and paths in them."""
 
-    def below(element: ElementTree.Element) -> Iterator[ElementTree.Element]:
-        if not {"if", "unless"} & {*element.keys()}:
-            yield element
-            for child in element:
-                yield from below(child)
-
     if path.suffix not in (".launch", ".xml"):
         return
     try:
-        elements = [*below(ElementTree.fromstring(_text(path)))]
-    except (ElementTree.ParseError, ValueError, RecursionError):
+        todo = [ElementTree.fromstring(_text(path))]
+    except (ElementTree.ParseError, ValueError):
         return
-    for element in elements:
-        for name in READ.get(element.tag, ()):
-            yield from FOUND.findall(element.get(name, ""))
+    while todo:
+        element = todo.pop()
+        if not {"if", "unless"} & {*element.keys()}:
+            todo += element
+            for name in READ.get(element.tag, ()):
+                yield from FOUND.findall(element.get(name, ""))
 
 
 def _body(path: Path) -> list[ast.stmt]:
-    """The statements of a file of Python that are in no other one; none if it cannot be read."""
+    """The statements of a file of Python that are in no other one; none if it cannot be read, or is too long."""
+    text = _text(path, SOURCE + 1)
+    if len(text) > SOURCE or text.count("\n") + text.count(";") > STATEMENTS:
+        return []
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            return ast.parse(_text(path)).body
+            return ast.parse(text).body
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return []
 

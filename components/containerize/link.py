@@ -29,8 +29,8 @@ LACKS = re.compile(r"undefined symbol: .*|.*=> not found|.*version `[^']*' not f
 
 ADDRESS = re.compile(r"\s*\(0x[0-9a-f]+\)|\t")
 LINE = 500
-SIZE = 4 << 20
-"""The most bytes of a file of Python that are read."""
+SOURCE, STATEMENTS = 256 << 10, 20_000
+"""The most bytes, and lines, of a file of Python that is parsed: a megabyte of short lines takes a gigabyte."""
 
 
 def files() -> Iterator[Path]:
@@ -70,8 +70,12 @@ def not_found() -> Iterator[str]:
     """Modules that no folder of Python has, and that a file imports in any case. Python looks for them, and runs nothing of them."""
     looked: dict[str, bool] = {}
     for path in sources():
+        with open(path, "rb") as file:
+            text = file.read(SOURCE + 1)
+        if len(text) > SOURCE or text.count(b"\n") + text.count(b";") > STATEMENTS:
+            continue
         try:
-            body = ast.parse(path.read_bytes()[:SIZE]).body
+            body = ast.parse(text).body
         except (SyntaxError, ValueError, RecursionError, MemoryError):
             continue
         names = [item.name for line in body if isinstance(line, ast.Import) for item in line.names]
@@ -97,6 +101,8 @@ def called(command: list[str]) -> tuple[int, str]:
         )
     except subprocess.TimeoutExpired:
         return 124, f"nothing for {SECONDS} s"
+    except OSError as error:  # such as a name of a module that no call can have
+        return 126, error.strerror or str(error)
     return done.returncode, done.stdout.decode("utf-8", "replace")
 
 

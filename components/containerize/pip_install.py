@@ -14,6 +14,7 @@ import base64
 import csv
 import hashlib
 import json
+import os
 import re
 import shlex
 import subprocess
@@ -210,18 +211,26 @@ def from_where(arguments: Sequence[str], depth: int = 0) -> list[str]:
             value = value if equals else next(words, "")
             if name in PLACES:
                 options += [name, value]
-            elif depth < DEEPEST and Path(value).is_file():
+            elif depth < DEEPEST and os.path.isfile(value):
                 folder = Path(value).parent
-                for text in lines_of(Path(value)):
-                    inside = shlex.split(text, comments=True) if text.lstrip().startswith("-") else []
+                for text in Path(value).read_text("utf-8", "replace").split("\n"):
+                    inside = words_of(text) if text.lstrip().startswith("-") else []
                     if inside[:1] in (["-r"], ["--requirement"]) and len(inside) == 2:
                         inside[1] = str(folder / inside[1])
                     options += from_where(inside, depth + 1)
     return options
 
 
-DEEPEST = 10
-"""How deep files of requirements may name others."""
+DEEPEST, LONGEST = 10, 8192
+"""How deep files of requirements may name others; and the most characters of a line with options."""
+
+
+def words_of(text: str) -> list[str]:
+    """The words of a line with options; none if pip refuses it. shlex takes a minute for a word of a megabyte."""
+    try:
+        return shlex.split(text[:LONGEST], comments=True)
+    except ValueError:  # a quote does not close
+        return []
 
 
 def take_locked(

@@ -118,6 +118,8 @@ def _special_text(document: bytes) -> Iterator[bytes]:
     yield b"a = " + b"{b=" * 10_000 + b"\n"
     yield (key + b"\n") * 50_000
     yield b"A=1\n" * 60_000
+    for place in [*re.finditer(rb"[ =:\"'/]+", document[:400])][:6]:
+        yield document[: place.end()] + b" " * 100_000 + document[place.end() :]
     yield document + b"#" * 300_000
     yield document + b" " * 300_000 + b"x"
     yield document + b"\\" * 100_000 + b"$A"
@@ -127,12 +129,13 @@ def line(random: Random, document: bytes) -> bytes:
     lines = document.split(b"\n")
     place = random.randrange(len(lines))
     found = lines[place]
+    short = found[: LARGEST // 1000]
     lines[place : place + 1] = random.choice(
         (
             [],
             [found] * 2,
-            [found] * 1000,
-            [found, *[b" " + found] * 1000],
+            [short] * 1000,
+            [found, *[b" " + short] * 1000],
             [found[::-1]],
             [found.upper()],
             [b" " + found],

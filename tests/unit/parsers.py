@@ -4,11 +4,13 @@ more line of `PARSERS`."""
 from __future__ import annotations
 
 import contextlib
+import functools
 import gzip
 import hashlib
 import io
 import json
 import sys
+import zipfile
 import zlib
 from collections.abc import Callable, Iterator
 from datetime import UTC, datetime
@@ -16,6 +18,9 @@ from pathlib import Path
 from types import ModuleType, SimpleNamespace
 from typing import Any, TypeVar
 
+import httpx
+import pytest
+import stubs
 from conftest import ROOT, SMALL
 from fuzz import Parser
 from memory_registry import PREFIX, MemoryRegistry
@@ -24,8 +29,10 @@ from stubs import script_of_a_build
 
 sys.path.insert(0, str(ROOT / "components/containerize"))  # where its scripts find each other
 
-from rosml.base import archives, untrusted
+from rosml.base import archives, untrusted, web
+from rosml.base.errors import RosmlError
 from rosml.containerize import (
+    app_base,
     app_inputs,
     ci_job,
     contents,
@@ -37,27 +44,54 @@ from rosml.containerize import (
     repos_file,
     rosdep_index,
     tree,
+    versions,
     workspace,
+)
+from rosml.containerize import (
+    store as sources_store,
 )
 from rosml.containerize.conditions import holds
 from rosml.containerize.delivery import archive, patch
+from rosml.containerize.delivery import engine as layers_of_engine
 from rosml.containerize.delivery import load as load_archive
-from rosml.containerize.init import packages
-from rosml.containerize.rebase import fleet, trial
-from rosml.images.builds import apt_sources, package_state, structure_tests, sync
+from rosml.containerize.init import folder as init_folder
+from rosml.containerize.init import forge, packages
+from rosml.containerize.left_out import LeftOut
+from rosml.containerize.rebase import checks, fleet, image, trial
+from rosml.images.builds import adopted, apt_sources, base_images, package_state, release_file, structure_tests, sync
 from rosml.images.catalogue import read
-from rosml.images.image_set import labels, load
-from rosml.images.join import facts
+from rosml.images.image_set import labels, load, lock_file, restricted, system
+from rosml.images.image_set.apt_repository import AptRepository
+from rosml.images.join import facts, file_lists, told
+from rosml.images.join.layers import Source
+from rosml.images.locks import index, resolve
 from rosml.images.matrix import source
-from rosml.images.publish import plan, scan_results
+from rosml.images.publish import issue, plan, scan_results
 from rosml.images.records import store, tag_moves
 from rosml.images.scan import judge, policy, trivy
 from rosml.images.scan.sbom import Sbom
+from rosml.machine import buildx, progress, regctl
 from rosml.machine.services import Services
-from rosml.registry import oci, references
+from rosml.registry import answers, challenge, credentials, oci, references
+from rosml.registry.client import Registry
 from rosml.registry.documents import Descriptor
 from rosml.registry.place import Place
-from rosml.run import check, compose, consent, defaults, engine, export, places
+from rosml.run import (
+    check,
+    compose,
+    compose_file,
+    consent,
+    defaults,
+    devcontainer,
+    engine,
+    export,
+    kubernetes,
+    paths,
+    places,
+    quadlet,
+    taken,
+    xauthority,
+)
 from rosml.run.context import Context, Engine, Host, Image, Person
 from rosml.run.words import split
 
@@ -65,6 +99,7 @@ T = TypeVar("T")
 
 NOW = datetime(2026, 11, 22, tzinfo=UTC)
 DIGEST = f"sha256:{'1' * 64}"
+SMALL_SET = load.image_set(source.parse(SMALL.encode()))
 
 SAVED = oci.encoded(
     {"os": "linux", "architecture": "amd64", "rootfs": {"type": "layers", "diff_ids": [oci.digest_of(b"")]}}
@@ -222,8 +257,14 @@ def requirements_of(document: bytes, folder: Path) -> object:
     return script("pip_install").requirements(document)
 
 
+@functools.cache
 def script(name: str) -> ModuleType:
     return script_of_a_build(f"containerize/{name}.py")
+
+
+def options_of(file: Path) -> object:
+    """A list of packages for pip, with options."""
+    return script("pip_install").from_where(["-r", str(file)])
 
 
 def commands_of_compilers(file: Path) -> object:
@@ -306,6 +347,109 @@ FACTS = {
     "libraries": [LIBRARY],
     "files": ["d"],
 }
+
+
+def installed(name: str) -> Callable[[bytes, Path], object]:
+    """Reads a file of the install space of an app, as programs of a build do."""
+
+    def read(document: bytes, folder: Path) -> object:
+        file = folder / "docker-ros/ws/install" / name
+        file.parent.mkdir(parents=True)
+        file.write_bytes(document)
+        file.chmod(0o755)
+        (folder / "image").mkdir()
+        found = script("lacking").Lacking(folder / "image", folder, ["a"])
+        link = script("link")
+        link.INSTALL = folder / "docker-ros/ws/install"  # type: ignore[attr-defined]
+        return found.lost, found.absent, found.imported(folder / "image"), [*link.modules(), *link.not_found()]
+
+    return read
+
+
+LAUNCH = b"""\
+<launch>
+  <arg name="x" default="y"/>
+  <node pkg="a" exec="b" name="c" if="$(var x)"><param from="$(find-pkg-share a)/config/d.yaml"/></node>
+  <include file="$(find a)/launch/e.launch"/>
+</launch>
+"""
+LAUNCH_IN_PYTHON = b"""\
+#!/usr/bin/env python3
+import a, json
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    return [Node(package="a", executable="b")]
+"""
+ENTRY_POINTS = b"[console_scripts]\nb = a.b:main\nc = a.c:main [d]\n"
+MODULES = b"""\
+[submodule "a"]
+\tpath = a
+\turl = ../a.git
+[submodule "b/c"]
+\tpath = "b/c"
+\turl = https://example.org/c.git
+"""
+SETTINGS = (
+    b"submodule.a.path\na\0submodule.a.url\n../a.git\0submodule.b.path\nb\0submodule.b.url\nhttps://example.org/b\0"
+)
+REFS = f"{'c' * 40}\tHEAD\n{'c' * 40}\trefs/heads/main\n{'d' * 40}\trefs/tags/1.0\n{'e' * 40}\trefs/tags/1.0^{{}}\n".encode()
+
+
+def submodules_of(document: bytes, folder: Path) -> object:
+    """Submodules of a repository, as git says them."""
+    links = [f"160000 {'d' * 40} 0\ta\0160000 {'e' * 40} 0\tb\0"]
+
+    def git(*words: str, **_: object) -> str:
+        if "ls-files" in words:
+            return links.pop() if links else ""
+        return document.decode(errors="surrogateescape") if "config" in words else "c" * 40
+
+    there: Any = git
+    kept = sources_store.Store(there, folder, bool)
+    kept.write("https://example.org/x/y.git", versions.Version("c" * 40), folder / "into")
+    return sorted((folder / "into").iterdir())
+
+
+def refs_of(found: str) -> object:
+    """A server's refs, as git says them."""
+
+    def git(*_: str) -> str:
+        return found
+
+    there: Any = git
+    return [versions.resolve(there, "https://example.org/a.git", name) for name in ("", "main", "1.0")]
+
+
+def repository_of(document: bytes, folder: Path) -> object:
+    """Files of a repository that tell `rosml init` something."""
+    for name in (".git/config", ".git/HEAD", ".gitlab-ci.yml", "docker/Dockerfile", ".gitignore"):
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_bytes(document)
+    known, place = SMALL_SET.matrix, "ghcr.io/us/rosml"
+    found = forge.chosen(
+        folder, "", place, "", "https://github.com/us/rosml", known, lambda _, choice, *__: choice.value
+    )
+    return found, [*init_folder.hints(folder, {})], init_folder.ignores_env(folder)
+
+
+def lists_of(document: bytes, folder: Path) -> object:
+    """The lists of packages of a repository."""
+    (folder / "docker").mkdir()
+    for name in ("additional-debs.txt", "additional-pip-requirements.txt", "blacklisted-packages.txt"):
+        (folder / "docker" / name).write_bytes(document)
+    values = app_inputs.values({"image-name": "ghcr.io/me/robot"}, folder, {})
+    workspace.write_requests(values, folder, folder / "upstream", {}, folder / "out")
+    (folder / "manifests").mkdir()
+    return [*workspace.stale(folder / "out", folder / "manifests")]
+
+
+def projects_of(document: bytes, folder: Path) -> object:
+    """Packages with and without a manifest."""
+    for name in ("a/package.xml", "b/CMakeLists.txt"):
+        (folder / "src" / name).parent.mkdir(parents=True)
+        (folder / "src" / name).write_bytes(MANIFEST if name == "a/package.xml" else document)
+    return workspace.write_manifests({"target": folder / "src"}, folder / "out")
 
 
 def contents_of(name: str) -> Callable[[bytes, Path], object]:
@@ -420,6 +564,211 @@ def image_of(document: bytes, folder: Path) -> object:
     with contextlib.suppress(zlib.error):  # as in `left_of`
         document = zlib.decompressobj(31).decompress(document, 20 << 20)
     return load_archive.read(archive.Archive(io.BytesIO(document), "a")).missing
+
+
+def reply(code: int, content: bytes = b"", headers: Any = None) -> httpx.Response:
+    """An answer whose body nobody has read."""
+    return httpx.Response(code, headers=headers, stream=httpx.ByteStream(content))
+
+
+def server(answer: Callable[[httpx.Request], httpx.Response]) -> Registry:
+    """A registry that answers so."""
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(web, "client", lambda **_: httpx.Client(transport=httpx.MockTransport(answer)))
+        return Registry("registry.test", credentials=lambda _: None)
+
+
+def sent(ask: Callable[[Registry], object]) -> Callable[[bytes, Path], object]:
+    """Reads a document that a registry sends."""
+    return lambda document, folder: ask(server(lambda _: reply(200, document, {"docker-content-digest": DIGEST})))
+
+
+def error_of(document: bytes, folder: Path) -> object:
+    """Why a registry refuses something."""
+    answer = answers.Answer("GET", httpx.URL("https://registry.test/v2/"), 403, httpx.Headers(), document)
+    return answers.reason(answer), answers.codes(answer)
+
+
+def token_of(document: bytes, folder: Path) -> object:
+    """The answer of a token server."""
+    asks = {"www-authenticate": 'Bearer realm="https://registry.test/token"'}
+
+    def answer(request: httpx.Request) -> httpx.Response:
+        if request.url.path == "/token":
+            return reply(200, document)
+        known = "authorization" in request.headers
+        return reply(200, b'{"tags": ["a"]}') if known else reply(401, headers=asks)
+
+    return server(answer).tags("a")
+
+
+def headers_of(document: bytes, folder: Path) -> object:
+    """What registries say in headers: each that is read, with this text."""
+    line = bytes(byte for byte in document[:16000] if byte >= 0x20 and byte != 0x7F)
+    names = ("link", "content-type", "docker-content-digest", "retry-after", "www-authenticate", "location")
+    headers = [(name.encode(), line) for name in names]
+    asked = []
+
+    def answer(request: httpx.Request) -> httpx.Response:
+        asked.append(request)
+        code = (200, 401, 307)[len(asked) % 3] if len(asked) < 6 else 200
+        return reply(code, b'{"schemaVersion": 2, "tags": []}', headers)
+
+    text = line.decode("latin-1")
+    web.after({"retry-after": text})
+    challenge.read([text])
+    asks: list[Callable[[Registry], object]] = [
+        lambda there: there.manifest("a", "x"),
+        lambda there: there.tags("a"),
+        lambda there: there.head("a", "x"),
+    ]
+    for ask in asks:
+        with contextlib.suppress(RosmlError):
+            ask(server(answer))
+    with contextlib.suppress(web.Unfit):
+        web.joined(httpx.URL("https://registry.test/v2/"), text)
+    return None
+
+
+HEADERS = (
+    b'Bearer realm="https://auth.test/token",service="a",scope="repository:a:pull"',
+    b'</v2/a/tags/list?last=x&n=1000>; rel="next"',
+    b"Fri, 31 Dec 2027 23:59:59 GMT",
+    b"application/vnd.oci.image.index.v1+json; charset=utf-8",
+)
+LISTED = {
+    "schemaVersion": 2,
+    "mediaType": oci.INDEX,
+    "manifests": [
+        {
+            "mediaType": oci.IMAGE,
+            "digest": DIGEST,
+            "size": 1,
+            "platform": {"os": "linux", "architecture": "arm64", "variant": "v8"},
+            "annotations": {"a": "b"},
+            "artifactType": "a/b",
+        }
+    ],
+}
+
+
+def docker_config_of(document: bytes, folder: Path) -> object:
+    """What docker knows of a registry, in its file and in the variable."""
+    (folder / "config.json").write_bytes(document)
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setenv("DOCKER_CONFIG", str(folder))
+        patched.setenv("PATH", "")
+        patched.delenv(credentials.VARIABLE, raising=False)
+        found = credentials.from_docker("registry.test")
+        if (text := document.decode(errors="replace").replace("\0", "")) and len(text) < 100_000:
+            patched.setenv(credentials.VARIABLE, text)
+            credentials.from_docker("registry.test")
+    return found
+
+
+def helper_of(document: bytes, folder: Path) -> object:
+    """The answer of a program that keeps passwords."""
+    (folder / "answer").write_bytes(document)
+    (folder / "config.json").write_text('{"credsStore": "a"}')
+    stubs.executable(folder / "docker-credential-a", f"exec cat {folder}/answer")
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setenv("DOCKER_CONFIG", str(folder))
+        patched.setenv("PATH", f"{folder}:/usr/bin:/bin")
+        patched.delenv(credentials.VARIABLE, raising=False)
+        return credentials.from_docker("registry.test")
+
+
+def source_of(document: bytes) -> Source:
+    """An image with this config."""
+    layers = [oci.descriptor(f"application/vnd.oci.image.layer.v1.tar{end}", b"") for end in ("", "+gzip")]
+    content = {"schemaVersion": 2, "config": oci.descriptor(oci.CONFIG, document), "layers": layers}
+    registry = MemoryRegistry()
+    registry.put_blob("a", document)
+    manifest = oci.Manifest(content, DIGEST, oci.IMAGE, 1)
+    config = registry.config("a", manifest, "a")
+    return Source("a", "registry.test", "a", DIGEST, manifest, config)
+
+
+BASED: dict[str, Any] = {
+    "architecture": "amd64",
+    "os": "linux",
+    "config": {
+        "Env": ["PATH=/bin", "A=b"],
+        "Entrypoint": ["/entrypoint.sh"],
+        "Cmd": ["bash"],
+        "User": "1000:1000",
+        "Labels": {
+            "io.rosml.distribution": "alpha",
+            "io.rosml.component": "core",
+            "io.rosml.stack": "cpu",
+            "io.rosml.app": "run",
+            "io.rosml.parts": "cuda-cu1 torch-cu1",
+            "io.rosml.brings": "torch=2.10.0",
+            "io.rosml.restricted": "nccl",
+            "io.rosml.lock": LOCK.line(),
+            "io.rosml.variants": "cpu cu130:580",
+            "org.opencontainers.image.base.name": "registry.test/ros:alpha-core",
+            "org.opencontainers.image.base.digest": DIGEST,
+        },
+    },
+    "history": [
+        {"created_by": "ADD /"},
+        {"created_by": "COPY / / # buildkit", "comment": "buildkit.dockerfile.v0"},
+        {"created_by": "ARG APP_A=b", "empty_layer": True},
+        {"created_by": "ENV A=b", "empty_layer": True},
+    ],
+    "rootfs": {"type": "layers", "diff_ids": [oci.digest_of(b"a"), oci.digest_of(b"b")]},
+}
+BASE_OF_APP = source_of(
+    json.dumps({**BASED, "rootfs": {"diff_ids": [oci.digest_of(b"a"), oci.digest_of(b"c")]}}).encode()
+)
+
+
+def config_of(document: bytes, folder: Path) -> object:
+    """The config of an image: of a base image, of an app that moves, and of what is joined."""
+    found, wrong = source_of(document), list[RosmlError]()
+    calls: list[Callable[[], object]] = [
+        lambda: docker_image_of(
+            json.dumps([{"Id": DIGEST, "Config": found.config.content.get("config")}]).encode(), folder
+        ),
+        lambda: told.require(found.labels, "a"),
+        lambda: restricted.named(found.labels),
+        lambda: checks.require_fit(found, BASE_OF_APP),
+        lambda: image.moved(found, BASE_OF_APP, {}),
+        lambda: image.moved(BASE_OF_APP, found, {}),
+        lambda: image.require_unaltered(found, BASE_OF_APP),
+        lambda: image.require_kept(found, BASE_OF_APP),
+        lambda: image.lock_of(found),
+    ]
+    for call in calls:
+        try:
+            call()
+        except RosmlError as error:
+            wrong.append(error)
+    if odd := [error for error in wrong if not error.remedy]:
+        raise odd[0]
+    return found
+
+
+def judged(document: bytes, folder: Path) -> object:
+    """Facts of an app, and of a base image."""
+    found, other = facts.parse(gzip.compress(document, 1)), facts.Facts.model_validate(FACTS)
+    files = ({"c", "usr/lib/python3/dist-packages/a-1.dist-info/METADATA"}, {"usr"})
+    return [checks.judge(*items, files, ({}, {})) for items in ((found, other, other), (other, found, found))]
+
+
+def lists_of_files(document: bytes, folder: Path) -> object:
+    """The list of the files of an image."""
+    return file_lists.Files.parse(file_lists.unpacked(document))
+
+
+def packages_of_archive(document: bytes, folder: Path) -> object:
+    """A list of the packages of a repository, whose digest is right."""
+    release = f" {hashlib.sha256(document).hexdigest()} 1 main/binary-amd64/Packages.gz\n".encode()
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(release_file, "fetched", lambda url, *_: release if url.endswith("InRelease") else document)
+        repository = AptRepository("live", "", "http://ros.test", "noble", ("main",))
+        return sync.lacking(folder, repository, "amd64", ["tree"])
 
 
 OLD_LAYER = gzip.decompress(tar_of(("a", b"one" * 2000), ("b", bytes(9000))))
@@ -595,7 +944,11 @@ def words_of(document: bytes, folder: Path) -> object:
     )
     argv = ["docker", "run", *(word for given in line.engine for word in given.words), "ros:jazzy"]
     found = check.findings(context, places.planned(context, argv), [], ())
-    return found, compose.text(export.call(context, argv))
+    placed = [(taken.without(given, line.engine[:1]), paths.anchored(given, "/x")) for given in line.engine]
+    for write in (kubernetes.text, quadlet.text, devcontainer.text):
+        with contextlib.suppress(RosmlError):
+            write(export.call(context, argv))
+    return found, placed, compose.text(export.call(context, argv))
 
 
 WORDS = b"""\
@@ -605,6 +958,14 @@ WORDS = b"""\
 --ulimit=nofile=1024:2048
 --stop-timeout=3
 --memory=2g
+--mount=type=bind,source=/a,target=/b,readonly
+--volume=/a:/b:ro
+--publish=127.0.0.1:80:80/tcp
+--health-interval=1m30s
+--device=/dev/a:/dev/b:rw
+--user=1000:1000
+--security-opt=seccomp=a.json
+--label=a=b
 """
 
 
@@ -622,7 +983,179 @@ def kernel_of(document: bytes, folder: Path) -> object:
     return check.findings(context, places.planned(context, argv), [], ())
 
 
+def docker_image_of(document: bytes, folder: Path) -> object:
+    """What docker says of an image that no registry has."""
+    (folder / "answer").write_bytes(document)
+    stubs.executable(folder / "docker", f"exec cat {folder}/answer")
+    with pytest.MonkeyPatch.context() as patched:
+        nothing = httpx.MockTransport(lambda request: reply(404))
+        patched.setattr(web, "client", lambda **_: httpx.Client(transport=nothing))
+        patched.setattr(app_base, "load", lambda _: SMALL_SET)
+        patched.setenv("PATH", f"{folder}:/usr/bin:/bin")
+        return app_base.find("registry.test/a:b", stubs.services(folder, builder_kind="docker"), ())
+
+
+def images_of_engine(document: bytes, folder: Path) -> object:
+    """All images of an engine, with their layers."""
+    (folder / "answer").write_bytes(document)
+    text = f"[ $2 = ls ] && echo {'1' * 64} && exit\nexec cat {folder}/answer"
+    program = stubs.executable(folder / "engine", text)
+    return engine.layers(program), engine.image_names(program)
+
+
+def saved_by_engine(document: bytes, folder: Path) -> object:
+    """What `docker save` writes."""
+    with contextlib.suppress(zlib.error):  # as in `left_of`
+        document = zlib.decompressobj(31).decompress(document, 20 << 20)
+    (folder / "answer").write_bytes(document)
+    program = stubs.executable(folder / "docker", f"exec cat {folder}/answer")
+    layer = load_archive.Layer(DIGEST, oci.digest_of(b"x"), 1)
+    for item in layers_of_engine.InEngine(program, "1" * 64, frozenset([layer.diff_id])).take([layer]):
+        item.send(lambda blocks: print(*map(len, blocks), file=io.StringIO()))
+    return None
+
+
+COMPOSE = b"""\
+# mine
+services:
+  talker:
+    image: ros:jazzy  # x
+    command: [ros2, run, a, b]
+volumes:
+  data:
+"""
+
+
+def composed(found: str) -> object:
+    """A file of compose that gets a service."""
+    wanted: dict[str, Any] = {"services": {"listener": {"image": "ros:jazzy"}}, "volumes": {"a": {}}}
+    return compose_file.added(found, wanted, "compose.yaml")
+
+
+def cookies_of(document: bytes, folder: Path) -> object:
+    """The file with the cookies of displays."""
+    found = xauthority.read(document)
+    return xauthority.written(found), xauthority.cookie(found, "0", "a", "a")
+
+
+COOKIES = xauthority.written([xauthority.Entry(xauthority.LOCAL, b"a", b"0", b"MIT-MAGIC-COOKIE-1", b"x" * 16)])
+
+
 # ---- The machine -----------------------------------------------------------------------------------------------------
+
+WHEEL = index.Wheel("https://index.test/a-1-py3-none-any.whl", 0)
+
+
+def zip_of(**files: bytes) -> bytes:
+    """A wheel with these files."""
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as packed:
+        for name, content in files.items():
+            packed.writestr(f"a-1.dist-info/{name}", content)
+    return buffer.getvalue()
+
+
+def wheel_of(document: bytes, folder: Path) -> object:
+    """A wheel of an index, of which only pieces are asked for."""
+
+    def answer(request: httpx.Request) -> httpx.Response:
+        first, last = map(int, request.headers["range"].removeprefix("bytes=").split("-"))
+        return reply(206, document[first : last + 1])
+
+    there = index.Index(resolve.Uv(), httpx.Client(transport=httpx.MockTransport(answer)))
+    wheel = index.Wheel(WHEEL.url, len(document))
+    return there.metadata(wheel), there.record(wheel)
+
+
+def pylock_of(document: bytes, folder: Path) -> object:
+    """What uv writes of wheels."""
+
+    def uv(_: list[str], place: Path) -> tuple[int, str]:
+        (place / "pylock.toml").write_bytes(document)
+        return 0, ""
+
+    run: Any = uv
+    nothing = httpx.Client(transport=httpx.MockTransport(lambda _: reply(404)))
+    return index.Index(run, nothing).wheels(index.WheelTarget("3.12", "x86_64-manylinux_2_28"), {"a": "1"})
+
+
+PYLOCK = b"""\
+lock-version = "1.0"
+[[packages]]
+name = "a"
+version = "1.0+cu1"
+wheels = [{ name = "a-1-py3-none-any.whl", url = "https://index.test/a-1.whl", size = 10, upload-time = 2026-11-22T00:00:00Z }]
+"""
+PINS = b"""\
+# head
+torch==2.10.0 \\
+    --hash=sha256:0000000000000000000000000000000000000000000000000000000000000000
+    # via
+    #   tensorflow
+nvidia-nccl-cu12==2.1 ; sys_platform == 'linux'
+"""
+
+
+def github_of(document: bytes, folder: Path) -> object:
+    """Issues of a repository."""
+    one = b'{"number": 1}'
+    answer = httpx.MockTransport(lambda request: reply(200, document if request.method == "GET" else one))
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(web, "client", lambda **options: httpx.Client(transport=answer, base_url=options["base_url"]))
+        return issue.Issues("https://api.github.test", "me/robot", "x").keep("x", 1)
+
+
+ISSUES = [{"number": 1, "title": issue.TITLE, "html_url": "https://github.test/1"}]
+
+
+def progress_of(document: bytes, folder: Path) -> object:
+    """What buildx says while it builds."""
+    out = io.StringIO()
+    followed = progress.BuildProgress(out, out, clock=lambda: 0.0)
+    followed.follow(document.decode(errors="replace").splitlines(keepends=True))
+    bake = buildx.Bake("a", "b", folder / "c")
+    return buildx.failure(bake, followed, folder / "log", 1), [step.label for step in followed.steps.values()]
+
+
+STEPS = b"\n".join(
+    (
+        b'{"vertexes": [{"digest": "a", "name": "[b 1/2] RUN --mount=type=cache x", "started": "2026-11-22T03:00:00.1234Z"}]}',
+        b'{"logs": [{"vertex": "a", "stream": 1, "data": "aGVsbG8K", "timestamp": "2026-11-22T03:00:00Z"}]}',
+        b'{"vertexes": [{"digest": "a", "name": "x", "completed": "2026-11-22T03:00:09Z", "error": "failed to push a: 403"}]}',
+        b"WARNING: x",
+    )
+)
+
+
+def regctl_of(document: bytes, folder: Path) -> object:
+    """What regctl prints."""
+    (folder / "answer").write_bytes(document)
+    found = stubs.services(folder, regctl=stubs.executable(folder / "regctl", f"exec cat {folder}/answer"))
+    regctl.image_config(found, "registry.test/a:b", "linux/amd64")
+    return regctl.layers(found, "registry.test/a:b")
+
+
+def base_of_command(document: bytes, folder: Path) -> object:
+    """What a machine's command says of a base image."""
+    (folder / "answer").write_bytes(document)
+    found = stubs.services(folder, bases=[stubs.executable(folder / "bases", f"exec cat {folder}/answer")])
+    systems = SMALL_SET.matrix.operating_systems
+    return base_images.reference(found, systems, "ubuntu-24.04"), base_images.missing(found, systems, "ubuntu-24.04")
+
+
+def adopted_of(found: str) -> object:
+    """Files of a base image that is not ours."""
+    return system.system(found), adopted.ends_in_the_command(found)
+
+
+SYSTEM = b"""\
+#!/bin/bash
+ID=debian
+VERSION_ID="12"
+deb http://archive.test/debian bookworm main
+exec "$@"
+"""
+
 
 RESULTS = {
     "version": 1,
@@ -737,6 +1270,9 @@ PARSERS: dict[str, Parser] = {
         "json", [b'"lib/a: undefined symbol: b"\n"import c: d"\n'], lambda document, _: trial.lines(document)
     ),
     "report of pip": Parser("json", as_json(PIP), requirements_of),
+    "options in a list of pip": Parser(
+        "text", [b"--index-url 'https://index.test/x'  # x\n-r b.txt\ntree==1.0\n"], written("a.txt", options_of)
+    ),
     "lock file": Parser("json", [LOCK.text().encode()], written("a.lock", lambda file: lock.read(file, file.parent))),
     "folder of upstream sources": Parser(
         "json", as_json({"a": ["https://example.org/a", "c" * 40]}), written(".up.json", lambda file: upstream(file))
@@ -817,6 +1353,74 @@ PARSERS: dict[str, Parser] = {
     "scan policy": Parser(
         "yaml", [(ROOT / "scan.yaml").read_bytes()], lambda document, folder: policy.parsed(source.parse(document))
     ),
+    ".dockerignore": Parser(
+        "text",
+        [b"# x\n*.log\n!a/**/b?.log\nbuild/\n[a-c]\\*\n"],
+        written(".dockerignore", lambda file: LeftOut(file.parent)(file.parent / "a/b/c.log")),
+    ),
+    ".gitmodules": Parser(
+        "text", [MODULES], written(".gitmodules", lambda file: workspace.empty_submodules(file.parent))
+    ),
+    "submodules of a repository": Parser("text", [SETTINGS], submodules_of),
+    "refs of a repository": Parser("text", [REFS], text(refs_of)),
+    "repository for init": Parser(
+        "text",
+        [b"ref: refs/heads/jazzy-1\n", b'[remote "origin"]\n\turl = git@github.com:me/robot.git\n'],
+        repository_of,
+    ),
+    "lists of packages": Parser("text", [b"tree\nlibc6:i386=1.0 # x\n"], lists_of),
+    "CMakeLists.txt": Parser("text", [b'cmake_minimum_required(VERSION 3.8)\nproject( "robot" CXX)\n'], projects_of),
+    "launch file": Parser("xml", [LAUNCH], installed("share/a/launch/b.launch")),
+    "launch file in Python": Parser("text", [LAUNCH_IN_PYTHON], installed("share/a/launch/b.launch.py")),
+    "script of an app": Parser("text", [LAUNCH_IN_PYTHON], installed("lib/a/b")),
+    "entry points of an app": Parser(
+        "text", [ENTRY_POINTS], installed("lib/python3.12/site-packages/a-1.dist-info/entry_points.txt")
+    ),
+    "manifest of a registry": Parser("json", [SAVED_CONTENT], sent(lambda there: there.manifest("a", "x"))),
+    "index of a registry": Parser("json", as_json(LISTED), sent(lambda there: there.manifest("a", "x"))),
+    "tags of a registry": Parser(
+        "json", as_json({"name": "a", "tags": ["b", "c"]}), sent(lambda there: there.tags("a"))
+    ),
+    "artifacts of a registry": Parser("json", as_json(LISTED), sent(lambda there: there.referrers("a", DIGEST))),
+    "error of a registry": Parser(
+        "json", as_json({"errors": [{"code": "DENIED", "message": "no", "detail": {"a": 1}}]}), error_of
+    ),
+    "token of a registry": Parser("json", as_json({"token": "a", "access_token": "b", "expires_in": 300}), token_of),
+    "headers of a registry": Parser("text", HEADERS, headers_of),
+    "docker's config.json": Parser(
+        "json",
+        as_json({"auths": {"registry.test": {"auth": "YTpi", "identitytoken": ""}}, "credHelpers": {"a": "b"}}),
+        docker_config_of,
+    ),
+    "answer of a credential helper": Parser("json", as_json({"Username": "a", "Secret": "b"}), helper_of),
+    "config of an image": Parser("json", as_json(BASED), config_of),
+    "facts of an app that moves": Parser("json", as_json(FACTS), judged),
+    "files of an image": Parser("tar", [gzip.compress(b"usr/bin/a\n" * 50, mtime=0)], lists_of_files),
+    "packages of a repository": Parser("tar", [gzip.compress(STATUS, mtime=0)], packages_of_archive),
+    "image in docker": Parser(
+        "json", as_json([{"Id": DIGEST, "RepoDigests": [f"a@{DIGEST}"], "Config": IMAGE["Config"]}]), docker_image_of
+    ),
+    "images of an engine": Parser(
+        "json",
+        as_json([{"Id": DIGEST, "RepoDigests": [f"a@{DIGEST}"], "RootFs": {"Layers": [DIGEST]}}]),
+        images_of_engine,
+    ),
+    "archive of an engine": Parser("tar", [tar_of((f"blobs/sha256/{oci.digest_of(b'x')[7:]}", b"x"))], saved_by_engine),
+    "compose file": Parser("yaml", [COMPOSE], text(composed)),
+    "cookies of a display": Parser("text", [COOKIES], cookies_of),
+    "progress of buildx": Parser("text", [STEPS], progress_of),
+    "answer of regctl": Parser("json", as_json({"layers": [{"digest": DIGEST, "size": 1}]}), regctl_of),
+    "base image of a command": Parser("json", as_json({"reference": f"a@{DIGEST}", "missing": ""}), base_of_command),
+    "files of a base image": Parser("text", [SYSTEM], text(adopted_of)),
+    "issues of GitHub": Parser("json", as_json(ISSUES), github_of),
+    "wheel of an index": Parser("text", [zip_of(METADATA=b"Name: a\n", RECORD=b"a.py,sha256=x,1\n")], wheel_of),
+    "RECORD of a wheel": Parser(
+        "text",
+        [b'a.py,sha256=x,1\n"b,c.py",,\n'],
+        lambda document, _: wheel_of(zip_of(METADATA=b"", RECORD=document), _),
+    ),
+    "wheels that uv found": Parser("text", [PYLOCK], pylock_of),
+    "pins of a lock": Parser("text", [PINS], text(lambda found: (resolve.parse(found), lock_file.versions(found)))),
     "label of a part": Parser("text", [b"torch=cuda*,common tensorflow=cuda*"], text(labels_of)),
     "JSON": Parser("json", as_json(PLAN), lambda document, folder: untrusted.json_of(document, "a")),
     "YAML": Parser("yaml", [KEYS], lambda document, folder: untrusted.yaml_of(document, "a")),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import struct
 import sys
 import tarfile
 import zipfile
@@ -165,6 +166,13 @@ class Frames:
         return not self._rest and not next(self._blocks, b"")
 
 
+_PACKINGS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
+"""How files of a zip archive may be packed. zipfile unpacks others without a limit."""
+
+_BAD_ZIP = (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, OSError, RuntimeError, struct.error)
+"""What zipfile raises for a damaged archive, besides ValueError."""
+
+
 def file_of_zip(source: IO[bytes], pattern: str, limit: int) -> bytes:
     """The first file of a zip archive whose whole path matches a pattern.
 
@@ -177,12 +185,14 @@ def file_of_zip(source: IO[bytes], pattern: str, limit: int) -> bytes:
     """
     try:
         with zipfile.ZipFile(source) as archive:
-            path = next((path for path in archive.namelist() if re.fullmatch(pattern, path)), None)
-            if path is None:
+            entry = next((entry for entry in archive.infolist() if re.fullmatch(pattern, entry.filename)), None)
+            if entry is None:
                 raise ValueError("it lacks the file")
-            with archive.open(path) as stream:
+            if entry.compress_type not in _PACKINGS:
+                raise ValueError("the file is packed in an unusual way")
+            with archive.open(entry) as stream:
                 content = stream.read(limit + 1)
-    except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError) as error:
+    except _BAD_ZIP as error:
         raise ValueError(str(error)) from None
     if len(content) > limit:
         raise ValueError(f"the file has more than {limit:,} bytes")

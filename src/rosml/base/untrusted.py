@@ -1,6 +1,6 @@
-"""Reads JSON and YAML from outside as plain data, with limits on size, depth and numbers.
+"""Reads JSON, YAML and TOML from outside as plain data, with limits on size, depth and numbers.
 
-Models then check the data's shape. No other module parses JSON or YAML from outside.
+Models then check the data's shape. No other module parses JSON, YAML or TOML from outside.
 """
 
 from __future__ import annotations
@@ -30,6 +30,9 @@ VALUES = 1_000_000
 
 NODES = 2_000_000
 """The most values of a YAML file after its aliases are replaced. rosdep's largest list has 30,000."""
+
+EVENTS = 100_000
+"""The most values and collections of a YAML file as it is written. Each takes some microseconds, and a kilobyte while it is read."""
 
 CHECK = "check where it is from"
 
@@ -176,6 +179,28 @@ def _is_unicode(found: Any) -> bool:
     return True
 
 
+# ---- TOML ------------------------------------------------------------------------------------------------------------
+
+DOTTED = re.compile(r"""(?<![A-Za-z0-9_-])(?:(?:[A-Za-z0-9_-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){20}""")
+"""A key with too many parts. tomllib takes a gigabyte and seconds for one of 32 kB."""
+
+
+def toml_value(text: str) -> dict[str, Any]:
+    """The value of a TOML text.
+
+    Raises:
+        ValueError: it is no TOML, has a key with too many parts, or is nested too deep.
+    """
+    import tomllib
+
+    if DOTTED.search(text):
+        raise ValueError("a key has too many parts")
+    try:
+        return tomllib.loads(text)
+    except RecursionError:
+        raise ValueError(_DEEP) from None
+
+
 # ---- YAML ------------------------------------------------------------------------------------------------------------
 
 
@@ -223,12 +248,14 @@ def yaml_events(text: str) -> Iterator[Any]:
     """The events of a YAML text, up to `DEPTH` levels. With some ten thousand levels, libyaml's compose ends the process.
 
     Raises:
-        yaml.YAMLError: it is no YAML, or nested too deep.
+        yaml.YAMLError: it is no YAML, nested too deep, or has too many values.
     """
     import yaml
 
     depth = 0
-    for event in yaml.parse(text, Loader=_loader()):
+    for number, event in enumerate(yaml.parse(text, Loader=_loader())):
+        if number > EVENTS:
+            raise _refused(f"more than {EVENTS:,} values", event)
         if isinstance(event, yaml.CollectionStartEvent):
             depth += 1
             if depth > DEPTH:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from rosml import MATRIX
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
-from rosml.base.problems import unknown
+from rosml.base.problems import some, unknown
 from rosml.base.shapes import Shape, adapter
 from rosml.containerize import lock
 from rosml.images.builds import base_images
@@ -139,8 +139,9 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
         return found
     if refused and services.bases and (found := _made_here(names[-1], services, platforms, digest)):
         return found
-    by_digest = references.GONE if "@" in text else ""
-    ours = by_digest or _ours(text) or _app_here(text, services)
+    if "@" in text and not (refused and len(names) == 1):
+        raise without_digest(text, services)
+    ours = _ours(text) or _app_here(text, services)
     if refused:
         if len(names) == 1:
             raise refused
@@ -154,6 +155,41 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
         ours
         or f"{near}{' ' if near.endswith('?') else '. ' if near else ''}"
         "'rosml list' has all names; 'rosml image TARGET' builds one; 'docker login' for a private one",
+        exit_code=2,
+    )
+
+
+def without_digest(text: str, services: Services) -> RosmlError:
+    """The error if no registry has an image with a digest (exit code 2).
+
+    Args:
+        text: the user's name of the image, with the digest.
+    """
+    names, refused = candidates(text, services), ""
+    short, _, digest = text.partition("@")
+    tagged = ":" in short.rpartition("/")[2]
+    with Registries(services.ca_bundle) as registries:
+        for name in names:
+            place = references.parse(name.partition("@")[0])
+            where = f"{place.host}/{place.repository}"
+            try:
+                registry = registries(place.host)
+                if tagged and (present := registry.head(place.repository, place.reference)):
+                    message = f"{place} is there, but not with the digest {digest}"
+                    return RosmlError(message, f"take {short}, or the digest that it has now: {short}@{present}", 2)
+                tags = (
+                    [] if tagged else [tag for tag in registry.tags(place.repository) if not tag.startswith("sha256-")]
+                )
+            except RosmlError as error:  # the registry does not answer, or wants a log-in
+                refused = f"; {error.message}"
+                continue
+            if tags:
+                return RosmlError(
+                    f"{where} has no image with the digest {digest}", f"take one of its tags: {some(tags)}", 2
+                )
+    return RosmlError(
+        f"there is no image {text}{_sought(text, names)}{refused}",
+        "check its name and its digest; 'rosml list' has all names; 'docker login' for a private one",
         exit_code=2,
     )
 

@@ -497,5 +497,5 @@ def _called(name: str, root: Path) -> list[Path]:
 
 def lines_of(text: str) -> list[str]:
     """The lines of a list, without comments and empty ones."""
-    stripped = (re.sub(r"(^|\s)#.*", "", line).strip() for line in text.split("\n"))
+    stripped = ((re.sub(r"(^|\s)#.*", "", line) if "#" in line else line).strip() for line in text.split("\n"))
     return [line for line in stripped if line]

@@ -31,25 +31,32 @@ SPACE = ".catkin"
 MOST = 1 << 20
 """The most bytes of a `.dockerignore`."""
 
+WILD = 100_000
+"""The most characters of names with wildcards in it: each becomes a regular expression."""
+
 
 class LeftOut:
     """Decides which files and folders below a root stay on this machine.
 
     Raises:
-        RosmlError: `.dockerignore` cannot be read, or is no file of the folder (exit code 2).
+        RosmlError: `.dockerignore` cannot be read, is no file of the folder, or has too many wildcards (exit code 2).
     """
 
     def __init__(self, root: Path) -> None:
         self._root = root
-        self._rules = _rules(_text(root / FILE, root))
-        self._brings_back = any(not leaves for leaves, _ in self._rules)
+        self._rules = _rules(_text(root / FILE, root), root / FILE)
+        self._brings_back = any(not leaves for leaves, _, _ in self._rules)
 
     def __call__(self, path: Path) -> bool:
         """Whether a file stays."""
         names = path.relative_to(self._root).parts
         found = False
-        for leaves, pattern in self._rules:
-            if leaves != found and any(_matches(pattern, names[:end]) for end in range(1, len(names) + 1)):
+        for leaves, pattern, is_plain in self._rules:
+            if leaves != found and (
+                names[: len(pattern)] == pattern
+                if is_plain
+                else any(_matches(pattern, names[:end]) for end in range(1, len(names) + 1))
+            ):
                 found = leaves
         return found
 
@@ -73,24 +80,40 @@ def _text(file: Path, root: Path) -> str:
         raise RosmlError(f"{file}: cannot be read: {error.strerror}", "make it readable", exit_code=2) from None
 
 
-def _rules(text: str) -> list[tuple[bool, list[str]]]:
-    """The patterns of a `.dockerignore` in their order, each as the names of its path. The last pattern that matches a path, or a
-    folder above it, counts. True: the path is left out; False: it is kept, by `!`."""
-    found = []
+def _rules(text: str, file: Path) -> list[tuple[bool, tuple[str, ...], bool]]:
+    """The patterns of a `.dockerignore` in their order, each as the names of its path, and whether it has no wildcard. The last pattern
+    that matches a path, or a folder above it, counts. True: the path is left out; False: it is kept, by `!`."""
+    found, wild = [], 0
     for line in text.splitlines():
         pattern = line.strip()
-        if pattern and not line.startswith("#"):
-            names = [name for name in pattern.removeprefix("!").strip().split("/") if name not in ("", ".")]
-            found.append((not pattern.startswith("!"), [_as_fnmatch(name) for name in names]))
+        if not pattern or line.startswith("#"):
+            continue
+        leaves = not pattern.startswith("!")
+        names = [name for name in pattern.removeprefix("!").strip().split("/") if name not in ("", ".")]
+        if not names:
+            continue
+        is_plain = not _WILD.search(pattern)
+        if not is_plain:
+            wild += len(pattern) + 10
+            if wild > WILD:
+                raise RosmlError(f"{file}: it has too many wildcards", "name folders in their place", exit_code=2)
+            names = [*map(_as_fnmatch, names)]
+        found.append((leaves, tuple(names), is_plain))
     return found
 
 
+_WILD = re.compile(r"[*?[\\]")
+"""What makes a path a pattern. Most are none, and comparing them is faster."""
+
+
 def _as_fnmatch(name: str) -> str:
-    """A name with Python's wildcards: `[!a]` for `[^a]`, and `[*]` for `\\*`."""
-    return re.sub(r"\\(.)", r"[\1]", name).replace("[^", "[!")
+    """A name with Python's wildcards: `[!a]` for `[^a]`, and `[*]` for `\\*`. A bracket that does not close stands for itself; Python
+    would look for its end at each of them."""
+    whole, end, rest = re.sub(r"\\(.)", r"[\1]", name).replace("[^", "[!").rpartition("]")
+    return f"{whole}{end}{rest.replace('[', '[[]')}"
 
 
-def _matches(pattern: list[str], path: Sequence[str]) -> bool:
+def _matches(pattern: Sequence[str], path: Sequence[str]) -> bool:
     """Whether a pattern matches a path: `**` is any number of names. The steps are at most the number of pairs of both."""
     here = there = 0
     star: tuple[int, int] | None = None

@@ -89,9 +89,11 @@ def below(url: str, relative: str) -> str:
     if not relative.startswith(("./", "../")):
         return relative
     base, separator = url.rstrip("/"), "/"
-    while relative.startswith(("./", "../")):
-        step, _, relative = relative.partition("/")
+    steps = relative.split("/")
+    count = next((number for number, step in enumerate(steps) if step not in (".", "..")), len(steps))
+    count = min(count, len(steps) - 1)  # a path that ends in `..` keeps it
+    for step in steps[:count]:
         if step == "..":
             separator = "/" if "/" in base else ":"
             base = base.rpartition(separator)[0]
-    return f"{base}{separator}{relative}"
+    return f"{base}{separator}{'/'.join(steps[count:])}"

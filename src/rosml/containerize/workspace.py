@@ -197,7 +197,12 @@ def empty_submodules(folder: Path) -> list[str]:
     """The submodules of a repository that were not fetched: after a plain `git clone`, their folders are empty."""
     with contextlib.suppress(OSError, RosmlError):
         text = files.limited(folder / ".gitmodules", app_inputs.LARGEST_TEXT).decode(errors="replace")
-        paths = re.findall(r"""^[ \t]*path[ \t]*=[ \t]*"?([^"\n]*[^"\s])"?[ \t]*$""", text, re.MULTILINE)
+        values = re.findall(r"^[ \t]*+path[ \t]*+=(.*)$", text, re.MULTILINE)
+        paths = [
+            path
+            for value in values
+            if (path := value.strip().removeprefix('"').removesuffix('"').strip()) and '"' not in path
+        ]
         return sorted(path for path in paths if path.isprintable() and not any(_listed(folder / path)))
     return []
 

@@ -19,6 +19,9 @@ from rosml.base.errors import RosmlError
 
 MEGABYTE = 1 << 20
 
+DEPTH = 100
+"""The most parts of a path. Python's mkdir calls itself for each folder above."""
+
 
 @dataclass(frozen=True)
 class Limits:
@@ -129,6 +132,8 @@ def _refusal(entry: tarfile.TarInfo, path: PurePosixPath, limits: Limits) -> str
         return f"it is {_KINDS.get(entry.type, 'no file')}, and not a file"
     if not str(path).isprintable() or any(len(part.encode(errors="replace")) > 255 for part in path.parts):
         return "its name cannot be shown"
+    if len(path.parts) > DEPTH:
+        return f"it is below more than {DEPTH} folders"
     if entry.size > limits.each:
         return f"it has {entry.size // MEGABYTE} MB, and {limits.each // MEGABYTE} MB are read at most"
     return ""

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import base64
 import binascii
-import json
 import re
 import shutil
 import sys
@@ -20,12 +19,14 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from typing import TextIO
 
+from rosml.base import untrusted
 from rosml.base.terminal import shown
 
-_PREFIX = re.compile(r"^\[(?P<context>[^\]]*)\]\s*(?P<command>.*)$")
+_PREFIX = re.compile(r"^\[(?P<context>[^\]]*)\]\s*+(?P<command>.*)$")
 _PART = re.compile(r"^\[(?:_files-|part-)?(?P<part>\S+) part-files [^]]*\] .*/assemble\.sh")
 _MOUNT = re.compile(r"--mount=\S+\s*")
 _WORD = re.compile(r'"([^"\\]*)",?')
+_JSON = frozenset('{["-0123456789ntf')
 _START = re.compile(r"^\S+/step\.sh ")
 
 HEARTBEAT_SECONDS = 20.0
@@ -89,10 +90,29 @@ class Step:
 
 
 def _seconds(timestamp: str) -> float:
-    """Seconds since the epoch of an RFC 3339 time with any number of digits; 0.0 for Go's zero time."""
+    """Seconds since the epoch of an RFC 3339 time with any number of digits; 0.0 for Go's zero time, and for any other text."""
     if not timestamp or timestamp.startswith("0001"):
         return 0.0
-    return datetime.fromisoformat(timestamp).timestamp()
+    try:
+        return datetime.fromisoformat(timestamp).timestamp()
+    except (ValueError, OverflowError):
+        return 0.0
+
+
+def _message(line: str) -> dict[str, object] | None:
+    """The object of a line, empty for another value; None if the line is no JSON."""
+    if line[:1] not in _JSON:  # most lines that are none end here, without an exception
+        return None
+    try:
+        found = untrusted.json_value(line)
+    except ValueError:
+        return None
+    return found if isinstance(found, dict) else {}
+
+
+def _objects(found: object) -> list[dict[str, object]]:
+    """The objects of a list; none if it is no list."""
+    return [item for item in found if isinstance(item, dict)] if isinstance(found, list) else []
 
 
 class BuildProgress:
@@ -146,18 +166,15 @@ class BuildProgress:
 
     def feed(self, line: str) -> None:
         """Takes one line. Lines that are no JSON (warnings, errors of the command itself) are kept for the error message."""
-        try:
-            message = json.loads(line)
-        except ValueError:
-            if line.strip():
-                self.other.append(line.rstrip())
-                self._write_log(line.rstrip())
+        message = _message(line)
+        if message is None:
+            if line := line.rstrip():
+                self.other.append(line)
+                self._write_log(line)
             return
-        if not isinstance(message, dict):
-            return
-        for vertex in message.get("vertexes") or []:
+        for vertex in _objects(message.get("vertexes")):
             self._vertex(vertex)
-        for log in message.get("logs") or []:
+        for log in _objects(message.get("logs")):
             self._logs(log)
         self._heartbeat()
 

@@ -18,6 +18,9 @@ from rosml.run.export import Call
 SECTIONS = ("services", "networks", "volumes")
 """The parts of a file to which something is added."""
 
+LARGEST = 256 << 10
+"""The most characters of a file. It is read several times, to make sure that nothing else changes."""
+
 BY_HAND = "add the service by hand: without --add, it is printed"
 """The remedy for a file that is written in an unusual way."""
 
@@ -82,6 +85,8 @@ def added(text: str, content: Mapping[str, Mapping[str, Any]], what: str) -> str
     Raises:
         RosmlError: as in `add`.
     """
+    if len(text) > LARGEST:
+        raise RosmlError(f"{what}: has more than {LARGEST >> 10} kB", BY_HAND, exit_code=2)
     events, newline = _events(text, what), "\r\n" if "\r\n" in text else "\n"
     if not events:
         return (

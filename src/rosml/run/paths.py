@@ -80,6 +80,17 @@ def joined(fields: Sequence[str]) -> str:
     return ",".join(f'"{x.replace(chr(34), chr(34) * 2)}"' if set(x) & set(',"\n\r') else x for x in fields)
 
 
+def fields(value: str) -> list[str] | None:
+    """The fields of a value, as `joined` writes them; None if they cannot be read: the engine reports the mistake."""
+    import csv  # few write mounts so
+
+    try:
+        (found,) = csv.reader([value], strict=True)
+    except (csv.Error, ValueError):
+        return None
+    return found
+
+
 def _absolute(path: str, folder: str) -> str:
     """An absolute path, made from the text alone, as docker does. A path that is absolute stays unchanged."""
     if path == "~" or path.startswith("~/"):  # --volume=~/a: no shell has read that
@@ -132,16 +143,12 @@ def _volume(value: str, change: Change) -> str:
 
 def _mount(value: str, change: Change) -> str:
     """`type=bind,source=a,target=/b`. Docker takes capital letters, and mounts a folder as a volume with a `device`."""
-    import csv  # few write mounts so
-
-    try:
-        (fields,) = csv.reader([value], strict=True)
-    except (csv.Error, ValueError):  # the engine reports the mistake
+    if (old := fields(value)) is None:
         return value
-    kinds = [field.lower() for field in fields]
+    kinds = [field.lower() for field in old]
     names = SOURCES if "type=bind" in kinds else ()
-    found = [_option(field, change) or _field(field, names, change) for field in fields]
-    return value if found == fields else joined(found)
+    found = [_option(field, change) or _field(field, names, change) for field in old]
+    return value if found == old else joined(found)
 
 
 def _option(field: str, change: Change) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from rosml.run import paths
 from rosml.run.words import Given
 
 
@@ -28,9 +29,7 @@ def _thing(given: Given) -> tuple[str, str]:
     if name == "tmpfs":
         return _place(value.partition(":")[0])
     if name == "mount":
-        import csv  # few write mounts so
-
-        fields = dict(field.partition("=")[::2] for field in next(csv.reader([value]), []))
+        fields = dict(field.partition("=")[::2] for field in paths.fields(value) or ())
         return _place(next((fields[key] for key in ("target", "dst", "destination") if key in fields), ""))
     return "", ""
 

@@ -50,12 +50,12 @@ def read(content: bytes) -> list[Entry]:
 
 def written(entries: Iterable[Entry]) -> bytes:
     """The content of a file with these entries."""
-    content = b""
+    content = bytearray()
     for entry in entries:
         content += entry.family.to_bytes(2)
         for value in (entry.address, entry.number, entry.kind, entry.secret):
             content += len(value).to_bytes(2) + value
-    return content
+    return bytes(content)
 
 
 def cookie(entries: Sequence[Entry], number: str, machine: str, here: str) -> Entry | None:

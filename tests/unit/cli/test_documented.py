@@ -6,6 +6,7 @@ import os
 import re
 import shlex
 import subprocess
+from itertools import pairwise
 from pathlib import Path
 
 import click
@@ -72,6 +73,21 @@ def parsed(command: str, image_set: ImageSet, page: str) -> None:
             accepted(SCRIPTS[argv[4]], argv[5:])
     elif argv[:2] == ["uv", "run"] and argv[2] in SCRIPTS and argv[3:] != ["--help"]:
         accepted(SCRIPTS[argv[2]], argv[3:])
+
+
+@pytest.mark.parametrize("page", sorted({page for _, page in SHOWN}))
+def test_base_images_that_a_page_shows_are_called_like_that(page: str, real: ImageSet) -> None:
+    """Outside of a checkout, a name without a registry would be one of Docker Hub."""
+    wrong = []
+    for command in (command for command, where in SHOWN if where == page):
+        argv = shlex.split(command)
+        names = [value for option, value in pairwise(argv) if option in ("--base-image", "--base") and ":" in value]
+        for name in names if argv[0] in ("rosml", "./rosml") else []:
+            _, slash, tag = name.partition("@")[0].rpartition("/")
+            ours = re.match(r"ros(-[a-z]+)?:", tag)
+            if (ours and not real.by_tag(tag)) or not (slash or argv[0] == "./rosml"):
+                wrong.append(command)
+    assert wrong == []
 
 
 def made(given: list[str], image_set: ImageSet | None) -> None:

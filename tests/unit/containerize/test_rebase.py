@@ -100,7 +100,8 @@ def test_a_base_image_by_its_digest_alone_is_told(place: Place) -> None:
     place.rebase(app, "")
     place.rebase(app, pin)
     assert f"{pin} has no tag, so the app stays there" in place.said[-1]
-    assert f"there is no image {full}@sha256:{'0' * 64}" in place.refused(app, f"{full}@sha256:{'0' * 64}")
+    wrong = f"sha256:{'0' * 64}"
+    assert f"{full} is there, but not with the digest {wrong}" in place.refused(app, f"{full}@{wrong}")
 
 
 def test_no_layer_is_pulled_and_little_is_sent(place: Place) -> None:

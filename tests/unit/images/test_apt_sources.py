@@ -375,7 +375,7 @@ REST = tar("usr/", ("usr/x", "x" * 4096), (LIST, MAIN))
         (REST[:700], TAR, "cannot be read: truncated header"),
         (b"no gzip", GZIP, "truncated header"),
         (packed("usr/", ("usr/x", os.urandom(4096)))[:2000], GZIP, "it ends too early"),
-        (tar((LIST, b"#" * (apt_sources.SOURCE_BYTES + 1))), TAR, "sources.list has 1048577 bytes"),
+        (tar((LIST, b"#" * (apt_sources.SOURCE_BYTES + 1))), TAR, "its apt sources have more than 1 MiB"),
         (link(), TAR, "sources.list is no file"),
         (REST, "application/vnd.oci.image.layer.v1.tar+gzip+encrypted", "is no known type of layer"),
     ],

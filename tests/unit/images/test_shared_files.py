@@ -48,7 +48,7 @@ def client(wheels: Mapping[str, bytes], sent: list[int], ranges: bool = True) ->
         first, last = map(int, re.findall(r"\d+", request.headers["Range"]))
         piece = content[first : last + 1]
         sent.append(len(piece))
-        return httpx.Response(206, content=piece) if ranges else httpx.Response(200, content=content)
+        return httpx.Response(206 if ranges else 200, stream=httpx.ByteStream(piece if ranges else content))
 
     return httpx.Client(transport=httpx.MockTransport(answer))
 

@@ -72,7 +72,7 @@ def main(folder: Path, lock: bool, as_json: bool, **given: str | bool | None) ->
 
     \b
     Example:
-      rosml containerize --base-image ros-torch:jazzy-base-cu130 --command "ros2 launch my_package all.launch.py"
+      rosml containerize --base-image ghcr.io/us/ros-torch:jazzy-base-cu130 --command "ros2 launch my_package all.launch.py"
     """
     from rosml.containerize import build, manifest
 

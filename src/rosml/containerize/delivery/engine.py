@@ -57,7 +57,7 @@ class InEngine:
             for entry in archive.entries(stream, "r|", self.name):
                 if not archive.is_plain(entry):
                     continue
-                content = partial(_blocks, entry)
+                content = partial(_blocks, entry, self.name)
                 if named := _NAMED.fullmatch(entry.name):
                     digest = f"sha256:{named[1]}"
                     if layer := left.get(digest):
@@ -81,11 +81,19 @@ def _sent(content: Callable[[], Iterator[bytes]], write: Callable[[Iterable[byte
     write(content())
 
 
-def _blocks(entry: tarfile.TarInfo) -> Iterator[bytes]:
+def _blocks(entry: tarfile.TarInfo, name: str) -> Iterator[bytes]:
+    """The pieces of a file.
+
+    Raises:
+        RosmlError: the engine breaks off.
+    """
     stream = cast(tarfile.TarFile, entry.content).extractfile(entry)  # type: ignore[attr-defined]
     assert stream
-    while block := stream.read(archive.BLOCK):
-        yield block
+    try:
+        while block := stream.read(archive.BLOCK):
+            yield block
+    except (tarfile.TarError, ValueError) as error:
+        raise RosmlError(f"{name} is no tar file, or is damaged: {error}", f"try `{name} | wc -c`") from None
 
 
 @contextlib.contextmanager

@@ -128,13 +128,13 @@ def judge(
         _asked(app, new, found)
         if old:
             _vanished(app, old, new, found)
+        _libraries(app, old, new, found)
     except ValueError as error:
         raise RosmlError(f"the facts of an image are damaged: {error}", AGAIN) from None
     _files(app, new, files, found)
     _imports(app, files[0], found)
     _asked_of_pip(app, files[0], found)
     _parts(app, labels, found)
-    _libraries(app, old, new, found)
     if old is None:
         found.add(Verdict.LINK, "the base image that the app was built on is gone, so nobody can compare with it")
     return found
@@ -279,10 +279,37 @@ def _minor(version: str) -> list[str]:
 # ---- Libraries -------------------------------------------------------------------------------------------------------
 
 
-class _Libraries:
-    """Libraries by each of their names, for one machine."""
+STEPS = 10_000_000
+"""The most libraries that are looked at for one app, which takes some seconds. An app with 500 libraries takes a million."""
 
-    def __init__(self, libraries: Iterable[Library], machine: Sequence[int]) -> None:
+
+class _Steps:
+    """Counts libraries that are looked at."""
+
+    def __init__(self) -> None:
+        self._left = STEPS
+
+    def take(self, count: int) -> None:
+        """Counts some more.
+
+        Raises:
+            ValueError: it would take too long.
+        """
+        self._left -= count
+        if self._left < 0:
+            raise ValueError("libraries name each other more often than any real ones")
+
+
+class _Libraries:
+    """Libraries by each of their names, for one machine.
+
+    Raises:
+        ValueError: it would take too long, as of its methods.
+    """
+
+    def __init__(self, libraries: Sequence[Library], machine: Sequence[int], steps: _Steps) -> None:
+        steps.take(len(libraries))
+        self.steps = steps
         self._known: defaultdict[str, list[Library]] = defaultdict(list)
         self._every = [library for library in libraries if list(library.machine) == list(machine)]
         for library in self._every:
@@ -304,7 +331,9 @@ class _Libraries:
             name = wanted.pop()
             if name not in found and name in self._known:
                 found[name] = self._known[name]
-                wanted += [other for library in found[name] for other in library.needed]
+                more = [other for library in found[name] for other in library.needed]
+                self.steps.take(len(found[name]) + len(more))
+                wanted += more
         return found
 
     @property
@@ -314,10 +343,15 @@ class _Libraries:
 
 
 def _libraries(app: Facts, old: Facts | None, new: Facts, found: Judgement) -> None:
-    """What the app's programs and libraries need of the base image's."""
+    """What the app's programs and libraries need of the base image's.
+
+    Raises:
+        ValueError: it would take too long.
+    """
+    steps = _Steps()
     for machine in {tuple(library.machine) for library in app.libraries}:
-        own = _Libraries(app.libraries, machine)
-        here, before = _Libraries(new.libraries, machine), _Libraries(old.libraries, machine) if old else None
+        own, here = _Libraries(app.libraries, machine, steps), _Libraries(new.libraries, machine, steps)
+        before = _Libraries(old.libraries, machine, steps) if old else None
         known = [*new.libraries, *(old.libraries if old else ())]
         if not any(tuple(item.machine) == machine for item in known):
             continue  # the app has it for another processor
@@ -352,8 +386,10 @@ def _symbols(library: Library, own: _Libraries, before: _Libraries | None, here:
 
 
 def _lacking(symbols: Iterable[str], names: Iterable[str], libraries: _Libraries) -> list[str]:
-    known = [library for named in libraries.closure(names).values() for library in named]
-    return of_images.lacking(symbols, [*known, *libraries.interpreters])
+    wanted = [*symbols]
+    known = [library for named in libraries.closure(names).values() for library in named] + libraries.interpreters
+    libraries.steps.take(len(known) * (1 + len(wanted) // 10))
+    return of_images.lacking(wanted, known)
 
 
 def _changed(used: Mapping[str, str], before: _Libraries, here: _Libraries, found: Judgement) -> None:

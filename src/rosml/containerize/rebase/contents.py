@@ -235,7 +235,7 @@ class Contents:
         own = _Own(self.own(app))
         there = [*self._components(Place(app.host, app.repository, app.digest))]
         known = [item for place in base.places for item in self._components(place)]
-        every = {item["bom-ref"]: item for item in (*known, *(item for item in there if own.has(item)))}
+        every = {_key(item): item for item in (*known, *(item for item in there if own.has(item)))}
         document = {
             "$schema": "http://cyclonedx.org/schema/bom-1.5.schema.json",
             "bomFormat": "CycloneDX",
@@ -258,6 +258,11 @@ class Contents:
                 whole = sbom.Sbom(content)
                 assert whole.document, "it is read, to check it"
                 yield from untrusted.json_value(content, sbom.LARGEST)["components"]
+
+
+def _key(component: Mapping[str, Any]) -> str:
+    """What is the same for the same component of two SBOMs. CycloneDX does not ask for a `bom-ref`."""
+    return str(component.get("bom-ref") or oci.digest_of(oci.encoded(component)))
 
 
 def base_of(app: Source) -> str:

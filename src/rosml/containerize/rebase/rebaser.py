@@ -490,8 +490,7 @@ class Rebaser:
             return app_base.find(name, self.services, platforms, digest)
         except RosmlError as error:
             if digest and error.remedy == lock.RENEW:  # no lock file is read here
-                text = f"there is no image {name}@{digest}"
-                raise RosmlError(text, "check its digest; if the registry removed it, name another one", 2) from None
+                raise app_base.without_digest(f"{name}@{digest}", self.services) from None
             raise
 
     def _spelled(self, known: str, onto: _Onto) -> str:

@@ -28,7 +28,7 @@ from rosml.registry.documents import Descriptor
 from rosml.registry.oci import Manifest
 
 SOURCE_BYTES = 1 << 20
-"""More than any file of apt sources has."""
+"""More than all files of apt sources of an image have."""
 
 LAYER_BYTES = 16 << 30
 """More than any layer of a base image has, unpacked."""
@@ -267,16 +267,16 @@ def _found(archive: tarfile.TarFile) -> tuple[tuple[Texts, set[str]], bool]:
             if path in _FOLDERS or _FILE.fullmatch(path):
                 gone.add(path)
         elif _FILE.fullmatch(path := "/".join(place)):
-            texts[path] = _text(archive, entry)
+            texts[path] = _text(archive, entry, SOURCE_BYTES - sum(map(len, texts.values())))
     return (texts, gone), True
 
 
-def _text(archive: tarfile.TarFile, entry: tarfile.TarInfo) -> str:
+def _text(archive: tarfile.TarFile, entry: tarfile.TarInfo, room: int) -> str:
     content = archive.extractfile(entry) if entry.isreg() else None
     if content is None:
         raise ValueError(f"{entry.name} is no file")
-    if entry.size > SOURCE_BYTES:
-        raise ValueError(f"{entry.name} has {entry.size} bytes")
+    if entry.size > room:
+        raise ValueError(f"its apt sources have more than {SOURCE_BYTES >> 20} MiB")
     return content.read().decode(errors="replace")
 
 

@@ -7,7 +7,7 @@ import hashlib
 import json
 import os
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from datetime import UTC
 from email.utils import parsedate_to_datetime
 from pathlib import Path
@@ -21,8 +21,11 @@ MIRROR = "ROS_APT_MIRROR"
 RELEASE_BYTES = 1 << 20
 """More than any InRelease file has. ROS's files have some ten kB."""
 
-LIST_BYTES, LIST_UNPACKED = 64 << 20, 512 << 20
-"""More than any list of packages has, packed and unpacked. ROS's lists have some MB."""
+LIST_BYTES, LIST_UNPACKED = 64 << 20, 128 << 20
+"""More than any list of packages has, packed and unpacked. ROS's lists have some MB, Debian's own has 50 MB."""
+
+NAMES, LINE = 200_000, 1 << 20
+"""The most packages of a list, and the most bytes of a line. Debian's own list has 70,000 packages."""
 
 
 def published(source: AptRepository, environ: Mapping[str, str] = os.environ) -> str:
@@ -95,14 +98,35 @@ def _names(kept: Path, url: str, digest: str) -> set[str]:
         remedy = "run it again: the repository may be in the middle of an update"
         raise RosmlError(f"{release_file.shown(url)} does not match its Release file", remedy)
     try:
-        text = archives.gunzipped(packed, LIST_UNPACKED)
+        names = set(_named(archives.unpacked([packed])))
     except ValueError:
         what = f"{release_file.shown(url)} cannot be unpacked, or is too large"
         raise RosmlError(what, "check the mirror") from None
-    names = sorted(set(re.findall(r"^Package: (\S+)$", text.decode(errors="replace"), re.MULTILINE)))
     kept.parent.mkdir(parents=True, exist_ok=True)
-    files.write(kept, "\n".join(names))
-    return set(names)
+    files.write(kept, "\n".join(sorted(names)))
+    return names
+
+
+def _named(pieces: Iterable[bytes]) -> Iterator[str]:
+    """The names in the text of a list of packages.
+
+    Raises:
+        ValueError: the text is damaged, or has more than the limits.
+    """
+    size = count = 0
+    rest = b""
+    for piece in pieces:
+        size += len(piece)
+        text, _, rest = (rest + piece).rpartition(b"\n")
+        found = _NAME.findall(text)
+        count += len(found)
+        if size > LIST_UNPACKED or len(rest) > LINE or count > NAMES:
+            raise ValueError("it is too large")
+        yield from (name.decode(errors="replace") for name in found)
+    yield from (name.decode(errors="replace") for name in _NAME.findall(rest))
+
+
+_NAME = re.compile(rb"^Package: (\S{1,200})$", re.MULTILINE)
 
 
 def remember(state: Path, source: AptRepository, when: str) -> None:

@@ -7,6 +7,7 @@ in the registry, so nobody needs to pull an image to ask whether it has a symbol
 from __future__ import annotations
 
 import base64
+import functools
 import hashlib
 import re
 from collections.abc import Iterable, Mapping
@@ -91,6 +92,11 @@ class Library(_Model):
     needed: list[Text]
     symbols: str = Field(pattern=r"^([A-Za-z0-9_-]{4})*$")
     uses: list[Symbol] = []
+
+    @functools.cached_property
+    def groups(self) -> frozenset[str]:
+        """The symbols that it exports, as `hashed` has them."""
+        return frozenset(self.symbols[place : place + 4] for place in range(0, len(self.symbols), 4))
 
 
 class Import(_Model):
@@ -183,8 +189,9 @@ def lacking(symbols: Iterable[str], libraries: Iterable[Library]) -> list[str]:
     """The symbols that no library exports, in order."""
     wanted = {hashed(symbol): symbol for symbol in symbols}
     for library in libraries:
-        text = library.symbols
-        for group in wanted.keys() & {text[place : place + 4] for place in range(0, len(text), 4)}:
+        if not wanted:
+            break
+        for group in wanted.keys() & library.groups:
             del wanted[group]
     return sorted(wanted.values())
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import io
 import tempfile
-import tomllib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -14,8 +13,9 @@ from typing import NamedTuple
 
 import httpx
 
-from rosml.base import archives
+from rosml.base import archives, web
 from rosml.base.errors import RosmlError
+from rosml.images.locks import pylock
 from rosml.images.locks.resolve import Uv, compile_command
 
 LARGEST = 32 << 20
@@ -70,7 +70,7 @@ class Index:
             output = base / ("pylock.toml" if options else "out.txt")
             status, messages = self.uv([*command, *options, "in.txt", "--output-file", output.name], base)
             if status == 0:
-                return output.read_text(encoding="utf-8"), messages
+                return output.read_text(encoding="utf-8", errors="replace"), messages
         if "No solution found" not in messages:
             raise RosmlError(f"the index does not say what people get:\n{messages.strip()}", "check that it answers")
         return "", messages
@@ -83,15 +83,21 @@ class Index:
             index: the address of another index, which is asked first.
 
         Raises:
-            RosmlError: the index lacks one, or does not answer.
+            RosmlError: the index lacks one, does not say where and how large it is, or does not answer.
         """
         requirements = [f"{name}=={version}" for name, version in pins.items()]
         other = ["--index", index] if index else []
         text, messages = self.resolve(target, requirements, (), "--no-deps", "--format", "pylock.toml", *other)
         if not text:
             raise RosmlError(f"the index lacks what is locked:\n{messages.strip()}", "run 'rosml locks'")
-        wheels = {item["name"]: item["wheels"][0] for item in tomllib.loads(text)["packages"] if "wheels" in item}
-        return {name: Wheel(str(wheel["url"]), int(wheel["size"])) for name, wheel in wheels.items()}
+        found = dict[str, Wheel]()
+        for package in pylock.read(text):
+            for wheel in package.wheels[:1]:
+                if not wheel.url or wheel.size is None:
+                    what = f"the index does not say where the wheel of {package.name} is, or how large"
+                    raise RosmlError(what, "run it with an index that has the sizes of wheels, such as PyPI")
+                found[package.name] = Wheel(wheel.url, wheel.size)
+        return found
 
     @cache  # noqa: B019 - lives as long as a command
     def metadata(self, wheel: Wheel) -> str:
@@ -109,19 +115,23 @@ class Index:
         Raises:
             RosmlError: the wheel cannot be read.
         """
-        rows = csv.reader(self._file(wheel, "RECORD").splitlines())
-        return {row[0]: row[1] for row in rows if len(row) == 3}
+        try:
+            return {row[0]: row[1] for row in csv.reader(self._file(wheel, "RECORD").splitlines()) if len(row) == 3}
+        except csv.Error as error:
+            raise _unread(wheel, "RECORD", error) from None
 
     def _file(self, wheel: Wheel, name: str) -> str:
         """A file of the wheel's `.dist-info`."""
         stream = io.BufferedReader(_Remote(self._client, wheel), _PIECE)
         try:
             return archives.file_of_zip(stream, rf"[^/]+\.dist-info/{name}", LARGEST).decode()
-        except (ValueError, httpx.HTTPError) as error:
-            file = wheel.url.rpartition("/")[2]
-            raise RosmlError(
-                f"the index's wheel {file} cannot be read for its {name}: {error}", "run it again"
-            ) from None
+        except (ValueError, httpx.HTTPError, httpx.InvalidURL) as error:
+            raise _unread(wheel, name, error) from None
+
+
+def _unread(wheel: Wheel, name: str, error: Exception) -> RosmlError:
+    text = f"the index's wheel {wheel.url.rpartition('/')[2]} cannot be read for its {name}: {error}"
+    return RosmlError(text, "run it again; if it fails again, that wheel is damaged on the index")
 
 
 class _Remote(io.RawIOBase):
@@ -140,16 +150,22 @@ class _Remote(io.RawIOBase):
         return self._at
 
     def seek(self, offset: int, whence: int = 0) -> int:
-        self._at = (0, self._at, self._wheel.size)[whence] + offset
+        place = (0, self._at, self._wheel.size)[whence] + offset
+        if place < 0:  # zipfile looks for the end of an archive so, and expects what a file says
+            raise OSError("there is nothing before the beginning")
+        self._at = place
         return self._at
 
     def readinto(self, buffer: memoryview) -> int:  # type: ignore[override]
         last = min(self._at + len(buffer), self._wheel.size) - 1
         if last < self._at:
             return 0
-        answer = self._client.get(self._wheel.url, headers={"Range": f"bytes={self._at}-{last}"}, follow_redirects=True)
+        request = self._client.build_request("GET", self._wheel.url, headers={"Range": f"bytes={self._at}-{last}"})
+        answer = web.followed(self._client, request, elsewhere=True)
         if answer.status_code != httpx.codes.PARTIAL_CONTENT:
+            answer.close()
             raise RosmlError("the index sends no pieces of wheels", "run it with an index that does")
-        buffer[: len(answer.content)] = answer.content
-        self._at += len(answer.content)
-        return len(answer.content)
+        content = web.read(answer, last + 1 - self._at)
+        buffer[: len(content)] = content
+        self._at += len(content)
+        return len(content)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 import tempfile
-import tomllib
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, replace
@@ -19,6 +18,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import counted
 from rosml.images.image_set.lock_file import package_name
 from rosml.images.image_set.model import ImageSet
+from rosml.images.locks import pylock
 from rosml.images.locks.resolve import WORKERS, Request, Uv, compile_command, requests, require_one_cuda, resolve
 
 
@@ -118,16 +118,14 @@ def _newest(request: Request, packages: Iterable[str], uv: Uv) -> Mapping[str, t
             raise RosmlError(
                 f"{request}: the newest releases are unknown:\n{said.strip()}", "check that the index answers"
             )
-        try:
-            found = tomllib.loads((base / "pylock.toml").read_text(encoding="utf-8"))["packages"]
-            return {item["name"]: (item["version"].partition("+")[0], _day(item)) for item in found}
-        except (OSError, ValueError, KeyError, TypeError) as error:
-            raise RosmlError(f"{request}: what uv says of the newest releases cannot be read: {error}") from None
+        written = base / "pylock.toml"
+        found = pylock.read(written.read_text(encoding="utf-8", errors="replace") if written.is_file() else "")
+        return {item.name: (item.version.partition("+")[0], _day(item)) for item in found}
 
 
-def _day(package: Mapping[str, list[Mapping[str, object]]]) -> str:
+def _day(package: pylock.Package) -> str:
     """The day of a package's oldest wheel."""
-    times = [str(wheel["upload-time"]) for wheel in package.get("wheels", ()) if "upload-time" in wheel]
+    times = [str(wheel.uploaded) for wheel in package.wheels if wheel.uploaded]
     return min(times)[:10] if times else ""
 
 

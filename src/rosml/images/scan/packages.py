@@ -13,8 +13,8 @@ from rosml.base.errors import RosmlError
 from rosml.base.shapes import Shape
 from rosml.registry import oci
 
-Name = Annotated[str, Field(pattern="[^/]")]
-"""A name that a package URL can have."""
+Name = Annotated[str, Field(pattern=r"[^/\s\x00-\x1f]")]
+"""A name that a package URL can have: not of slashes and blanks alone, which it leaves out."""
 
 
 class _Model(Shape):

@@ -421,7 +421,8 @@ def _written_moment(text: str) -> str:
     if text.startswith("0001-"):
         raise ValueError("never")
     moment = datetime.fromisoformat(re.sub(r"\.\d+", "", text).replace("Z", "+00:00")).astimezone(UTC)
-    return f"{moment.replace(tzinfo=None).isoformat()}Z"  # strftime writes the year 900 with three digits
+    moment = moment.replace(tzinfo=None, microsecond=0)
+    return f"{moment.isoformat()}Z"  # strftime writes the year 900 with three digits
 
 
 def _moment(text: str) -> datetime:
