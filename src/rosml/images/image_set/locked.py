@@ -37,9 +37,10 @@ def _text(file: Path) -> str:
         RosmlError: it exists and cannot be read, unlike a lock that nobody has made yet.
     """
     try:
-        return file.read_text(encoding="utf-8", errors="replace")
+        text = file.read_bytes().decode(errors="replace")
     except OSError as error:
         raise RosmlError(f"{shown(file)}: cannot be read: {error.strerror}", "give this user read access") from None
+    return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
 
 
 def unusable_locks(image_set: ImageSet, root: Path, present: Collection[str]) -> frozenset[str]:
@@ -91,4 +92,5 @@ def locks(root: Path) -> frozenset[str]:
     folder = root / "locks"
     if folder.exists() and not os.access(folder, os.R_OK | os.X_OK):
         raise RosmlError(f"{shown(folder)} cannot be read", "make it a folder that you can read")
-    return frozenset(str(file.relative_to(root)) for file in folder.rglob("*.txt") if file.is_file())
+    found = (os.path.join(above, name) for above, _, names in os.walk(folder) for name in names if name.endswith(".txt"))
+    return frozenset(f"locks{file.removeprefix(str(folder))}" for file in found if os.path.isfile(file))
