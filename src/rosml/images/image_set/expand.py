@@ -16,23 +16,26 @@ from rosml.images.matrix.rules import Brought
 def expand(matrix: Matrix) -> ImageSet:
     """Every image and part of a checked matrix."""
     found = tuple(places(matrix))
-    images = tuple(image(matrix, place) for place in found)
-    return ImageSet(matrix, images, parts_of(matrix, found), tuple(_wheels(matrix)))
+    return with_images(matrix, found, parts_of(matrix, found))
+
+
+def with_images(matrix: Matrix, found: Iterable[Place], parts: tuple[Part, ...]) -> ImageSet:
+    """The image set with the images of some places."""
+    return ImageSet(matrix, tuple(_image(matrix, place) for place in found), parts, tuple(_wheels(matrix)))
 
 
 @dataclass(frozen=True)
-class _Kind:
+class Kind:
     """The common facts of a distribution's images with one framework and stack.
 
     Attributes:
-        name: the distribution.
         facts: the framework, with the parts of the add-on.
         covering: the frameworks whose images have all these parts and more, those with the most first.
         short: whether the images have the short tags.
         addon: the add-on that the images have besides; empty if none.
     """
 
-    name: str
+    distribution: str
     framework: str
     facts: Framework
     stack: str | None
@@ -53,7 +56,7 @@ class _Kind:
 
     def target(self, component: str, framework: str = "") -> str:
         """The target of such an image, or of one with another framework and the same stack."""
-        return names.image_target(self.name, component, framework or self.framework, self.stack, self.addons)
+        return names.image_target(self.distribution, component, framework or self.framework, self.stack, self.addons)
 
     @cached_property
     def part_names(self) -> tuple[str, ...]:
@@ -75,11 +78,11 @@ class Place:
         tags: as in `Image`; none if it only tests its add-on.
     """
 
-    kind: _Kind
+    kind: Kind
     component: str
     tags: tuple[str, ...]
 
-    @property
+    @cached_property
     def target(self) -> str:
         """The name of its bake target."""
         return self.kind.target(self.component)
@@ -125,6 +128,7 @@ def _with_addon(matrix: Matrix, addon: str, latest: str | None) -> Iterator[Plac
                         yield _place(matrix, kind, component, latest, named)
 
 
+@rules.remembered
 def _lasting(matrix: Matrix) -> list[tuple[str, Distribution]]:
     """The distributions, those that are supported longest first; the order of the matrix does not count."""
 
@@ -145,12 +149,12 @@ def _lowest(matrix: Matrix, name: str) -> list[str]:
 
 
 @rules.remembered
-def _kind(matrix: Matrix, name: str, framework: str, stack: str | None, addon: str = "") -> _Kind:
+def _kind(matrix: Matrix, name: str, framework: str, stack: str | None, addon: str = "") -> Kind:
     facts = matrix.carrying(framework, addon)
     architectures = rules.architectures(matrix, name, framework, stack, addon)
     platforms = tuple(matrix.architectures[architecture].platform for architecture in architectures)
     if stack is None:
-        return _Kind(name, framework, facts, None, architectures, platforms)
+        return Kind(name, framework, facts, None, architectures, platforms)
     python = matrix.operating_systems[matrix.distributions[name].os].python
     kinds = rules.parts(matrix, facts, matrix.stacks[stack])
     parts = tuple(_part(matrix, kind, stack, python, architectures) for kind in kinds)
@@ -166,7 +170,7 @@ def _kind(matrix: Matrix, name: str, framework: str, stack: str | None, addon: s
     versions = {name: known[name] for name in rules.counted(matrix, facts) if name in known}
     brought = rules.brought(matrix, kinds, matrix.stacks[stack])
     short = stack == rules.default_stack(matrix, name, framework, addon)
-    return _Kind(
+    return Kind(
         name,
         framework,
         facts,
@@ -183,14 +187,17 @@ def _kind(matrix: Matrix, name: str, framework: str, stack: str | None, addon: s
     )
 
 
-def _place(matrix: Matrix, kind: _Kind, component: str, latest: str | None, tagged: bool = True) -> Place:
-    aliases = matrix.distributions[kind.name].aliases
-    return Place(kind, component, _tags(kind.name, aliases, component, kind, kind.name == latest) if tagged else ())
+def _place(matrix: Matrix, kind: Kind, component: str, latest: str | None, tagged: bool = True) -> Place:
+    aliases = matrix.distributions[kind.distribution].aliases
+    return Place(
+        kind,
+        component,
+        _tags(kind.distribution, aliases, component, kind, kind.distribution == latest) if tagged else (),
+    )
 
 
-def image(matrix: Matrix, place: Place) -> Image:
-    """The image of a place."""
-    kind, component, target, name = place.kind, place.component, place.target, place.kind.name
+def _image(matrix: Matrix, place: Place) -> Image:
+    kind, component, target, name = place.kind, place.component, place.target, place.kind.distribution
     distribution = matrix.distributions[name]
     chain = _chain(matrix, name, component)
     ros_image = names.image_target(name, component)
@@ -240,7 +247,7 @@ def image(matrix: Matrix, place: Place) -> Image:
     )
 
 
-def _budgeted(matrix: Matrix, kind: _Kind) -> tuple[str, ...]:
+def _budgeted(matrix: Matrix, kind: Kind) -> tuple[str, ...]:
     """The parts that a budget counts. What frameworks have is in theirs, so that the one of an add-on holds beside any of them."""
     if not kind.addon or not kind.stack:
         return kind.part_names
@@ -268,7 +275,12 @@ class _Tests:
     carriers: tuple[str, ...]
 
 
-def _tests(matrix: Matrix, name: str, component: str, kind: _Kind) -> _Tests:
+def carriers(matrix: Matrix, place: Place) -> tuple[str, ...]:
+    """The targets of the images that may run the shared tests of an image."""
+    return _tests(matrix, place.kind.distribution, place.component, place.kind).carriers
+
+
+def _tests(matrix: Matrix, name: str, component: str, kind: Kind) -> _Tests:
     distribution = matrix.distributions[name]
     ros, runtime = f"ros{distribution.ros}", rules.only_runs(matrix, component)
     entries = [matrix.part[part.kind] for part in kind.parts]
@@ -305,7 +317,7 @@ def _packages(matrix: Matrix, name: str, distribution: Distribution, component: 
     return (distribution.packages or "").format(component=component, metapackage=metapackage, ros_distro=ros_distro)
 
 
-def _tags(name: str, aliases: tuple[str, ...], component: str, kind: _Kind, latest: bool) -> tuple[str, ...]:
+def _tags(name: str, aliases: tuple[str, ...], component: str, kind: Kind, latest: bool) -> tuple[str, ...]:
     tags: list[str] = []
     for called in (name, *aliases):
         main = names.main_tag(called, component, kind.stack)
@@ -383,9 +395,9 @@ def _pythons(matrix: Matrix, part: str, stack: str) -> tuple[str, ...]:
 
 def parts_of(matrix: Matrix, found: Iterable[Place]) -> tuple[Part, ...]:
     """Each part that images need, once, for all architectures for which they need it."""
-    by_stack: dict[tuple[str | None, str], list[_Kind]] = {}
+    by_stack: dict[tuple[str | None, str], list[Kind]] = {}
     for kind in {id(place.kind): place.kind for place in found}.values():
-        python = matrix.operating_systems[matrix.distributions[kind.name].os].python
+        python = matrix.operating_systems[matrix.distributions[kind.distribution].os].python
         by_stack.setdefault((kind.stack, python), []).append(kind)
     wanted: dict[tuple[str, str, str], set[str]] = {}
     for kind in (kind for kinds in by_stack.values() for kind in kinds):

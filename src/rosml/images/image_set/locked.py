@@ -13,9 +13,9 @@ from rosml.images.image_set import lock_file, missing
 from rosml.images.image_set.model import Image, ImageSet
 
 
-def current_locks(image_set: ImageSet, root: Path) -> frozenset[str]:
-    """The usable locks: they exist, are complete, and match the matrix."""
-    present = locks(root)
+def current_locks(image_set: ImageSet, root: Path, only: Collection[str] | None = None) -> frozenset[str]:
+    """The usable locks: they exist, are complete, and match the matrix. `only`: the locks to look at; all if left out."""
+    present = locks(root) if only is None else locks(root).intersection(only)
     wheels = frozenset(
         lock
         for item in image_set.wheels
@@ -92,5 +92,7 @@ def locks(root: Path) -> frozenset[str]:
     folder = root / "locks"
     if folder.exists() and not os.access(folder, os.R_OK | os.X_OK):
         raise RosmlError(f"{shown(folder)} cannot be read", "make it a folder that you can read")
-    found = (os.path.join(above, name) for above, _, names in os.walk(folder) for name in names if name.endswith(".txt"))
+    found = (
+        os.path.join(above, name) for above, _, names in os.walk(folder) for name in names if name.endswith(".txt")
+    )
     return frozenset(f"locks{file.removeprefix(str(folder))}" for file in found if os.path.isfile(file))
