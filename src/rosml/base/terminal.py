@@ -146,7 +146,7 @@ def widths(columns: Sequence[str], rows: Iterable[Sequence[Cell]]) -> list[int]:
     return [max(len(_text(cell)) for cell in cells) for cells in zip(columns, *rows, strict=True)]
 
 
-def show(
+def show_rows(
     columns: Sequence[str],
     rows: Sequence[Sequence[Cell]],
     right: Collection[str] = (),
@@ -187,18 +187,28 @@ def _is_simple(text: str) -> bool:
 
 
 def _drawn(empty: Table, rows: Iterable[Sequence[Cell]]) -> list[str]:
-    """The lines of a table as rich draws it."""
+    """The lines of a table with some rows."""
     from rich.text import Text  # slow to import, and only needed here
 
-    out = console()
     for row in rows:
         empty.add_row(*(Text(*cell) if isinstance(cell, Styled) else cell for cell in row))
-    for column in empty.columns:
+    return _lines(empty).splitlines(keepends=True)
+
+
+def show(table: Table) -> None:
+    """Prints a table without spaces at the ends of lines."""
+    echo(_lines(table), nl=False)
+
+
+def _lines(table: Table) -> str:
+    """A table as rich draws it, without spaces at the ends of lines."""
+    out = console()
+    for column in table.columns:
         if column.overflow == "ignore":
             column.min_width = max(out.measure(cell).maximum for cell in column.cells)
     with out.capture() as captured:
-        out.print(empty)
-    return _PADDING.sub(r"\1", captured.get()).splitlines(keepends=True)
+        out.print(table)
+    return _PADDING.sub(r"\1", captured.get())
 
 
 _PADDING = re.compile(r" +((?:\x1b\[[0-9;]*m)*)$", re.MULTILINE)

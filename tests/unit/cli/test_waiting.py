@@ -73,9 +73,9 @@ class Counted:
 
 
 def counted(monkeypatch: pytest.MonkeyPatch, module: Any, name: str) -> Counted:
-    found = Counted(getattr(module, name))
-    monkeypatch.setattr(module, name, found)
-    return found
+    counter = Counted(getattr(module, name))
+    monkeypatch.setattr(module, name, counter)
+    return counter
 
 
 ONE = "jazzy-base-torch-cu130"

@@ -40,7 +40,7 @@ def show(
         right, wrapped, whole: columns, as `terminal.table` has them.
     """
     if listed := [tuple(row) for row in rows]:
-        terminal.show(columns, listed, right, wrapped, whole)
+        terminal.show_rows(columns, listed, right, wrapped, whole)
 
 
 coloured = terminal.Styled

@@ -15,13 +15,13 @@ from rosml.images.matrix.rules import Brought
 
 def expand(matrix: Matrix) -> ImageSet:
     """Every image and part of a checked matrix."""
-    found = tuple(places(matrix))
-    return with_images(matrix, found, parts_of(matrix, found))
+    every_place = tuple(places(matrix))
+    return with_images(matrix, every_place, parts_of(matrix, every_place))
 
 
-def with_images(matrix: Matrix, found: Iterable[Place], parts: tuple[Part, ...]) -> ImageSet:
+def with_images(matrix: Matrix, images: Iterable[Place], parts: tuple[Part, ...]) -> ImageSet:
     """The image set with the images of some places."""
-    return ImageSet(matrix, tuple(_image(matrix, place) for place in found), parts, tuple(_wheels(matrix)))
+    return ImageSet(matrix, tuple(_image(matrix, place) for place in images), parts, tuple(_wheels(matrix)))
 
 
 @dataclass(frozen=True)
@@ -393,10 +393,10 @@ def _pythons(matrix: Matrix, part: str, stack: str) -> tuple[str, ...]:
     return matrix.release(stack, family).python if family else ()
 
 
-def parts_of(matrix: Matrix, found: Iterable[Place]) -> tuple[Part, ...]:
+def parts_of(matrix: Matrix, images: Iterable[Place]) -> tuple[Part, ...]:
     """Each part that images need, once, for all architectures for which they need it."""
     by_stack: dict[tuple[str | None, str], list[Kind]] = {}
-    for kind in {id(place.kind): place.kind for place in found}.values():
+    for kind in {id(place.kind): place.kind for place in images}.values():
         python = matrix.operating_systems[matrix.distributions[kind.distribution].os].python
         by_stack.setdefault((kind.stack, python), []).append(kind)
     wanted: dict[tuple[str, str, str], set[str]] = {}

@@ -56,9 +56,9 @@ def load_one(file: Path, name: str, root: Path = ROOT) -> ImageSet:
 def _of_few(image_set: ImageSet, root: Path) -> ImageSet:
     """An image set of a few images with their locks, and with the parts of these alone."""
     locks = {lock for image in image_set.images for lock in image.locks}
-    found = _locked(image_set, root, locks)
-    used = {name for image in found.images for name in image.parts}
-    return replace(found, parts=tuple(part for part in found.parts if part.name in used))
+    locked = _locked(image_set, root, locks)
+    used = {name for image in locked.images for name in image.parts}
+    return replace(locked, parts=tuple(part for part in locked.parts if part.name in used))
 
 
 @dataclass(frozen=True)
@@ -88,14 +88,14 @@ def _checked(document: Document, root: Path | None = None) -> _Checked:
         root: the folder with the keys of archives; None if they do not matter.
     """
     matrix = validate(document)
-    found = tuple(places(matrix))
-    parts = parts_of(matrix, found)
-    if problems := [document.problem(path, text) for path, text in collisions(matrix, found, parts)]:
+    images = tuple(places(matrix))
+    parts = parts_of(matrix, images)
+    if problems := [document.problem(path, text) for path, text in collisions(matrix, images, parts)]:
         raise InputError(document.name, problems)
     base = validate(document.base) if document.base else None
     if root and (problems := [document.problem(path, text) for path, text in lacking_keys(matrix, root)]):
         raise InputError(document.name, problems)
-    return _Checked(matrix, found, parts, base)
+    return _Checked(matrix, images, parts, base)
 
 
 def _locked(image_set: ImageSet, root: Path, only: Collection[str] | None = None) -> ImageSet:

@@ -92,7 +92,7 @@ def locks(root: Path) -> frozenset[str]:
     folder = root / "locks"
     if folder.exists() and not os.access(folder, os.R_OK | os.X_OK):
         raise RosmlError(f"{shown(folder)} cannot be read", "make it a folder that you can read")
-    found = (
+    files = (
         os.path.join(above, name) for above, _, names in os.walk(folder) for name in names if name.endswith(".txt")
     )
-    return frozenset(f"locks{file.removeprefix(str(folder))}" for file in found if os.path.isfile(file))
+    return frozenset(f"locks{file.removeprefix(str(folder))}" for file in files if os.path.isfile(file))

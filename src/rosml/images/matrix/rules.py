@@ -26,8 +26,8 @@ def remembered(rule: Callable[Concatenate[Matrix, Names], Answer]) -> Callable[C
         answers, key = matrix.answers, (rule, names, *others.items())
         if key not in answers:
             answers[key] = rule(matrix, *names, **others)
-        found: Answer = answers[key]
-        return found
+        kept: Answer = answers[key]
+        return kept
 
     return answer
 
