@@ -1,6 +1,15 @@
 """`python src`: the command `rosml` of a checkout, where nothing is installed and whatever the working folder is."""
 
+import os.path
 import sys
+
+if (
+    sys.dont_write_bytecode
+):  # as in many containers: each call would compile all of rosml again, and take three times as long
+    sys.dont_write_bytecode = False
+    sys.pycache_prefix = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), ".state/bytecode")
+
+# isort: split
 
 from rosml.__main__ import run
 

@@ -7,7 +7,6 @@ Each imports from those below it alone. docs/architecture.md walks through them.
 from __future__ import annotations
 
 import os
-import tempfile
 from pathlib import Path
 
 __version__ = "0.1.0"
@@ -29,6 +28,8 @@ def _cache() -> Path:
     try:
         return (named if named.is_absolute() else Path.home() / ".cache") / "rosml"
     except RuntimeError:
+        import tempfile  # only needed here, and every command waits for it
+
         return Path(tempfile.gettempdir()) / f"rosml-{os.geteuid()}"
 
 

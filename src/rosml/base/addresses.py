@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-import tomllib
-from importlib import metadata
-
 from rosml import IN_CHECKOUT, ROOT
 
 
 def addresses() -> dict[str, str]:
     """The project's addresses by name, such as `Documentation` and `Issues`; empty before the project has a public one."""
     if IN_CHECKOUT:
+        import tomllib  # --help reads the file in a checkout, and metadata elsewhere
+
         found: dict[str, str] = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"].get("urls", {})
         return found
+    from importlib import metadata
+
     try:
         lines = metadata.metadata("rosml").get_all("Project-URL") or []
     except metadata.PackageNotFoundError:

@@ -6,8 +6,8 @@ import functools
 import os
 import re
 import sys
-from collections.abc import Callable, Collection
-from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TextIO, cast
+from collections.abc import Callable, Collection, Iterable, Sequence
+from typing import TYPE_CHECKING, Any, Concatenate, NamedTuple, ParamSpec, TextIO, cast
 
 import click
 
@@ -101,18 +101,114 @@ def console() -> Console:
 
     as_it_is = functools.partial(Output, highlight=False, markup=False, emoji=False)
     file = cast(TextIO, _Shown(sys.stdout))
-    return as_it_is(file=file, soft_wrap=True) if sys.stdout.isatty() else as_it_is(file=file, width=400)
+    return as_it_is(file=file, soft_wrap=True) if sys.stdout.isatty() else as_it_is(file=file, width=WIDTH)
+
+
+class Styled(NamedTuple):
+    """A cell in a style of rich, such as `dim`."""
+
+    text: str
+    style: str
+
+
+Cell = str | Styled
+"""A cell of a table."""
+
+WIDTH = 400
+"""The width of output that is no terminal."""
+
+
+def _text(cell: Cell) -> str:
+    return cell.text if isinstance(cell, Styled) else cell
+
+
+def _plain() -> bool:
+    """Whether the output has neither a width nor colours, so that it needs no rich."""
+    forced = any(os.environ.get(name) for name in ("FORCE_COLOR", "TTY_COMPATIBLE"))
+    return not sys.stdout.isatty() and not forced
+
+
+def width() -> int:
+    """As many characters fit on a line."""
+    return WIDTH if _plain() else console().width
+
+
+def say(text: str, style: str) -> None:
+    """Prints a line in a style of rich. Where nothing has a style, rich is not imported."""
+    if _plain() and len(text) <= WIDTH and _is_simple(text):
+        echo(text)
+    else:
+        console().print(text, style=style)
+
+
+def widths(columns: Sequence[str], rows: Iterable[Sequence[Cell]]) -> list[int]:
+    """The widths of the columns of a table."""
+    return [max(len(_text(cell)) for cell in cells) for cells in zip(columns, *rows, strict=True)]
+
+
+def show_rows(
+    columns: Sequence[str],
+    rows: Sequence[Sequence[Cell]],
+    right: Collection[str] = (),
+    wrapped: Collection[str] = (),
+    whole: Collection[str] = (),
+) -> None:
+    """Prints a table without spaces at the ends of lines.
+
+    rich takes a millisecond for each row, so it draws only what needs it: rows with a style, and tables that are wider than a line.
+
+    Args:
+        right, wrapped, whole: as `table` has them.
+    """
+    wide = widths(columns, rows)
+    if sum(wide) + 2 * (len(wide) - 1) > width() or not all(_is_simple(_text(cell)) for row in rows for cell in row):
+        echo("".join(_drawn(table(*columns, right=right, wrapped=wrapped, whole=whole), rows)), nl=False)
+        return
+
+    aligned = [str.rjust if name in right and name not in whole else str.ljust for name in columns]  # as rich does
+
+    def joined(row: Sequence[Cell]) -> str:
+        cells = (align(_text(cell), number) for align, cell, number in zip(aligned, row, wide, strict=True))
+        return "  ".join(cells).rstrip(" ") + "\n"
+
+    if _plain():
+        echo("".join(map(joined, (columns, *rows))), nl=False)
+        return
+    styled = [row for row in rows if any(isinstance(cell, Styled) for cell in row)]
+    widest = ["x" * number for number in wide]  # a row that gives the columns their widths
+    head, _, *others = _drawn(table(*columns, right=right, wrapped=wrapped, whole=whole), [widest, *styled])
+    drawn = dict(zip(map(id, styled), others, strict=True))
+    echo("".join([head, *(drawn.get(id(row)) or joined(row) for row in rows)]), nl=False)
+
+
+def _is_simple(text: str) -> bool:
+    """Whether each character takes one column, and none is a command."""
+    return text.isascii() and text.isprintable()
+
+
+def _drawn(empty: Table, rows: Iterable[Sequence[Cell]]) -> list[str]:
+    """The lines of a table with some rows."""
+    from rich.text import Text  # slow to import, and only needed here
+
+    for row in rows:
+        empty.add_row(*(Text(*cell) if isinstance(cell, Styled) else cell for cell in row))
+    return _lines(empty).splitlines(keepends=True)
 
 
 def show(table: Table) -> None:
     """Prints a table without spaces at the ends of lines."""
+    echo(_lines(table), nl=False)
+
+
+def _lines(table: Table) -> str:
+    """A table as rich draws it, without spaces at the ends of lines."""
     out = console()
     for column in table.columns:
         if column.overflow == "ignore":
             column.min_width = max(out.measure(cell).maximum for cell in column.cells)
     with out.capture() as captured:
         out.print(table)
-    echo(_PADDING.sub(r"\1", captured.get()), nl=False)
+    return _PADDING.sub(r"\1", captured.get())
 
 
 _PADDING = re.compile(r" +((?:\x1b\[[0-9;]*m)*)$", re.MULTILINE)

@@ -232,15 +232,19 @@ def yaml_of(data: bytes | str, what: str, limit: int = SIZE, remedy: str = CHECK
     raise RosmlError(f"{what} is no YAML: {why}", remedy, exit_code)
 
 
-def yaml_node(text: str) -> Any:
+def yaml_node(text: str, plain: bool = False) -> Any:
     """The top node of a YAML text; None for an empty one.
+
+    Args:
+        plain: the caller read all of `yaml_events`, and they have no anchor and no alias.
 
     Raises:
         yaml.YAMLError: it is no YAML, is nested too deep, or its aliases are too many or lead into themselves.
     """
     import yaml
 
-    _require_small(yaml_events(text))
+    if not plain:
+        _require_small(yaml_events(text))
     return yaml.compose(text, Loader=_loader())
 
 

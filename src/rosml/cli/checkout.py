@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import shlex
-import shutil
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -169,6 +168,8 @@ def call(folder: Path | None = None) -> str:
     """
     if not IN_CHECKOUT:
         return "rosml"
+    import shutil  # only needed here
+
     home = MATRIX.parent if MATRIX.name == "set.yaml" else ROOT
     own = home / "rosml"
     with contextlib.suppress(OSError):  # the current folder may be gone

@@ -63,9 +63,7 @@ def test_all_that_is_printed_goes_this_way(capfd: pytest.CaptureFixture[str]) ->
     @click.command()
     def harm() -> None:
         command.say("\x1b]0;begins\x07")
-        table = terminal.table("name")
-        table.add_row("\x1b]0;cell\x07named")
-        terminal.show(table)
+        terminal.show_rows(("name",), [("\x1b]0;cell\x07named",)])
         terminal.console().print("\x1b]0;line\x07said")
         raise RosmlError("\x1b]0;error\x07wrong", "\x1b]0;remedy\x07correct it")
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import subprocess
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -51,6 +50,8 @@ def login() -> None:
     given = ci_inputs.given(os.environ)
     registry, user = given.get("registry", ""), given.get("registry-user", "")
     try:
+        import subprocess  # only needed here
+
         done = subprocess.run(
             ["docker", "login", "--username", user, "--password-stdin", registry],
             input=given.get("registry-password", ""),

@@ -51,8 +51,10 @@ def main(name: str, addons: str, matrix: Path, as_json: bool) -> None:
     from rosml.images.image_set import load
     from rosml.images.image_set.explain import explained
 
-    image_set = load.load(matrix, ROOT)
-    found = _with_addons(image_set, name, addons) if addons else explained(image_set, name)
+    if addons:
+        found = _with_addons(load.load(matrix, ROOT), name, addons)
+    else:
+        found = explained(load.load_one(matrix, name, ROOT), name)
     terminal.echo(json.dumps(found.to_json(), indent=2, ensure_ascii=False) if as_json else found.text)
 
 

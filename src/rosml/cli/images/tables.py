@@ -9,13 +9,12 @@ from typing import TYPE_CHECKING
 
 from rosml.base import github, terminal
 from rosml.base.problems import counted, some
+from rosml.base.terminal import Cell
 from rosml.images.image_set import missing
 from rosml.images.image_set.facts import facts
 from rosml.images.image_set.model import Image
 
 if TYPE_CHECKING:  # a table of images needs none of them
-    from rich.text import Text
-
     from rosml.images.bake.diff import Difference
     from rosml.images.bake.inputs import Inputs
     from rosml.images.publish.shards import Shard
@@ -30,7 +29,7 @@ COLOURS = {"critical": "bold red", "high": "red", "medium": "yellow"}
 
 def show(
     columns: Sequence[str],
-    rows: Iterable[Iterable[str | Text]],
+    rows: Iterable[Iterable[Cell]],
     right: Collection[str] = (),
     wrapped: Collection[str] = (),
     whole: Collection[str] = (),
@@ -40,18 +39,12 @@ def show(
     Args:
         right, wrapped, whole: columns, as `terminal.table` has them.
     """
-    table = terminal.table(*columns, right=right, wrapped=wrapped, whole=whole)
-    for row in rows:
-        table.add_row(*row)
-    if table.row_count:
-        terminal.show(table)
+    if listed := [tuple(row) for row in rows]:
+        terminal.show_rows(columns, listed, right, wrapped, whole)
 
 
-def coloured(text: str, style: str) -> Text:
-    """A cell in a style of rich."""
-    from rich.text import Text  # slow to import, and only needed here
-
-    return Text(text, style)
+coloured = terminal.Styled
+"""A cell in a style of rich."""
 
 
 def print_difference(difference: Difference) -> None:
@@ -80,7 +73,7 @@ def print_images(images: Sequence[Image]) -> None:
     from rosml.images.matrix.rules import NVIDIA
 
     columns = ["tag", "GB", "platforms", "content", "target"]
-    rows: list[list[str] | list[Text]] = []
+    rows: list[list[Cell]] = []
     for image in images:
         # cuDNN and NCCL follow from CUDA; 'rosml list --json' has all versions, to the last number.
         found = [f"{name} {short(version)}" for name, version in image.versions.items() if name not in NVIDIA[1:]]
@@ -93,17 +86,16 @@ def print_images(images: Sequence[Image]) -> None:
             content,
             image.target,
         ]
-        rows.append(row if image.locked else [coloured(cell, "dim") for cell in row])
-    out = terminal.console()
-    widths = [max(len(cell) for cell in cells) for cells in zip(columns, *rows, strict=True)]
+        rows.append([*row] if image.locked else [coloured(cell, "dim") for cell in row])
+    widths = terminal.widths(columns, rows)
     widths[3] = min(widths[3], CONTENT)
-    while sum(widths) + 2 * (len(widths) - 1) > out.width and len(widths) > 2:
+    while sum(widths) + 2 * (len(widths) - 1) > terminal.width() and len(widths) > 2:
         widths.pop()
     columns, rows = columns[: len(widths)], [row[: len(widths)] for row in rows]
     show(columns, rows, right=["GB"], whole=["tag", "GB", "platforms"])
     parts = {name for image in images for name in image.parts}
     counts = f"{counted(len(images), 'image')}, {counted(len(parts), 'part')}; GB: unpacked, a forecast"
-    out.print(counts, style="dim")
+    terminal.say(counts, "dim")
     print_unlocked(images)
 
 
@@ -119,7 +111,7 @@ def print_unlocked(images: Collection[Image]) -> None:
     for count, remedy in ((lost, missing.RESTORE), (waiting, missing.ASK_PYTORCH)):
         if count:
             text = f"{counted(count, 'image')} without a lock, which cannot be built yet: {remedy}"
-            terminal.console().print(text, style="yellow")
+            terminal.say(text, "yellow")
 
 
 SHARDS = ("shard", "runner", "distributions", "images", "parts", "minutes (estimate)", "GB download", "GB disk")

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import shutil
-import subprocess
 import sys
 import time
 from pathlib import Path
@@ -74,6 +72,8 @@ def bring_up(root: Path) -> None:
     Raises:
         RosmlError: setup failed, and has printed why.
     """
+    import subprocess  # only needed here
+
     from rosml.base.errors import RosmlError
 
     program = [sys.executable, str(root / "scripts/bootstrap.py"), "up"]
@@ -210,6 +210,9 @@ def room() -> None:
     if os.environ.get("RUNNER_ENVIRONMENT") != "github-hosted":
         terminal.echo("this is none of GitHub's own machines: nothing is removed")
         return
+    import shutil
+    import subprocess
+
     before = shutil.disk_usage("/").free
     folders = [folder for folder in PREINSTALLED if os.path.isdir(folder)]
     if folders:

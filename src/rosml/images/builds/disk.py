@@ -6,11 +6,14 @@ import shutil
 import subprocess
 from collections.abc import Callable, Iterable, Set
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rosml.base.errors import RosmlError
 from rosml.images.image_set.model import Image, ImageSet, Part
 from rosml.images.matrix import rules
-from rosml.machine.services import Services
+
+if TYPE_CHECKING:  # the pictures of docs/ need the forecast alone
+    from rosml.machine.services import Services
 
 RESERVE_MB = 2_000
 """Kept free beside the forecast, for logs, the builder's database and other programs."""

@@ -14,8 +14,7 @@ from rosml.base.shapes import Shape
 from rosml.images.image_set import missing
 from rosml.images.image_set.model import Image as Wanted
 from rosml.images.matrix.model import DIGEST
-from rosml.images.scan.judge import LONGEST
-from rosml.images.scan.policy import ADVISORY, Severity
+from rosml.images.scan.policy import ADVISORY, LONGEST, Severity
 
 FORMAT = 1
 

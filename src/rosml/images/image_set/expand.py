@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from functools import cached_property
 
 from rosml.images.image_set import labels
 from rosml.images.image_set.model import Image, ImageSet, Part, Wheels
@@ -14,12 +15,17 @@ from rosml.images.matrix.rules import Brought
 
 def expand(matrix: Matrix) -> ImageSet:
     """Every image and part of a checked matrix."""
-    images = tuple(_images(matrix))
-    return ImageSet(matrix, images, tuple(_parts(matrix, images)), tuple(_wheels(matrix)))
+    every_place = tuple(places(matrix))
+    return with_images(matrix, every_place, parts_of(matrix, every_place))
+
+
+def with_images(matrix: Matrix, images: Iterable[Place], parts: tuple[Part, ...]) -> ImageSet:
+    """The image set with the images of some places."""
+    return ImageSet(matrix, tuple(_image(matrix, place) for place in images), parts, tuple(_wheels(matrix)))
 
 
 @dataclass(frozen=True)
-class _Kind:
+class Kind:
     """The common facts of a distribution's images with one framework and stack.
 
     Attributes:
@@ -29,42 +35,75 @@ class _Kind:
         addon: the add-on that the images have besides; empty if none.
     """
 
+    distribution: str
     framework: str
     facts: Framework
     stack: str | None
     architectures: tuple[str, ...]
-    parts: tuple[Part, ...]
-    versions: dict[str, str]
+    platforms: tuple[str, ...]
+    parts: tuple[Part, ...] = ()
+    versions: dict[str, str] = field(default_factory=dict)
     brought: tuple[Brought, ...] = ()
     covering: tuple[str, ...] = ()
     short: bool = True
     addon: str = ""
+    gpu: dict[str, str] = field(default_factory=dict)
 
     @property
     def addons(self) -> tuple[str, ...]:
         """The add-ons of its images."""
         return (self.addon,) if self.addon else ()
 
-    def target(self, name: str, component: str, framework: str) -> str:
+    def target(self, component: str, framework: str = "") -> str:
         """The target of such an image, or of one with another framework and the same stack."""
-        return names.image_target(name, component, framework, self.stack, self.addons)
+        return names.image_target(self.distribution, component, framework or self.framework, self.stack, self.addons)
+
+    @cached_property
+    def part_names(self) -> tuple[str, ...]:
+        """The parts of its images."""
+        return tuple(part.name for part in self.parts)
+
+    @cached_property
+    def locks(self) -> tuple[str, ...]:
+        """The locks of its parts."""
+        return tuple(lock for part in self.parts for lock in part.locks)
 
 
-def _images(matrix: Matrix) -> Iterator[Image]:
+@dataclass(frozen=True)
+class Place:
+    """An image before its facts are worked out: its place on the axes and its names.
+
+    Attributes:
+        kind: what it has in common with others.
+        tags: as in `Image`; none if it only tests its add-on.
+    """
+
+    kind: Kind
+    component: str
+    tags: tuple[str, ...]
+
+    @cached_property
+    def target(self) -> str:
+        """The name of its bake target."""
+        return self.kind.target(self.component)
+
+
+def places(matrix: Matrix) -> Iterator[Place]:
+    """The places of all images, in their order."""
     latest = _latest(matrix)
     for name, distribution in matrix.distributions.items():
         for framework, facts in matrix.frameworks.items():
             for stack in matrix.stacks if facts.parts else (None,):
                 if rules.stack_reason(matrix, name, framework, stack) is None:
-                    kind = _kind(matrix, name, distribution, framework, stack)
+                    kind = _kind(matrix, name, framework, stack)
                     for component in matrix.components:
                         if component in distribution.present:
-                            yield _image(matrix, name, distribution, component, kind, name == latest)
+                            yield _place(matrix, kind, component, latest)
     for addon in matrix.addons:
         yield from _with_addon(matrix, addon, latest)
 
 
-def _with_addon(matrix: Matrix, addon: str, latest: str | None) -> Iterator[Image]:
+def _with_addon(matrix: Matrix, addon: str, latest: str | None) -> Iterator[Place]:
     """The images with an add-on: those that get tags, and those that test it. The latter have the lowest component of the distribution of
     each Python that is supported longest, and of those whose images get tags."""
     entry, bare = matrix.addons[addon], rules.plain(matrix)
@@ -76,19 +115,20 @@ def _with_addon(matrix: Matrix, addon: str, latest: str | None) -> Iterator[Imag
             for framework in (bare, *entry.beside):
                 if rules.stack_reason(matrix, name, framework, stack, addon):
                     continue
-                kind = _kind(matrix, name, distribution, framework, stack, addon)
+                kind = _kind(matrix, name, framework, stack, addon)
                 alone = framework == bare
                 listed = bool(tagged and alone and name in tagged.distributions and stack in tagged.stacks)
                 chosen = [*(tagged.components if tagged and listed else ())]
                 if (framework, python) not in seen or listed:
-                    chosen += [component for component in _lowest(matrix, distribution)[:1] if component not in chosen]
+                    chosen += [component for component in _lowest(matrix, name)[:1] if component not in chosen]
                 seen.add((framework, python))
                 for component in matrix.components:
                     if component in chosen and component in distribution.present:
                         named = bool(tagged and listed and component in tagged.components)
-                        yield _image(matrix, name, distribution, component, kind, name == latest, named)
+                        yield _place(matrix, kind, component, latest, named)
 
 
+@rules.remembered
 def _lasting(matrix: Matrix) -> list[tuple[str, Distribution]]:
     """The distributions, those that are supported longest first; the order of the matrix does not count."""
 
@@ -99,21 +139,23 @@ def _lasting(matrix: Matrix) -> list[tuple[str, Distribution]]:
     return sorted(matrix.distributions.items(), key=worth, reverse=True)
 
 
-def _lowest(matrix: Matrix, distribution: Distribution) -> list[str]:
+@rules.remembered
+def _lowest(matrix: Matrix, name: str) -> list[str]:
     """The components of a distribution that stand on no other one and build programs; in all distributions but those without it,
     there is one."""
-    there = [link for link in matrix.components if link in distribution.present and not rules.only_runs(matrix, link)]
-    return [link for link in there if len(_chain(matrix, distribution, link)) == 1]
+    present = matrix.distributions[name].present
+    there = [link for link in matrix.components if link in present and not rules.only_runs(matrix, link)]
+    return [link for link in there if len(_chain(matrix, name, link)) == 1]
 
 
-def _kind(
-    matrix: Matrix, name: str, distribution: Distribution, framework: str, stack: str | None, addon: str = ""
-) -> _Kind:
+@rules.remembered
+def _kind(matrix: Matrix, name: str, framework: str, stack: str | None, addon: str = "") -> Kind:
     facts = matrix.carrying(framework, addon)
     architectures = rules.architectures(matrix, name, framework, stack, addon)
-    python = matrix.operating_systems[distribution.os].python
+    platforms = tuple(matrix.architectures[architecture].platform for architecture in architectures)
     if stack is None:
-        return _Kind(framework, facts, None, architectures, (), {})
+        return Kind(name, framework, facts, None, architectures, platforms)
+    python = matrix.operating_systems[matrix.distributions[name].os].python
     kinds = rules.parts(matrix, facts, matrix.stacks[stack])
     parts = tuple(_part(matrix, kind, stack, python, architectures) for kind in kinds)
     more = {
@@ -128,27 +170,44 @@ def _kind(
     versions = {name: known[name] for name in rules.counted(matrix, facts) if name in known}
     brought = rules.brought(matrix, kinds, matrix.stacks[stack])
     short = stack == rules.default_stack(matrix, name, framework, addon)
-    return _Kind(framework, facts, stack, architectures, parts, versions, brought, tuple(covering), short, addon)
+    return Kind(
+        name,
+        framework,
+        facts,
+        stack,
+        architectures,
+        platforms,
+        parts,
+        versions,
+        brought,
+        tuple(covering),
+        short,
+        addon,
+        rules.gpu(matrix, stack, kinds),
+    )
 
 
-def _image(
-    matrix: Matrix,
-    name: str,
-    distribution: Distribution,
-    component: str,
-    kind: _Kind,
-    latest: bool,
-    tagged: bool = True,
-) -> Image:
-    chain = _chain(matrix, distribution, component)
+def _place(matrix: Matrix, kind: Kind, component: str, latest: str | None, tagged: bool = True) -> Place:
+    aliases = matrix.distributions[kind.distribution].aliases
+    return Place(
+        kind,
+        component,
+        _tags(kind.distribution, aliases, component, kind, kind.distribution == latest) if tagged else (),
+    )
+
+
+def _image(matrix: Matrix, place: Place) -> Image:
+    kind, component, target, name = place.kind, place.component, place.target, place.kind.distribution
+    distribution = matrix.distributions[name]
+    chain = _chain(matrix, name, component)
     ros_image = names.image_target(name, component)
     runtime = rules.only_runs(matrix, component)
     below = names.image_target(name, chain[-2]) if len(chain) > 1 else names.os_target(distribution.os, runtime)
-    target = kind.target(name, component, kind.framework)
     groups = [name, component, kind.addon or kind.framework, *([kind.stack] if kind.stack else []), "all"]
     tests = _tests(matrix, name, component, kind)
     carries = tests.carriers[:1] == (target,)
     wheels = _wheels_of(matrix, name, kind.architectures)
+    tagged = bool(place.tags)
     return Image(
         target=target,
         distribution=name,
@@ -160,43 +219,40 @@ def _image(
         ros=distribution.ros,
         ros_distro=distribution.ros_distro or name,
         architectures=kind.architectures,
-        platforms=tuple(matrix.architectures[architecture].platform for architecture in kind.architectures),
+        platforms=kind.platforms,
         versions=kind.versions,
         brought=kind.brought,
-        gpu=rules.gpu(matrix, kind.stack, [part.kind for part in kind.parts]),
+        gpu=kind.gpu,
         repository=kind.facts.repository,
-        tags=_tags(name, distribution.aliases, component, kind, latest) if tagged else (),
+        tags=place.tags,
         groups=tuple(groups if tagged else [kind.addon]) + (("default",) if target in matrix.default.group else ()),
         parent=ros_image if kind.stack else below,
         packages="" if kind.stack else _packages(matrix, name, distribution, component),
         wheels=() if kind.stack else distribution.wheels,
-        parts=tuple(part.name for part in kind.parts),
+        parts=kind.part_names,
         tests=(*tests.own, *(tests.carried if carries else ())),
         shared=(*tests.below, *(() if carries else tests.carried)),
         carried=tests.carried,
         carriers=tests.carriers,
-        locks=(
-            *(lock for item in wheels for lock in item.locks),
-            *(lock for item in kind.parts for lock in item.locks),
-        ),
+        locks=(*(lock for item in wheels for lock in item.locks), *kind.locks),
         disk=Size.total(
             rules.system_size(matrix, component),
             *(matrix.disk.components[link] for link in chain),
             *(part.disk for part in kind.parts),
         ),
         budget=matrix.disk.budgets.get(kind.stack or "", {}).get(kind.addon or kind.framework),
-        budgeted=tuple(part.name for part in _budgeted(matrix, kind)),
+        budgeted=_budgeted(matrix, kind),
         addons=kind.addons,
         combination="-".join([kind.framework, *kind.addons]).removeprefix(f"{names.NONE}-"),
     )
 
 
-def _budgeted(matrix: Matrix, kind: _Kind) -> Iterator[Part]:
+def _budgeted(matrix: Matrix, kind: Kind) -> tuple[str, ...]:
     """The parts that a budget counts. What frameworks have is in theirs, so that the one of an add-on holds beside any of them."""
     if not kind.addon or not kind.stack:
-        return iter(kind.parts)
+        return kind.part_names
     others = {part for parts in rules.frameworks(matrix, kind.stack).values() for part in parts}
-    return (part for part in kind.parts if part.kind not in others)
+    return tuple(part.name for part in kind.parts if part.kind not in others)
 
 
 @dataclass(frozen=True)
@@ -219,16 +275,21 @@ class _Tests:
     carriers: tuple[str, ...]
 
 
-def _tests(matrix: Matrix, name: str, component: str, kind: _Kind) -> _Tests:
+def carriers(matrix: Matrix, place: Place) -> tuple[str, ...]:
+    """The targets of the images that may run the shared tests of an image."""
+    return _tests(matrix, place.kind.distribution, place.component, place.kind).carriers
+
+
+def _tests(matrix: Matrix, name: str, component: str, kind: Kind) -> _Tests:
     distribution = matrix.distributions[name]
     ros, runtime = f"ros{distribution.ros}", rules.only_runs(matrix, component)
     entries = [matrix.part[part.kind] for part in kind.parts]
     own = ["contract", "runtime" if runtime else "tools"]
     own += [f"{ros}-wheels"] if distribution.wheels else [ros, f"{ros}-beside"]
     own += [entry.name for entry in entries if entry.tested]
-    lowest = next(iter(_lowest(matrix, distribution)), component)
+    lowest = next(iter(_lowest(matrix, name)), component)
     frameworks = (*kind.covering, kind.framework) if kind.stack or not runtime else ()
-    carriers = tuple(kind.target(name, lowest, framework) for framework in frameworks)
+    carriers = tuple(kind.target(lowest, framework) for framework in frameworks)
     if runtime:  # other tests need a compiler
         return _Tests(tuple(own), (), (), carriers)
     # What an add-on does not bring was tested without it.
@@ -236,16 +297,17 @@ def _tests(matrix: Matrix, name: str, component: str, kind: _Kind) -> _Tests:
     carried = [f"{entry.name}-build" for entry in entries if entry.compiled and entry.name in mine]
     if distribution.wheels:
         return _Tests(tuple(own), (), (*carried, "pip"), carriers)
-    chain = [f"{ros}-{link}" for link in _chain(matrix, distribution, component)]
+    chain = [f"{ros}-{link}" for link in _chain(matrix, name, component)]
     of_ros = [*chain, f"{ros}-components"]
     below = of_ros if kind.stack else of_ros[:-2]
     workspace = [] if kind.addon else [f"{ros}-workspace"]
     return _Tests((*own, *of_ros[len(below) :]), tuple(below), (*carried, *workspace, "pip"), carriers)
 
 
-def _chain(matrix: Matrix, distribution: Distribution, component: str) -> tuple[str, ...]:
+@rules.remembered
+def _chain(matrix: Matrix, name: str, component: str) -> tuple[str, ...]:
     """A component and those below it, the lowest first, without those that the distribution lacks."""
-    return tuple(link for link in rules.chain(matrix, component) if link in distribution.present)
+    return tuple(link for link in rules.chain(matrix, component) if link in matrix.distributions[name].present)
 
 
 def _packages(matrix: Matrix, name: str, distribution: Distribution, component: str) -> str:
@@ -255,7 +317,7 @@ def _packages(matrix: Matrix, name: str, distribution: Distribution, component: 
     return (distribution.packages or "").format(component=component, metapackage=metapackage, ros_distro=ros_distro)
 
 
-def _tags(name: str, aliases: tuple[str, ...], component: str, kind: _Kind, latest: bool) -> tuple[str, ...]:
+def _tags(name: str, aliases: tuple[str, ...], component: str, kind: Kind, latest: bool) -> tuple[str, ...]:
     tags: list[str] = []
     for called in (name, *aliases):
         main = names.main_tag(called, component, kind.stack)
@@ -303,6 +365,7 @@ def _wheels_of(matrix: Matrix, name: str, architectures: tuple[str, ...]) -> tup
     return (found,) if distribution.wheels else ()
 
 
+@rules.remembered
 def _part(matrix: Matrix, kind: str, stack: str, python: str, architectures: tuple[str, ...]) -> Part:
     any_python = matrix.part[kind].any_python
     pythons = _pythons(matrix, kind, stack) if any_python else (python,)
@@ -330,19 +393,17 @@ def _pythons(matrix: Matrix, part: str, stack: str) -> tuple[str, ...]:
     return matrix.release(stack, family).python if family else ()
 
 
-def _parts(matrix: Matrix, images: tuple[Image, ...]) -> Iterator[Part]:
+def parts_of(matrix: Matrix, images: Iterable[Place]) -> tuple[Part, ...]:
     """Each part that images need, once, for all architectures for which they need it."""
-    needed: dict[tuple[str, str], dict[str, set[str]]] = {}
-    for image in images:
-        if image.stack:
-            parts = needed.setdefault((image.stack, image.python), {})
-            facts = matrix.carrying(image.framework, *image.addons)
-            for part in rules.parts(matrix, facts, matrix.stacks[image.stack]):
-                parts.setdefault(part, set()).update(image.architectures)
-    merged: dict[tuple[str, str, str], set[str]] = {}
-    for (stack, python), parts in needed.items():
-        for part, wanted in parts.items():
-            key = part, stack, ANY_PYTHON if matrix.part[part].any_python else python
-            merged.setdefault(key, set()).update(wanted)
-    for key, wanted in merged.items():
-        yield _part(matrix, *key, tuple(name for name in matrix.architectures if name in wanted))
+    by_stack: dict[tuple[str | None, str], list[Kind]] = {}
+    for kind in {id(place.kind): place.kind for place in images}.values():
+        python = matrix.operating_systems[matrix.distributions[kind.distribution].os].python
+        by_stack.setdefault((kind.stack, python), []).append(kind)
+    wanted: dict[tuple[str, str, str], set[str]] = {}
+    for kind in (kind for kinds in by_stack.values() for kind in kinds):
+        for part in kind.parts:
+            wanted.setdefault((part.kind, part.stack, part.python), set()).update(kind.architectures)
+    return tuple(
+        _part(matrix, *key, tuple(name for name in matrix.architectures if name in architectures))
+        for key, architectures in wanted.items()
+    )

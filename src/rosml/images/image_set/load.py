@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from rosml import ROOT
 from rosml.base.problems import InputError, KeyPath
 from rosml.images.image_set.collisions import collisions
-from rosml.images.image_set.expand import expand
+from rosml.images.image_set.expand import Place, carriers, parts_of, places, with_images
 from rosml.images.image_set.locked import current_locks, unusable_locks, with_locks
-from rosml.images.image_set.model import ImageSet
+from rosml.images.image_set.model import ImageSet, Part
 from rosml.images.matrix import extends
 from rosml.images.matrix.model import Matrix
 from rosml.images.matrix.source import Document
@@ -32,12 +32,76 @@ def load(file: Path, root: Path = ROOT) -> ImageSet:
         RosmlError: the file cannot be read (exit code 2).
         InputError: with all problems that can be seen at once, each with its place (exit code 2).
     """
-    document = extends.read(file, root / "matrix.yaml")
-    result = image_set(document)
-    if found := [document.problem(path, text) for path, text in lacking_keys(result.matrix, root)]:
-        raise InputError(document.name, found)
-    present = current_locks(result, root)
-    return with_locks(result, present, unusable_locks(result, root, present))
+    return _locked(_checked(extends.read(file, root / "matrix.yaml"), root).expanded(), root)
+
+
+def load_one(file: Path, name: str, root: Path = ROOT) -> ImageSet:
+    """The same image set as `load` gives, but with one image, those that may run its tests, and its parts alone, if a name is that of
+    an image. All names are checked; raises as `load` does.
+
+    Args:
+        name: a target, the name of its test, or a tag.
+    """
+    checked = _checked(extends.read(file, root / "matrix.yaml"), root)
+    tag = name.rpartition("/")[2] if ":" in name else ""
+    targets = {name, name.removesuffix("-test")}
+    few = [place for place in checked.places if place.target in targets or tag in place.tags]
+    if not few:
+        return _locked(checked.expanded(), root)
+    wanted = {place.target for place in few}.union(*(carriers(checked.matrix, place) for place in few))
+    places = tuple(place for place in checked.places if place.target in wanted)
+    return _of_few(replace(checked, places=places).expanded(), root)
+
+
+def _of_few(image_set: ImageSet, root: Path) -> ImageSet:
+    """An image set of a few images with their locks, and with the parts of these alone."""
+    locks = {lock for image in image_set.images for lock in image.locks}
+    locked = _locked(image_set, root, locks)
+    used = {name for image in locked.images for name in image.parts}
+    return replace(locked, parts=tuple(part for part in locked.parts if part.name in used))
+
+
+@dataclass(frozen=True)
+class _Checked:
+    """A matrix without problems.
+
+    Attributes:
+        places: the places of its images.
+        parts: its parts.
+        base: of a set, the matrix that it extends.
+    """
+
+    matrix: Matrix
+    places: tuple[Place, ...]
+    parts: tuple[Part, ...]
+    base: Matrix | None
+
+    def expanded(self) -> ImageSet:
+        """Its image set."""
+        return replace(with_images(self.matrix, self.places, self.parts), base=self.base)
+
+
+def _checked(document: Document, root: Path | None = None) -> _Checked:
+    """A matrix as `extends.read` gives it, after all checks.
+
+    Args:
+        root: the folder with the keys of archives; None if they do not matter.
+    """
+    matrix = validate(document)
+    images = tuple(places(matrix))
+    parts = parts_of(matrix, images)
+    if problems := [document.problem(path, text) for path, text in collisions(matrix, images, parts)]:
+        raise InputError(document.name, problems)
+    base = validate(document.base) if document.base else None
+    if root and (problems := [document.problem(path, text) for path, text in lacking_keys(matrix, root)]):
+        raise InputError(document.name, problems)
+    return _Checked(matrix, images, parts, base)
+
+
+def _locked(image_set: ImageSet, root: Path, only: Collection[str] | None = None) -> ImageSet:
+    """An image set with its locks. `only`: the locks to look at; all if left out."""
+    present = current_locks(image_set, root, only)
+    return with_locks(image_set, present, unusable_locks(image_set, root, present))
 
 
 def lacking_keys(matrix: Matrix, root: Path) -> Iterator[tuple[KeyPath, str]]:
@@ -61,7 +125,4 @@ def without_locks(file: Path, root: Path = ROOT) -> ImageSet:
 
 def image_set(document: Document) -> ImageSet:
     """The image set of a matrix as `extends.read` gives it; raises as `load` does."""
-    result = expand(validate(document))
-    if found := [document.problem(path, text) for path, text in collisions(result)]:
-        raise InputError(document.name, found)
-    return replace(result, base=validate(document.base)) if document.base else result
+    return _checked(document).expanded()

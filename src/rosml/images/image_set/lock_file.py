@@ -8,11 +8,14 @@ from fnmatch import fnmatchcase
 
 from rosml.images.image_set.model import Part, Wheels
 from rosml.images.matrix import names
-from rosml.images.matrix.model import Matrix, PartEntry, Release
+from rosml.images.matrix.model import Matrix, Release
+from rosml.images.matrix.rules import remembered
 
-_PIN = re.compile(r"^([A-Za-z0-9._-]+)==([^\s;\\]+)", re.MULTILINE)
+_PIN = re.compile(r"\n([A-Za-z0-9._-]+)==([^\s;\\]+)")
+"""A pin at the beginning of a line. A pattern that begins with a plain character finds its places faster than `^`."""
+
 _WHOLE = re.compile(
-    r"(?:#[^\n]*\n)+"
+    r"((?:#[^\n]*\n)+)"
     r"(?:[A-Za-z0-9][A-Za-z0-9._-]*==[A-Za-z0-9.+!_-]+(?: \\\n    --hash=sha256:[0-9a-f]{64})+\n)+"
 )
 """A complete lock as `locks/resolve.py` writes it: comments, and versions with hashes. Any other text was cut or edited."""
@@ -24,7 +27,7 @@ NVIDIA_PACKAGES = {"cuda": "cuda-runtime", "cudnn": "cudnn", "nccl": "nccl"}
 
 def versions(text: str) -> dict[str, str]:
     """The pins of a lock: packages and their versions."""
-    return dict(_PIN.findall(text))
+    return dict(_PIN.findall(f"\n{text}"))
 
 
 def package_name(requirement: str) -> str:
@@ -43,17 +46,17 @@ def cuda_packages(cuda: str) -> Iterator[tuple[str, str]]:
 def current(text: str, part: Part, matrix: Matrix, architecture: str) -> bool:
     """Whether a text is the part's lock: its head says so, it is complete, and its pins match the stack's facts."""
     head = names.lock_head(part.stack, architecture, part.python, part.kind)
-    if not text.startswith(f"{head}\n") or not _WHOLE.fullmatch(text):
+    if not text.startswith(f"{head}\n") or not (whole := _WHOLE.fullmatch(text)):
         return False
     pinned, stack, entry = versions(text), matrix.stacks[part.stack], matrix.part[part.kind]
-    if any(pinned.get(name) != version for name, version in _beside(matrix, part.stack, entry).items()):
+    if any(pinned.get(name) != version for name, version in _beside(matrix, part.stack, part.kind).items()):
         return False
     if entry.release:
         requirement = stack.requirement(entry.release, architecture) or ""
         version = stack.releases[entry.release]
         if pinned.get(package_name(requirement), "").partition("+")[0] != version:
             return False
-        return entry.name != entry.release or _adapted(text, matrix.releases[entry.release][version], entry.name)
+        return entry.name != entry.release or _adapted(whole[1], matrix.releases[entry.release][version], entry.name)
     for requirement in entry.added(stack.cuda):
         added = pinned.get(package_name(requirement))
         if added is None or not fnmatchcase(added, requirement.partition("==")[2] or "*"):
@@ -64,20 +67,22 @@ def current(text: str, part: Part, matrix: Matrix, architecture: str) -> bool:
     return True
 
 
-def _beside(matrix: Matrix, stack: str, entry: PartEntry) -> dict[str, str]:
+@remembered
+def _beside(matrix: Matrix, stack: str, kind: str) -> dict[str, str]:
     """The packages that go with releases of a stack and are in a part: in the one that takes them, or else in the release's own."""
     found: dict[str, str] = {}
     for family, version in matrix.stacks[stack].releases.items():
         for name, wanted in matrix.releases[family][version].company(stack).items():
             takers = [part.name for part in matrix.parts if any(fnmatchcase(name, pattern) for pattern in part.takes)]
-            if entry.name in (takers or [family]):
+            if kind in (takers or [family]):
                 found[name] = wanted
     return found
 
 
-def _adapted(text: str, release: Release, package: str) -> bool:
-    """Whether the lock of a release's own part has the adapted requirements."""
-    adapted = [line for line in text.splitlines() if line.startswith(names.adapted_line(package, ""))]
+def _adapted(comments: str, release: Release, package: str) -> bool:
+    """Whether the comments of the lock of a release's own part have the adapted requirements."""
+    begin = names.adapted_line(package, "")
+    adapted = [line for line in comments.splitlines() if line.startswith(begin)]
     return adapted == adapted_lines(release, package)
 
 

@@ -13,9 +13,9 @@ from rosml.images.image_set import lock_file, missing
 from rosml.images.image_set.model import Image, ImageSet
 
 
-def current_locks(image_set: ImageSet, root: Path) -> frozenset[str]:
-    """The usable locks: they exist, are complete, and match the matrix."""
-    present = locks(root)
+def current_locks(image_set: ImageSet, root: Path, only: Collection[str] | None = None) -> frozenset[str]:
+    """The usable locks: they exist, are complete, and match the matrix. `only`: the locks to look at; all if left out."""
+    present = locks(root) if only is None else locks(root).intersection(only)
     wheels = frozenset(
         lock
         for item in image_set.wheels
@@ -37,9 +37,10 @@ def _text(file: Path) -> str:
         RosmlError: it exists and cannot be read, unlike a lock that nobody has made yet.
     """
     try:
-        return file.read_text(encoding="utf-8", errors="replace")
+        text = file.read_bytes().decode(errors="replace")
     except OSError as error:
         raise RosmlError(f"{shown(file)}: cannot be read: {error.strerror}", "give this user read access") from None
+    return text.replace("\r\n", "\n").replace("\r", "\n") if "\r" in text else text
 
 
 def unusable_locks(image_set: ImageSet, root: Path, present: Collection[str]) -> frozenset[str]:
@@ -91,4 +92,7 @@ def locks(root: Path) -> frozenset[str]:
     folder = root / "locks"
     if folder.exists() and not os.access(folder, os.R_OK | os.X_OK):
         raise RosmlError(f"{shown(folder)} cannot be read", "make it a folder that you can read")
-    return frozenset(str(file.relative_to(root)) for file in folder.rglob("*.txt") if file.is_file())
+    files = (
+        os.path.join(above, name) for above, _, names in os.walk(folder) for name in names if name.endswith(".txt")
+    )
+    return frozenset(f"locks{file.removeprefix(str(folder))}" for file in files if os.path.isfile(file))

@@ -586,11 +586,25 @@ class Matrix(Facts):
         """Parts by name."""
         return {part.name: part for part in self.parts}
 
+    @cached_property
+    def answers(self) -> dict[Any, Any]:
+        """The answers that `rules.remembered` keeps: a matrix never changes, so they stay true."""
+        return {}
+
+    @cached_property
+    def _carrying(self) -> dict[tuple[str, str], Framework]:
+        return {}
+
     def carrying(self, framework: str, addon: str = "") -> Framework:
         """A framework, with the parts of an add-on and those that they need, in the order in which they are joined."""
-        facts = self.frameworks[framework]
         if not addon:
-            return facts
+            return self.frameworks[framework]
+        if (framework, addon) not in self._carrying:
+            self._carrying[framework, addon] = self._with_addon(framework, addon)
+        return self._carrying[framework, addon]
+
+    def _with_addon(self, framework: str, addon: str) -> Framework:
+        facts = self.frameworks[framework]
         wanted = {*facts.parts, *self.needed(self.addons[addon].parts)}
         return Framework(
             repository=f"{facts.repository}-{addon}",

@@ -2,15 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fnmatch import fnmatchcase
+from functools import wraps
+from typing import Concatenate, ParamSpec, TypeVar
 
 from rosml.base.problems import listed
 from rosml.images.matrix.model import Framework, Matrix, PartEntry, Release, RosArchive, Size, Stack
 
 NVIDIA = ("cuda", "cudnn", "nccl")
 """A stack's facts of CUDA."""
+
+Names = ParamSpec("Names")
+Answer = TypeVar("Answer")
+
+
+def remembered(rule: Callable[Concatenate[Matrix, Names], Answer]) -> Callable[Concatenate[Matrix, Names], Answer]:
+    """Decorates a rule: each matrix works an answer out once, since hundreds of images ask the same. The names must be hashable."""
+
+    @wraps(rule)
+    def answer(matrix: Matrix, /, *names: Names.args, **others: Names.kwargs) -> Answer:
+        answers, key = matrix.answers, (rule, names, *others.items())
+        if key not in answers:
+            answers[key] = rule(matrix, *names, **others)
+        kept: Answer = answers[key]
+        return kept
+
+    return answer
 
 
 @dataclass(frozen=True)
@@ -42,6 +61,7 @@ def component_reason(matrix: Matrix, distribution: str, component: str) -> str |
     return f"{distribution} (ROS {facts.ros}) has no {component} metapackage; it has {listed(facts.components)}"
 
 
+@remembered
 def stack_reason(matrix: Matrix, distribution: str, framework: str, stack: str | None, addon: str = "") -> str | None:
     """Can images of a distribution carry the framework on the stack, on any architecture? If an add-on is named, with it."""
     facts, os = matrix.carrying(framework, addon), matrix.distributions[distribution].os
@@ -60,6 +80,7 @@ def system_reason(matrix: Matrix, distribution: str, stack: str, addon: str) -> 
     return f"add-on {addon} of stack {stack} works on {listed(systems)}, and {distribution} stands on {os}"
 
 
+@remembered
 def default_stack(matrix: Matrix, distribution: str, framework: str, addon: str = "") -> str | None:
     """The stack of a framework's short tags: the first of the distribution's on which it exists, if any."""
     stacks = matrix.distributions[distribution].default_stacks
@@ -68,6 +89,7 @@ def default_stack(matrix: Matrix, distribution: str, framework: str, addon: str 
     )
 
 
+@remembered
 def _content_reason(matrix: Matrix, framework: str, stack: str | None, addon: str = "") -> str | None:
     """Does the stack have the parts that the framework and the add-on take?"""
     facts = matrix.carrying(framework, addon)
@@ -83,6 +105,7 @@ def _content_reason(matrix: Matrix, framework: str, stack: str | None, addon: st
     )
 
 
+@remembered
 def built_for(matrix: Matrix, distribution: str) -> tuple[str, ...]:
     """The architectures of a distribution: those of its operating system, or the ones among them that it names."""
     facts = matrix.distributions[distribution]
@@ -124,6 +147,7 @@ def _ros_archive(matrix: Matrix) -> RosArchive:
     return matrix.ros_archive
 
 
+@remembered
 def architectures(
     matrix: Matrix, distribution: str, framework: str, stack: str | None, addon: str = ""
 ) -> tuple[str, ...]:
@@ -159,6 +183,7 @@ def architecture_reason(
     return None
 
 
+@remembered
 def plain(matrix: Matrix) -> str:
     """The framework of plain ROS images: the only one without parts."""
     return next(name for name, framework in matrix.frameworks.items() if not framework.parts)
@@ -256,6 +281,7 @@ def gpu(matrix: Matrix, stack: str | None, parts: Iterable[str]) -> dict[str, st
     return found
 
 
+@remembered
 def frameworks(matrix: Matrix, stack: str) -> dict[str, tuple[str, ...]]:
     """The parts of every framework that a stack can carry, on some operating system and architecture."""
     facts = matrix.stacks[stack]
@@ -266,6 +292,7 @@ def frameworks(matrix: Matrix, stack: str) -> dict[str, tuple[str, ...]]:
     }
 
 
+@remembered
 def addons(matrix: Matrix, stack: str) -> dict[str, tuple[str, ...]]:
     """The parts of every add-on that a stack can carry, with those that they need."""
     bare = plain(matrix)
@@ -288,6 +315,7 @@ def counted(matrix: Matrix, framework: Framework) -> tuple[str, ...]:
     return (*families(matrix, framework), *(NVIDIA if cuda else ()))
 
 
+@remembered
 def chain(matrix: Matrix, component: str) -> tuple[str, ...]:
     """A component with all components below it, the lowest first."""
     links: list[str] = []
@@ -308,6 +336,7 @@ def system_size(matrix: Matrix, component: str) -> Size:
     return (only_runs(matrix, component) and matrix.disk.runtime) or matrix.disk.os
 
 
+@remembered
 def runtime(matrix: Matrix, distribution: str, component: str) -> str:
     """The component that runs programs built on another one, or on the nearest below it; empty if there is none."""
     present = matrix.distributions[distribution].present

@@ -104,7 +104,7 @@ def parse(content: bytes, name: str = "matrix.yaml", least: str = LEAST) -> Docu
     try:
         if problems := list(_refused(text)):
             raise InputError(name, problems)
-        node = untrusted.yaml_node(text)
+        node = untrusted.yaml_node(text, plain=True)
     except yaml.MarkedYAMLError as error:
         raise InputError(name, [_syntax(error, text)]) from None
     except yaml.reader.ReaderError as error:

@@ -17,7 +17,7 @@ from typing import Any, TypeVar
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, some
-from rosml.images.scan.policy import SEVERITIES, Ignored, Rules
+from rosml.images.scan.policy import LONGEST, SEVERITIES, Ignored, Rules
 from rosml.images.scan.sbom import Shelf
 from rosml.images.scan.trivy import ANOTHER, SCANNER_FAILED, Database, Report, ScannerFailed, Trivy
 
@@ -25,9 +25,6 @@ Known = TypeVar("Known")
 
 NAMED = 20
 """The most findings of an image that the records name: they are read at every plan. All are in the reports of a run."""
-
-LONGEST = 128
-"""The most characters of each thing that the records say about a finding; the policy's reasons may be longer."""
 
 POLICY_FAILED = 3
 """The exit code if the policy stops an image."""

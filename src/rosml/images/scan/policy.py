@@ -15,6 +15,9 @@ from rosml.base.problems import Problem
 from rosml.images.matrix import source, validate
 from rosml.images.matrix.model import Facts, only_whole
 
+LONGEST = 128
+"""The most characters of each thing that the records say about a finding; the policy's reasons may be longer."""
+
 Severity = Literal["critical", "high", "medium", "low", "unknown"]
 
 SEVERITIES: tuple[Severity, ...] = ("critical", "high", "medium", "low", "unknown")
