@@ -8,6 +8,7 @@ nobody uses it. So a plugin that was made elsewhere, with needs that nobody has,
 from __future__ import annotations
 
 import ast
+import copy
 import itertools
 import os
 import re
@@ -165,7 +166,7 @@ class Lacking:
         self._root, self._install, self._packages = built, built / INSTALL, {*packages}
         self._runtime = runtime
         self._of_image = Files().add(runtime)
-        self._image = Files().add(runtime).add(built, INSTALL)
+        self._image = copy.deepcopy(self._of_image).add(built, INSTALL)
         self._before = Files().add(built)
         shells = (elf(runtime / name) for name in ("usr/bin/dash", "bin/dash", "usr/bin/bash", "bin/bash"))
         self._machine = next((found.machine for found in shells if found), None)
