@@ -40,7 +40,7 @@ class Archive:
             # Of alternatives the first, as apt chooses.
             wanted = [found[0] for group in groups if (found := re.match(r"[^\s:(|]+", group.strip()))]
             self._known[fields.get("Package", "")] = fields.get("Section", "").rpartition("/")[2], wanted
-            for virtual in re.findall(r"[^\s,(]+(?=[^,]*)", re.sub(r"\([^)]*\)", "", fields.get("Provides", ""))):
+            for virtual in re.findall(r"[^\s,(]+", re.sub(r"\([^()]*\)", "", fields.get("Provides", ""))):
                 self._providers.setdefault(virtual, fields.get("Package", ""))
 
     def real(self, name: str) -> str:

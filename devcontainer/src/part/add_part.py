@@ -31,7 +31,7 @@ ARCHITECTURES = {"x86_64": "amd64", "aarch64": "arm64"}
 TIMEOUT = 60.0
 """Seconds without an answer."""
 LARGEST = 4 << 20
-"""Bytes of a manifest or config."""
+"""Bytes of a manifest, a config or an answer with a token."""
 
 
 def fail(message: str, remedy: str) -> NoReturn:
@@ -100,18 +100,21 @@ class Repository:
     def _parsed(self, content: bytes, what: str) -> Any:
         try:
             return json.loads(content)
-        except ValueError:
+        except (ValueError, RecursionError):
             fail(f"{self.name}: {what} is no JSON", "check the registry, and the name of the part")
 
     def _new_token(self, asks: str) -> str:
         """A token, of whoever gives it to everybody."""
         facts = dict(re.findall(r'(\w+)="([^"]*)"', asks))
         query = urllib.parse.urlencode({name: facts[name] for name in ("service", "scope") if name in facts})
+        realm = facts.get("realm", "")
+        if not re.match(r"https://|http://(localhost|127\.[\d.]+)[:/]", realm):
+            fail(f"{self.name} names no server for tokens that anybody may ask: {realm[:200]!r}", "check the registry")
         try:
-            with urllib.request.urlopen(f"{facts['realm']}?{query}", timeout=TIMEOUT) as answer:
-                content = json.load(answer)
+            with urllib.request.urlopen(f"{realm}?{query}", timeout=TIMEOUT) as answer:
+                content = self._parsed(answer.read(LARGEST), "its token")
             return content.get("token") or content["access_token"]
-        except (OSError, KeyError, ValueError) as error:
+        except (AttributeError, OSError, KeyError, TypeError, ValueError) as error:
             fail(f"{self.name} gives no token: {error}", "check that everybody may pull it")
 
 

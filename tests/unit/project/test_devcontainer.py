@@ -170,6 +170,13 @@ def test_a_registry_that_wants_a_token_gives_everybody_one(registry: StandIn, tm
     assert registry.tokens, "it gave one"
 
 
+def test_a_file_of_this_machine_is_no_server_for_tokens(registry: StandIn, tmp_path: Path) -> None:
+    (tmp_path / "token.json").write_text('{"token": "x"}')
+    registry.bearer, registry.realm = True, f"file://{tmp_path}/token.json"
+    done = add(f"{registry.address}/me/part:torch-cu130-py{SHORT}", tmp_path)
+    assert done.returncode == 1 and "names no server for tokens" in done.stderr
+
+
 def test_no_registry_answers(tmp_path: Path) -> None:
     assert "does not answer" in add("127.0.0.1:1/me/part:torch", tmp_path).stderr
 
