@@ -22,8 +22,9 @@ def root_of(package: Path) -> Path:
     return package.parents[1] if own else package / "data"
 
 
-def _cache() -> Path:
-    """The user's folder for what may get lost; a temporary one for a user who has none."""
+def user_cache() -> Path:
+    """The user's folder for what may get lost, such as what all checkouts and sets of the user may take from one another; a temporary
+    one for a user who has none."""
     named = Path(os.environ.get("XDG_CACHE_HOME", ""))
     try:
         return (named if named.is_absolute() else Path.home() / ".cache") / "rosml"
@@ -60,8 +61,5 @@ MATRIX = ROOT / os.environ["ROSML_MATRIX"] if os.environ.get("ROSML_MATRIX") els
 IN_CHECKOUT = ROOT != _PACKAGE / "data"
 """Whether that is a checkout, in which images can be built."""
 
-CACHE = _cache()
-"""What all checkouts and sets of a user may take from one another."""
-
-STATE = ROOT / ".state" if IN_CHECKOUT else CACHE
+STATE = ROOT / ".state" if IN_CHECKOUT else user_cache()
 """What commands keep: `.state` of the checkout; the user's cache where there is no checkout."""

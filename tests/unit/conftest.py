@@ -15,6 +15,7 @@ from hypothesis.configuration import set_hypothesis_home_dir
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 set_hypothesis_home_dir(ROOT / ".state/cache/hypothesis")
+os.environ["XDG_CACHE_HOME"] = str(ROOT / ".state/cache/user")  # no test writes into the user's own
 
 from tests.fork import FORK  # noqa: E402
 

@@ -61,6 +61,7 @@ def call(state: State, monkeypatch: pytest.MonkeyPatch, *words: str) -> str:
     """Runs a command of `rosml setup` for a checkout, as scripts/bootstrap.py calls it; what it says."""
     monkeypatch.setattr(commands, "ROOT", state.root)
     monkeypatch.setenv(commands.UV, "/uv")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(state.cache))
     return CliRunner().invoke(commands.main, words, catch_exceptions=False).output
 
 

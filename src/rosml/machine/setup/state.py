@@ -7,10 +7,10 @@ import os
 import re
 import stat
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
-from rosml import CACHE
+from rosml import user_cache
 from rosml.base.errors import RosmlError
 
 LONGEST_SOCKET_PATH = 107
@@ -33,7 +33,7 @@ class State:
     say: Callable[[str], object] = lambda line: None
     uv: str = ""
     ca_bundle: str = ""
-    cache: Path = CACHE
+    cache: Path = field(default_factory=user_cache)
 
     @property
     def folder(self) -> Path:
