@@ -785,6 +785,7 @@ class App:
         """
         reports = f"\n  reports: {self.report}"
         ran = built.tests.count and not built.tests.failures
+        missing = any("No module named " in line for line in built.tests.failures)
         if built.outcome.slim_replaced is not None and ran and not built.slim_tests.count:
             text = f"none of {built.tests.count} tests ran in the slim image; no image was made"
             raise RosmlError(text, "leave out the slim image with --no-enable-slim, or report this")
@@ -792,6 +793,7 @@ class App:
             (
                 built.tests,
                 "",
+                f"{'name what has the module in package.xml, as test_depend; or ' if missing else ''}"
                 "correct the packages or their tests; --no-tests makes the images without tests",
             ),
             (

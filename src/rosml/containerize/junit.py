@@ -26,6 +26,12 @@ END = 1 << 16
 NAMES = 16
 """The most files that a command line may name."""
 
+UNCOLLECTED = "collection failure"
+"""pytest's message about a module that it cannot import."""
+
+NOT_COLLECTED = "its tests could not be collected"
+"""The same in our words."""
+
 SHOWN = 160
 """The most characters to show of a failed test's message."""
 
@@ -117,8 +123,16 @@ def _junit(root: ElementTree.Element, package: str) -> Tests:
         wrong = next((found for kind in ("failure", "error") if (found := case.find(kind)) is not None), None)
         if wrong is not None:
             name = ".".join(filter(None, (case.get("classname"), case.get("name"))))
-            failures.append(_failure(package, name, wrong.get("message") or wrong.text or ""))
+            failures.append(_failure(package, name, _reason(wrong.get("message") or "", wrong.text or "")))
     return Tests(count, skipped, tuple(failures))
+
+
+def _reason(message: str, text: str) -> str:
+    """Why a test failed. Of a module that pytest cannot import, the message says nothing, and the last line of the text does."""
+    if message != UNCOLLECTED:
+        return message or text
+    lines = [line for line in text[-END:].splitlines() if line.startswith("E ")]
+    return f"{NOT_COLLECTED}: {lines[-1][1:].strip()}" if lines else NOT_COLLECTED
 
 
 def _without_tests(root: ElementTree.Element) -> Iterator[ElementTree.Element]:

@@ -207,8 +207,9 @@ def _require_no_ring(packages: Iterable[tuple[Package, str]], variables: Mapping
             line = text.count("\n", 0, max(text.find(f">{needed}<"), 0)) + 1
             lines.append(f"{package.manifest}:{line}: {name} depends on {needed}")
         raise RosmlError(
-            "packages depend on each other in a ring, so none of them can be built first:\n" + "\n".join(lines),
-            "remove one of these dependencies; move what both packages need into a third one",
+            "packages depend on each other in a ring, so none of them can be built first:"
+            + "".join(f"\n{line}" for line in lines),
+            "remove one of these dependencies, or move what both packages need into a third one",
             exit_code=2,
         ) from None
 

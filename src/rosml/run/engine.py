@@ -348,7 +348,9 @@ def _about_the_name(image: str) -> str:
         return "it is a path: rosml run -v FOLDER:/mnt IMAGE mounts it, rosml containerize FOLDER builds an image of its packages"
     if image.startswith("ghcr.io/me/"):
         return "ghcr.io/me is an example: write the place that has your images"
-    if "/" in image or "@" in image:
+    if "@" in image:
+        return f"check its digest, or take its tag: {image.partition('@')[0]}"
+    if "/" in image:
         return "check its name"
     if ":" in image:
         return f"if it is one of rosml's, write its place as well, such as 127.0.0.1:40123/rosml/{image}"

@@ -1503,7 +1503,13 @@ def test_no_image_is_made_where_a_test_failed(
     with pytest.raises(RosmlError, match=r"1 of 3 tests failed; no image was made") as caught:
         app(repository, services, base_image="ros:jazzy", command="true").build()
     assert "robot: a.bad: 1 is not 2" in caught.value.message
+    assert caught.value.remedy.startswith("correct the packages or their tests")
     assert [call["name"] for call in calls] == ["packages"]
+    failure = "robot: test.a: its tests could not be collected: ModuleNotFoundError: No module named 'cv3'"
+    monkeypatch.setattr(junit, "read", lambda folder: junit.Tests(1, 0, (failure,)))
+    with pytest.raises(RosmlError, match="No module named 'cv3'") as caught:
+        app(repository, services, base_image="ros:jazzy", command="true").build()
+    assert caught.value.remedy.startswith("name what has the module in package.xml, as test_depend; or correct")
 
 
 NAMES = ["robot", "me/robot", "me/a.b_c__d---e/f", "ghcr.io/me/robot", "localhost/robot", "127.0.0.1:5000/me/robot"]

@@ -30,6 +30,30 @@ def test_an_error_is_a_failure(tmp_path: Path) -> None:
     assert junit.read(tmp_path) == junit.Tests(1, 0, ("robot: a.crashed: SIGSEGV",))
 
 
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        (
+            "Traceback:\ntest/test_a.py:1: in &lt;module&gt;\nE   ModuleNotFoundError: No module named 'cv3'",
+            ": ModuleNotFoundError: No module named 'cv3'",
+        ),
+        (
+            'E     File "test_a.py", line 1\nE       def a(:\nE   SyntaxError: invalid syntax',
+            ": SyntaxError: invalid syntax",
+        ),
+        ("", ""),
+    ],
+)
+def test_a_module_that_pytest_cannot_import_is_told_with_the_reason(text: str, reason: str, tmp_path: Path) -> None:
+    (tmp_path / "robot").mkdir()
+    error = f'<error message="collection failure">{text}</error>'
+    (tmp_path / "robot/a.xml").write_text(
+        f'<testsuite><testcase classname="" name="test.test_a">{error}</testcase></testsuite>'
+    )
+    told = f"robot: test.test_a: its tests could not be collected{reason}"
+    assert junit.read(tmp_path) == junit.Tests(1, 0, (told,))
+
+
 def test_what_left_no_report_counts_as_failed(tmp_path: Path) -> None:
     """Whatever other packages report."""
     (tmp_path / "robot").mkdir()

@@ -329,6 +329,7 @@ def test_an_image_that_nobody_has(desk: Desk) -> None:
         ("ros2", "if it is the command, an image goes before it: rosml run IMAGE ros2"),
         ("ghcr.io/me/rosml/ros:jazzy-base", "ghcr.io/me is an example: write the place that has your images"),
         ("no/such:image", "check its name"),
+        ("me/ros:core@sha256:1", "check its digest, or take its tag: me/ros:core"),
         ("IMAGE", "IMAGE stands for an image: write one that you have"),
         ("./my_package", "it is a path: rosml run -v FOLDER:/mnt IMAGE mounts it"),
     ],
