@@ -185,7 +185,7 @@ def test_builds_that_share_steps_take_turns(
     assert (tmp_path / "order").read_text().split() == ["begin", "end"] * 2
     said = capfd.readouterr().err
     (line,) = [line for line in said.splitlines() if "waiting for another build in builder 'rosml'" in line]
-    assert re.search(rf"\(process {os.getpid()}, which began \d+ s ago: rosml ", line), line
+    assert re.search(rf"\(process {os.getpid()}, which began \d+ s ago: rosml", line), line
     assert said.count("this one begins") == 1, "the end of the wait is seen as well"
     assert 0.1 < builder.waited() - before < 30, "a summary says how long it was"
 

@@ -74,7 +74,10 @@ def _require_own(args: Sequence[str], own: Collection[str]) -> None:
     Raises:
         RosmlError: one is (exit code 2).
     """
-    from rosml.containerize import app_inputs, desk
+    options = {word.partition("=")[0] for word in args if word.startswith("--")}
+    if not {option for option in options.difference(own) if option[2:] not in words.table().names}:
+        return
+    from rosml.containerize import app_inputs, desk  # only needed when something is wrong
 
     inputs = {f"--{item.name}": item for item in app_inputs.TABLE if not item.gone}
     inputs |= {f"--no-{item.name}": item for item in app_inputs.TABLE if item.flag}
