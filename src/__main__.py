@@ -3,11 +3,12 @@
 import os.path
 import sys
 
-if (
-    sys.dont_write_bytecode
-):  # as in many containers: each call would compile all of rosml again, and take three times as long
+STATE = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), ".state")
+
+# As in many containers: each call would compile all of rosml again, and take three times as long.
+if sys.dont_write_bytecode and os.path.isdir(STATE):
     sys.dont_write_bytecode = False
-    sys.pycache_prefix = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), ".state/bytecode")
+    sys.pycache_prefix = os.path.join(STATE, "bytecode")
 
 # isort: split
 

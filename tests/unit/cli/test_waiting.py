@@ -132,6 +132,7 @@ def call(argv: list[str], cwd: Path, **variables: str) -> str:
 @pytest.mark.parametrize("inside", [False, True])
 def test_bytecode_has_its_own_folder_where_none_shall_be_beside_sources(tmp_path: Path, inside: bool) -> None:
     argv, cwd = checkout(tmp_path), tmp_path / "src" if inside else tmp_path
+    (tmp_path / ".state").mkdir()
     assert call([argv[0], "__main__.py"] if inside else argv, cwd, PYTHONDONTWRITEBYTECODE="1") == "here\n"
     kept = {file.name.partition(".")[0] for file in (tmp_path / ".state/bytecode").rglob("*.pyc")}
     assert {"__init__", "__main__"} <= kept
@@ -143,7 +144,14 @@ def test_bytecode_is_beside_sources_otherwise(tmp_path: Path) -> None:
     assert [*(tmp_path / "src").rglob("__pycache__")] and not (tmp_path / ".state").exists()
 
 
+def test_bytecode_makes_no_state(tmp_path: Path) -> None:
+    """Commands that need a registry alone leave nothing in a checkout."""
+    assert call(checkout(tmp_path), tmp_path, PYTHONDONTWRITEBYTECODE="1") == "here\n"
+    assert not (tmp_path / ".state").exists()
+
+
 def test_it_works_where_bytecode_cannot_be_written(tmp_path: Path) -> None:
     argv = checkout(tmp_path)
-    (tmp_path / ".state").write_text("a file is in the way, for root as well")
+    (tmp_path / ".state").mkdir()
+    (tmp_path / ".state/bytecode").write_text("a file is in the way, for root as well")
     assert call(argv, tmp_path, PYTHONDONTWRITEBYTECODE="1") == "here\n"
