@@ -3,12 +3,13 @@
 import os.path
 import sys
 
-STATE = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), ".state")
-
-# As in many containers: each call would compile all of rosml again, and take three times as long.
-if sys.dont_write_bytecode and os.path.isdir(STATE):
-    sys.dont_write_bytecode = False
-    sys.pycache_prefix = os.path.join(STATE, "bytecode")
+if (
+    sys.dont_write_bytecode
+):  # as in many containers: each call would compile all of rosml again, and take three times as long
+    state = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), ".state")
+    if os.path.isdir(state):
+        sys.dont_write_bytecode = False
+        sys.pycache_prefix = os.path.join(state, "bytecode")
 
 # isort: split
 
