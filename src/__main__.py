@@ -3,9 +3,8 @@
 import os.path
 import sys
 
-if (
-    sys.dont_write_bytecode
-):  # as in many containers: each call would compile all of rosml again, and take three times as long
+# As in many containers: each call would compile all of rosml again, and take three times as long.
+if sys.dont_write_bytecode:
     state = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), ".state")
     if os.path.isdir(state):
         sys.dont_write_bytecode = False
