@@ -154,6 +154,10 @@ def table() -> Table:
     return Table(frozenset(kinds["value"]), frozenset(kinds["switch"]), letters)
 
 
+MOST = 10_000
+"""Most words of a command line."""
+
+
 def split(words: Collection[str], own: Collection[str], with_value: Collection[str] = ()) -> Line:
     """Reads a command line as docker and podman read theirs: the first word that is no option is the image.
 
@@ -163,8 +167,11 @@ def split(words: Collection[str], own: Collection[str], with_value: Collection[s
         with_value: own options that take a value; the others are switches.
 
     Raises:
-        RosmlError: an option is unknown, or lacks its value.
+        RosmlError: an option is unknown, or lacks its value, or there are too many words (exit code 2).
     """
+    if len(words) > MOST:
+        text = f"{len(words):,} words are more than any call of an engine needs"
+        raise RosmlError(text, f"write at most {MOST:,}, such as --env-file for many variables", exit_code=2)
     mine: list[str] = []
     engine: list[Given] = []
     rest = iter(words)
