@@ -155,7 +155,7 @@ def table() -> Table:
 
 
 MOST = 10_000
-"""Most words of a command line."""
+"""Most options of a command line. The command may have more words."""
 
 
 def split(words: Collection[str], own: Collection[str], with_value: Collection[str] = ()) -> Line:
@@ -167,11 +167,8 @@ def split(words: Collection[str], own: Collection[str], with_value: Collection[s
         with_value: own options that take a value; the others are switches.
 
     Raises:
-        RosmlError: an option is unknown, or lacks its value, or there are too many words (exit code 2).
+        RosmlError: an option is unknown, or lacks its value, or there are too many (exit code 2).
     """
-    if len(words) > MOST:
-        text = f"{len(words):,} words are more than any call of an engine needs"
-        raise RosmlError(text, f"write at most {MOST:,}, such as --env-file for many variables", exit_code=2)
     mine: list[str] = []
     engine: list[Given] = []
     rest = iter(words)
@@ -190,6 +187,9 @@ def split(words: Collection[str], own: Collection[str], with_value: Collection[s
 
 
 def _line(own: list[str], engine: list[Given], rest: list[str]) -> Line:
+    if len(engine) > MOST:
+        text = f"{len(engine):,} options are more than any call of an engine needs"
+        raise RosmlError(text, f"write at most {MOST:,}; --env-file takes many variables", exit_code=2)
     image = rest[0] if rest else ""
     program = any(
         "entrypoint" in given.names for given in engine

@@ -93,6 +93,7 @@ def test_its_own_options_are_its_own_before_the_image_alone() -> None:
         (["--version"], "unknown option --version", "rosml --version"),
         (["-P8080:80", "image"], "unknown option -8 in '-P8080:80'", "did you mean -p 8080:80?"),
         (["--=x", "image"], "unknown option --=x", "a name before ="),
+        (["-it"] * 10_001 + ["image"], "10,001 options are more than", "--env-file"),
         (["", "bash"], "the image is an empty word", "the variable that should hold the image"),
         (["image", ""], "the command is an empty word", "the variable that should hold the command"),
         (["--", "--privileged"], "'--privileged' is no name of an image", "write an image"),
