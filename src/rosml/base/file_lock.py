@@ -9,7 +9,7 @@ import shlex
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from rosml.base.units import ago
@@ -33,22 +33,26 @@ def turn(file: Path, waiting: Callable[[], object]) -> Iterator[int]:
         OSError: the file cannot be made.
     """
     file.parent.mkdir(parents=True, exist_ok=True)
-    with file.open("a") as lock:
+    # A link is not followed, and a named pipe is not waited for.
+    flags = os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_NONBLOCK
+    with os.fdopen(os.open(file, flags, 0o666), "r+b", buffering=0) as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             waiting()
             fcntl.flock(lock, fcntl.LOCK_EX)
-        lock.truncate(0)
-        lock.write(f"{os.getpid()} {time.time():.0f} {shlex.join(['rosml', *sys.argv[1:]])[:LONGEST_COMMAND]}")
-        lock.flush()
+        words = shlex.join(["rosml", *sys.argv[1:]])[:LONGEST_COMMAND]
+        with suppress(OSError):  # a full disk, or no file: then nobody sees who holds it
+            lock.truncate(0)
+            lock.write(f"{os.getpid()} {time.time():.0f} {words}".encode(errors="replace"))
         yield lock.fileno()
 
 
 def holder(file: Path) -> str:
     """Who holds a lock, for people: `process 4711, which began 2 minutes ago: rosml image jazzy-base`."""
     try:
-        text = file.read_text(encoding="utf-8", errors="replace")[:1000]
+        with file.open("rb") as stream:
+            text = stream.read(1000).decode(errors="replace")
     except OSError:
         text = ""
     match = re.fullmatch(r"(\d{1,10}) (\d{1,12}) ([ -~]+)", text)

@@ -11,6 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import click
 import pytest
 import yaml
 from click.testing import CliRunner, Result
@@ -21,6 +22,7 @@ from stubs import HOSTILE
 from rosml.base.errors import RosmlError
 from rosml.cli import main
 from rosml.cli.containerize import init
+from rosml.cli.run import question
 from rosml.containerize import app_inputs, workspace
 from rosml.containerize.conditions import holds
 from rosml.containerize.init import contents, forge
@@ -635,6 +637,18 @@ def test_a_terminal_is_asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     assert "core, base, perception, desktop" in done.stderr and "no closing quotation" in done.stderr
     values = app_inputs.values({}, tmp_path, {})
     assert (values.base_image, values.command) == ("ros-torch:humble-core-cu128", "ros2 run arm go")
+
+
+def test_what_was_typed_before_a_question_is_no_answer(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A stranger's .env would name the registry, and keys of impatience confirm it."""
+    order: list[str] = []
+    monkeypatch.setattr(init, "_has_terminal", lambda: True)
+    monkeypatch.setattr(question, "drop_typed", lambda: order.append("drop"))
+    prompt = click.prompt
+    monkeypatch.setattr(click, "prompt", lambda *words, **more: (order.append("ask"), prompt(*words, **more))[1])
+    write(tmp_path, {"package.xml": manifest()})
+    called(tmp_path, typed="\n" * 9)
+    assert order and order == ["drop", "ask"] * (len(order) // 2)
 
 
 def test_a_terminal_is_asked_for_ci_and_where_it_pushes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from click import Command
 from click.testing import CliRunner
-from rebasing import BASE_FACTS, App, Place, addon, app_with_addon, moving, on_stack
+from rebasing import BASE_FACTS, BOTH, App, Place, addon, app_with_addon, moving, on_stack
 
 from rosml.base import clock
 from rosml.base.errors import RosmlError
@@ -46,6 +46,10 @@ def called(*arguments: str, program: Command = rebase.main) -> tuple[int, str, s
         (["a/b", "--variants", "cpu", "--base", "x"], "--variants chooses base images"),
         (["a/b", "--back", "sha256:0", "--base", "x"], "--back and --base exclude each other"),
         (["APP", "--back", "sha256:0"], "--back sha256:0 is no digest"),
+        (["APP", "--back", ""], "--back  is no digest"),
+        (["APP", "--back", "", "--base", "x"], "--back and --base exclude each other"),
+        (["APP", "--base", ""], "--base is an empty word"),
+        (["APP", "--tag", ""], "--tag is an empty word"),
         (["APP", "--variants", ""], "0 variants are named"),
         (["BASE"], "is no app that rosml containerize built"),
         (["--all", "FOLDER"], "FOLDER"),
@@ -108,7 +112,16 @@ def test_each_line_of_the_way_back_gives_the_digest_of_before(place: Place) -> N
 def test_the_way_back_to_an_image_that_the_registry_removed(place: Place) -> None:
     base = place.base()
     code, _, said = called(place.app(base), "--back", place.digest(base))
-    assert code == 2 and "has no image sha256:" in said and "any more" in said
+    assert code == 2 and "has no image sha256:" in said
+
+
+def test_the_way_back_loses_no_platform(place: Place) -> None:
+    base = place.base()
+    one = place.digest(place.app(base, "one"))
+    app = place.app(base, platforms=BOTH)
+    before = place.digest(app)
+    code, _, said = called(app, "--back", one)
+    assert code == 2 and "would lose linux/arm64" in said and place.digest(app) == before
 
 
 def test_many_apps_are_told_with_the_way_back(place: Place, tmp_path: Path) -> None:

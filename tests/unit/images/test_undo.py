@@ -123,6 +123,14 @@ def test_a_tag_that_a_later_run_moved_to_the_same_index_stays(
         assert client.head(f"{PREFIX}/ros", TAGS[0]) == new != old
 
 
+def test_an_empty_word_is_no_run(server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    with Registry(server.address) as client:
+        new = published(client)["ros"][1]
+        assert command.run(script.main, arguments=["undo", "", "--registry", f"{server.address}/{PREFIX}"]) == 2
+        assert "the run is an empty word" in capsys.readouterr().err
+        assert client.head(f"{PREFIX}/ros", TAGS[0]) == new
+
+
 def test_undo_without_a_place_says_how_to_name_one(clone: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert command.run(script.main, arguments=["undo"]) == 1
     assert "--registry" in capsys.readouterr().err

@@ -325,7 +325,9 @@ def test_another_checkout_takes_a_go_tool(state: State, go: Path, tmp_path: Path
     assert re.fullmatch(r"regctl-v1\.2\.3-[0-9a-f]{16}-\w+", kept.name)
 
 
-@pytest.mark.parametrize("wrong", ["writable", "link", "another's folder", "other pins"])
+@pytest.mark.parametrize(
+    "wrong", ["writable", "link", "another's folder", "a folder behind a link", "empty", "other pins"]
+)
 def test_a_go_tool_that_somebody_else_may_have_put_there_is_not_taken(
     state: State, go: Path, wrong: str, tmp_path: Path
 ) -> None:
@@ -339,6 +341,11 @@ def test_a_go_tool_that_somebody_else_may_have_put_there_is_not_taken(
         kept.symlink_to(tmp_path / "evil")
     elif wrong == "another's folder":
         kept.parent.chmod(0o777)
+    elif wrong == "a folder behind a link":
+        kept.parent.rename(tmp_path / "elsewhere")
+        kept.parent.symlink_to(tmp_path / "elsewhere")
+    elif wrong == "empty":
+        kept.write_text("")
     else:
         (state.root / "tools/go/regctl/go.sum").write_text("changed")
     (state.bin / "regctl").unlink()
@@ -353,10 +360,12 @@ def test_a_cache_that_cannot_be_written_loses_nothing(state: State, go: Path) ->
 def test_a_go_tool_that_nobody_takes_any_more_goes(state: State, go: Path) -> None:
     cache = ToolCache(state.cache / "tools")
     cache.folder.mkdir(parents=True)
-    old, new = (program(cache.folder, name, "") for name in ("regctl-v1-0-x86_64", "regctl-v2-0-x86_64"))
-    os.utime(old, (0, 0))
+    old, new = (program(cache.folder, name, "") for name in (f"regctl-v1-{16 * '0'}-x86", f"regctl-v2-{16 * '0'}-x86"))
+    mine = program(cache.folder, "my-thesis.tex", "")
+    for path in (old, mine):
+        os.utime(path, (0, 0))
     Installer(state).go_program("regctl")
-    assert not old.exists() and new.exists()
+    assert not old.exists() and new.exists() and mine.exists(), "nor does a file that is nobody's program"
 
 
 @pytest.mark.parametrize("changed", ["go.sum", "main.go"])

@@ -212,12 +212,14 @@ def _has_terminal() -> bool:
     return os.isatty(0) and os.isatty(2)
 
 
-def _ask(question: str, proposal: Choice, answers: Sequence[str], read: Callable[[str], str]) -> str:
+def _ask(asked: str, proposal: Choice, answers: Sequence[str], read: Callable[[str], str]) -> str:
     """Asks until an answer can be read. The first clause of the proposal's reason stands behind it."""
     from rosml.base.problems import listed
+    from rosml.cli.run import question
 
-    text = f"{question} [{proposal.value or 'none'}] ({proposal.reason.partition(';')[0]})"
+    text = f"{asked} [{proposal.value or 'none'}] ({proposal.reason.partition(';')[0]})"
     while True:
+        question.drop_typed()
         said: str = click.prompt(text, default=proposal.value, show_default=False, err=True).strip()
         if said == proposal.value:
             return said

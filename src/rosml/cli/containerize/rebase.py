@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
+from click.core import ParameterSource
 
 from rosml import IN_CHECKOUT, ROOT, STATE
 from rosml.base import terminal
@@ -48,7 +49,7 @@ STATES |= {"planned": "would move"}
     type=click.Path(path_type=Path),
     help="all apps that a file apps.yaml names, instead of APP",
 )
-@click.option("--back", default="", metavar="DIGEST", help="move APP's tag back to this earlier image of it")
+@click.option("--back", metavar="DIGEST", help="move APP's tag back to this earlier image of it")
 @click.option("--variants", metavar="STACKS", help="an image for each of these, such as cpu,cu130: TAG-cpu, TAG-cu130")
 @click.option(
     "--fixes", default="", metavar="CVE", help="with --all: only apps that have it, if their new base image has not"
@@ -69,7 +70,7 @@ def main(
     tag: str,
     platforms: tuple[str, ...],
     apps: Path | None,
-    back: str,
+    back: str | None,
     variants: str | None,
     fixes: str,
     check: str,
@@ -97,6 +98,10 @@ def main(
     from rosml.machine.services import Services
     from rosml.registry.client import Registries
 
+    context = click.get_current_context()
+    for name in ("base", "tag"):
+        if not context.params[name] and context.get_parameter_source(name) is ParameterSource.COMMANDLINE:
+            raise RosmlError(f"--{name} is an empty word", "name an image, or leave the option out", exit_code=2)
     if bool(command) != (check == "run"):
         raise RosmlError("--check run and --command belong together", "give both, or neither", exit_code=2)
     one = {
@@ -105,7 +110,7 @@ def main(
         "--tag": tag,
         "--platform": platforms,
         "--command": command,
-        "--back": back,
+        "--back": back is not None,
         "--variants": variants is not None,
         "--check": check != "auto",
     }
@@ -114,7 +119,7 @@ def main(
         raise RosmlError("--variants chooses base images and platforms by itself", "leave the other option out", 2)
     if apps and given:
         raise RosmlError(f"--all and {given[0]} exclude each other", "write what holds for an app into the file", 2)
-    if back and (other := [name for name in given if name not in ("APP", "--back")]):
+    if back is not None and (other := [name for name in given if name not in ("APP", "--back")]):
         raise RosmlError(f"--back and {other[0]} exclude each other", "leave one of them out", exit_code=2)
     if fixes and not apps:
         raise RosmlError("--fixes looks at the apps of a file", "name it with --all apps.yaml", exit_code=2)
@@ -125,7 +130,7 @@ def main(
         if apps:
             _fleet(rebaser, apps, fixes, with_sbom=not no_sbom, dry_run=dry_run, as_json=as_json)
             return
-        if back:
+        if back is not None:
             found = [rebaser.back(app, back, dry_run)]
         else:
             plans = (
@@ -137,7 +142,7 @@ def main(
     if as_json:
         documents = [item.to_json() for item in found]
         terminal.echo(json.dumps(documents[0] if variants is None else documents, indent=2))
-    elif dry_run and back:
+    elif dry_run and back is not None:
         terminal.echo(f"{found[0].reference} would point at {back}")
     elif not dry_run:
         for item in found:

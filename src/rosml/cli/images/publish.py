@@ -305,9 +305,9 @@ def issue(file: Path, unpublished: int) -> None:
 
 @main.command(alone=True, short_help="Moves the tags of a run back to their earlier digests.")
 @sharing("registry", "json")
-@click.argument("run", default="")
+@click.argument("run", required=False)
 @click.option("--dry-run", is_flag=True, help="show where each tag would go, and move none")
-def undo(run: str, dry_run: bool, **options: Any) -> None:
+def undo(run: str | None, dry_run: bool, **options: Any) -> None:
     """Moves the tags of RUN back to where they were before it.
 
     RUN is the date of a run, such as 2026-11-22T03:00:00Z. Without RUN, it is the last run that moved a tag there; if that is older than
@@ -328,11 +328,14 @@ def undo(run: str, dry_run: bool, **options: Any) -> None:
     from rosml.images.publish import undo as undoing
     from rosml.images.records.store import Records
 
+    if run is not None and not run.strip():
+        text = "the run is an empty word"
+        raise RosmlError(text, "name its date, or leave it out for the last run", exit_code=2)
     started, call = time.monotonic(), Call(**options)
     place = place_of(call.registry, ROOT)
     with place.client as client:
         date, book = now(), Records(place)
-        found = undoing.find(book, run)
+        found = undoing.find(book, run or "")
         age = found.age(date)
         said = f"the run of {found.date}{f', {ago(age.total_seconds())}' if age is not None else ''}"
         say(f"{said}: {counted(len(found.moves), 'tag')} in {place}")

@@ -24,10 +24,15 @@ def agreed(*lines: str) -> bool:
         lines: the text; its last line is the question.
     """
     terminal.echo("\n".join(lines), err=True, nl=False)
-    with suppress(termios.error):
-        termios.tcflush(0, termios.TCIFLUSH)
+    drop_typed()
     terminal.echo(" [y/N] ", err=True, nl=False)
     return sys.stdin.buffer.readline().strip().lower() in (b"y", b"yes")
+
+
+def drop_typed() -> None:
+    """Drops what was typed before a question, which is no answer to it."""
+    with suppress(termios.error):
+        termios.tcflush(0, termios.TCIFLUSH)
 
 
 def keep(place: Path, content: bytes) -> None:

@@ -373,7 +373,8 @@ class Rebaser:
             dry_run: change nothing.
 
         Raises:
-            RosmlError: the app is named by a digest, or there is no such image of an app (exit code 2); a registry does not answer or refuses.
+            RosmlError: the app is named by a digest, there is no such image of an app, or the tag would lose a platform (exit code 2); a
+                registry does not answer or refuses.
         """
         where, now = self._find(app)
         if references.is_digest(where.reference):
@@ -383,9 +384,17 @@ class Rebaser:
         registry, earlier = self.registries(where.host), where._replace(reference=digest)
         manifest = registry.manifest(*earlier[1:])
         if manifest is None:
-            text = f"{where.host}/{where.repository} has no image {digest} any more"
-            raise RosmlError(text, "the registry removed it; put the app on its earlier base image with --base", 2)
-        old, new = (self._first(str(place), place, found) for place, found in ((where, now), (earlier, manifest)))
+            text = f"{where.host}/{where.repository} has no image {digest}"
+            remedy = "check it; if the registry removed it, put the app on its earlier base image with --base"
+            raise RosmlError(text, remedy, exit_code=2)
+        present, images = (
+            self._images(str(place), place, found) for place, found in ((where, now), (earlier, manifest))
+        )
+        if lost := sorted(present.keys() - images.keys()):
+            raise RosmlError(
+                f"{where} would lose {listed(lost)}: {digest} has not {some(lost)}", "name an index that has", 2
+            )
+        old, new = (next(iter(found.values())) for found in (present, images))
         if moves := now.digest != digest and not dry_run:
             registry.tag(where.repository, digest, where.reference)
         return Rebased(
@@ -401,14 +410,15 @@ class Rebaser:
             moved=moves,
         )
 
-    def _first(self, name: str, where: Reference, manifest: oci.Manifest) -> Source:
-        """An app's image for the first of its platforms.
+    def _images(self, name: str, where: Reference, manifest: oci.Manifest) -> dict[str, Source]:
+        """An app's image for each of its platforms.
 
         Raises:
-            RosmlError: it is no app (exit code 2), or the registry does not answer or refuses.
+            RosmlError: one is no app (exit code 2), or the registry does not answer or refuses.
         """
-        found = next(iter(_chosen(self._transfer.members(name, where, manifest), (), name).values()))
-        image.require_app(found)
+        found = _chosen(self._transfer.members(name, where, manifest), (), name)
+        for source in found.values():
+            image.require_app(source)
         return found
 
     # ---- Reading -----------------------------------------------------------------------------------------------------

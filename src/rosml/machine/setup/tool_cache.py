@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import stat
 import time
@@ -36,16 +37,28 @@ class ToolCache:
         """
         path = self._path(name, pins)
         try:
-            return stat.S_ISREG(path.lstat().st_mode) and all(map(_is_trusted, (path, self.folder)))
+            facts = path.lstat()
         except OSError:
             return False
+        whole = stat.S_ISREG(facts.st_mode) and facts.st_size > 0 and facts.st_mode & stat.S_IXUSR
+        return bool(whole) and self._is_ours and _is_trusted(facts)
+
+    @property
+    def _is_ours(self) -> bool:
+        """Whether it is a folder, and no link, to which nobody else may write."""
+        try:
+            facts = self.folder.lstat()
+        except OSError:
+            return False
+        return stat.S_ISDIR(facts.st_mode) and _is_trusted(facts)
 
     def take(self, name: str, pins: str, to: Path) -> bool:
         """Copies a program, and says whether it was there. `to` is a file that nobody else reads yet."""
         if not self.has(name, pins):
             return False
         try:
-            shutil.copy(self._path(name, pins), to)
+            shutil.copyfile(self._path(name, pins), to)
+            to.chmod(0o755)
             with suppress(OSError):
                 os.utime(self._path(name, pins))
             return True
@@ -59,6 +72,8 @@ class ToolCache:
         partial = path.with_name(f".{path.name}.{os.getpid()}.partial")
         try:
             self.folder.mkdir(mode=0o755, parents=True, exist_ok=True)
+            if not self._is_ours:
+                return
             shutil.copy(program, partial)
             partial.replace(path)
         except OSError:
@@ -75,10 +90,13 @@ class ToolCache:
         """Programs, and files of interrupted calls, that nobody has taken for a long time."""
         with suppress(OSError):
             for path in sorted(self.folder.iterdir()):
-                if path.lstat().st_mtime < time.time() - UNUSED_SECONDS:
+                if _NAME.fullmatch(path.name) and path.lstat().st_mtime < time.time() - UNUSED_SECONDS:
                     yield path
 
 
-def _is_trusted(path: Path) -> bool:
-    facts = path.lstat()
+_NAME = re.compile(r"\.?[a-z]+-v?[\w.+-]+-[0-9a-f]{16}-\w+(\.\d+\.partial)?")
+"""The name of a program, or of a file of an interrupted call."""
+
+
+def _is_trusted(facts: os.stat_result) -> bool:
     return facts.st_uid in (0, os.geteuid()) and not facts.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
