@@ -645,7 +645,12 @@ def test_what_was_typed_before_a_question_is_no_answer(tmp_path: Path, monkeypat
     monkeypatch.setattr(init, "_has_terminal", lambda: True)
     monkeypatch.setattr(question, "drop_typed", lambda: order.append("drop"))
     prompt = click.prompt
-    monkeypatch.setattr(click, "prompt", lambda *words, **more: (order.append("ask"), prompt(*words, **more))[1])
+
+    def asking(*words: Any, **more: Any) -> Any:
+        order.append("ask")
+        return prompt(*words, **more)
+
+    monkeypatch.setattr(click, "prompt", asking)
     write(tmp_path, {"package.xml": manifest()})
     called(tmp_path, typed="\n" * 9)
     assert order and order == ["drop", "ask"] * (len(order) // 2)
