@@ -13,6 +13,7 @@ import pytest
 from conftest import ROOT
 from stubs import executable
 
+from rosml.base import web
 from rosml.base.errors import RosmlError
 from rosml.images.image_set import load
 from rosml.images.locks import shared_files
@@ -116,3 +117,19 @@ def test_what_the_part_does_not_have_may_differ(tmp_path: Path, components: Path
 def test_an_index_that_answers_something_else(content: bytes, ranges: bool, message: str) -> None:
     with client({"3.11": content}, [], ranges) as index, pytest.raises(RosmlError, match=message):
         Index(Uv("uv"), index).metadata(Wheel("http://index/3.11.whl", len(content)))
+
+
+def test_an_index_that_does_not_answer_is_asked_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A name that is not resolved for a moment must not end hundreds of requests."""
+    content, failing = wheel("a,b,c\n"), [httpx.ConnectError("Temporary failure in name resolution")]
+
+    def answer(request: httpx.Request) -> httpx.Response:
+        if failing:
+            raise failing.pop()
+        first, last = map(int, re.findall(r"\d+", request.headers["Range"]))
+        return httpx.Response(206, stream=httpx.ByteStream(content[first : last + 1]))
+
+    monkeypatch.setattr(web, "WAIT", 0.0)
+    with httpx.Client(transport=httpx.MockTransport(answer)) as index:
+        assert Index(Uv("uv"), index).record(Wheel("http://index/3.11.whl", len(content))) == {"a": "b"}
+    assert not failing

@@ -160,12 +160,24 @@ class _Remote(io.RawIOBase):
         last = min(self._at + len(buffer), self._wheel.size) - 1
         if last < self._at:
             return 0
-        request = self._client.build_request("GET", self._wheel.url, headers={"Range": f"bytes={self._at}-{last}"})
-        answer = web.followed(self._client, request, elsewhere=True)
-        if answer.status_code != httpx.codes.PARTIAL_CONTENT:
-            answer.close()
-            raise RosmlError("the index sends no pieces of wheels", "run it with an index that does")
-        content = web.read(answer, last + 1 - self._at)
+        content = self._piece(last)
         buffer[: len(content)] = content
         self._at += len(content)
         return len(content)
+
+    def _piece(self, last: int) -> bytes:
+        """The bytes up to `last`. If the index does not answer, asks again: a whole run has hundreds of such requests."""
+        attempt = 0
+        while True:
+            attempt += 1
+            request = self._client.build_request("GET", self._wheel.url, headers={"Range": f"bytes={self._at}-{last}"})
+            try:
+                answer = web.followed(self._client, request, elsewhere=True)
+                if answer.status_code == httpx.codes.PARTIAL_CONTENT:
+                    return web.read(answer, last + 1 - self._at)
+            except httpx.TransportError:
+                if not web.waited(attempt):
+                    raise
+                continue
+            answer.close()
+            raise RosmlError("the index sends no pieces of wheels", "run it with an index that does")
