@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import fcntl
+import itertools
 import os
 import re
 import shlex
@@ -41,7 +42,9 @@ def turn(file: Path, waiting: Callable[[], object]) -> Iterator[int]:
         except BlockingIOError:
             waiting()
             fcntl.flock(lock, fcntl.LOCK_EX)
-        words = shlex.join(["rosml", *sys.argv[1:]])[:LONGEST_COMMAND]
+        # Options may have secrets, such as -e TOKEN=…, and the file stays.
+        before_options = itertools.takewhile(lambda word: not word.startswith("-"), sys.argv[1:])
+        words = shlex.join(["rosml", *before_options])[:LONGEST_COMMAND]
         with suppress(OSError):  # a full disk, or no file: then nobody sees who holds it
             lock.truncate(0)
             lock.write(f"{os.getpid()} {time.time():.0f} {words}".encode(errors="replace"))

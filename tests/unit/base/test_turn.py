@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import multiprocessing
+import sys
 from multiprocessing.synchronize import Event
 from pathlib import Path
 
 import pytest
 
-from rosml.base.file_lock import turn
+from rosml.base.file_lock import holder, turn
 
 
 def hold(file: Path, begun: Event, end: Event) -> None:
@@ -43,3 +44,12 @@ def test_nobody_to_wait_for(tmp_path: Path) -> None:
     for name in ("a", "b", "a"):
         with turn(tmp_path / name, lambda: (_ for _ in ()).throw(AssertionError("waits"))):
             pass
+
+
+def test_a_lock_keeps_no_option(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its file stays, and others read it: a value of an option may be a secret."""
+    monkeypatch.setattr(sys, "argv", ["rosml", "dev", "folder", "-e", "TOKEN=secret", "--", "colcon"])
+    with turn(tmp_path / "lock", lambda: None):
+        pass
+    assert holder(tmp_path / "lock").endswith(": rosml dev folder")
+    assert b"secret" not in (tmp_path / "lock").read_bytes()
