@@ -125,7 +125,8 @@ def key(folder: Path, said: Values) -> str:
         facts.append(stage_cache.tree(requests))
     if additional := workspace.additional_files(said.additional_files_dir, folder):
         facts.append(stage_cache.tree(additional))
-    facts += [stage_cache.tree(app_bake_file.SCRIPTS / part) for part in ("containerize", "build", "ros")]
+    scripts = [app_bake_file.SCRIPTS / part for part in ("containerize", "build", "ros")]
+    facts += [stage_cache.tree(folder, {"__pycache__"}) for folder in scripts]
     return hashlib.sha256(json.dumps(facts).encode("utf-8", "surrogateescape")).hexdigest()
 
 

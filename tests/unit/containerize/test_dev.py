@@ -148,6 +148,22 @@ def test_an_image_is_made_again_if_its_inputs_changed(
     assert place.made == 1 + again
 
 
+def test_bytecode_of_our_scripts_makes_no_other_image(
+    place: Place, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    scripts = tmp_path / "components"
+    for part in ("containerize", "build", "ros"):
+        write(f"{part}/step.py")(scripts)
+    monkeypatch.setattr(app_bake_file, "SCRIPTS", scripts)
+    place.call()
+    write("containerize/__pycache__/step.cpython-311.pyc")(scripts)
+    place.call()
+    assert place.made == 1
+    write("containerize/step.py", "y")(scripts)
+    place.call()
+    assert place.made == 2
+
+
 def test_an_image_is_made_again_if_the_engine_has_another(place: Place) -> None:
     place.call()
     place.desk.engine(images={})
