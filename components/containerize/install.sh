@@ -93,16 +93,18 @@ take_kept() {
   done <"$scratch/wanted"
 }
 
-# keep: leaves archives for builds to come, and takes away what none used for a month. Others may do so at the same time.
+# keep: leaves archives for builds to come, and takes away what none used for a month. Other steps may do so at the same time; their
+# processes have the same numbers. A full disk fails no build.
 keep() {
-  local file hash
+  local file hash copy
   [[ -d $kept ]] || return 0
   find "$kept" -type f -mtime +30 -delete
   for file in "$archives"/*.deb; do
     [[ -f $file ]] || continue
     hash=$(sha256sum <"$file")
     hash=${hash%% *}
-    if [[ ! -e $kept/$hash ]]; then cp "$file" "$kept/.$hash.$BASHPID" && mv "$kept/.$hash.$BASHPID" "$kept/$hash"; fi
+    if [[ -e $kept/$hash ]] || ! copy=$(mktemp "$kept/.XXXXXXXXXX"); then continue; fi
+    { chmod 644 "$copy" && cp "$file" "$copy" && mv "$copy" "$kept/$hash"; } || rm -f "$copy"
   done
 }
 

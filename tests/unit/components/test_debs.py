@@ -71,6 +71,12 @@ def test_what_was_downloaded_is_kept_by_its_hash_and_what_nobody_used_is_not(tmp
     assert (kept / SHA256).read_bytes() == DEB
 
 
+@pytest.mark.parametrize("fault", ["cp() { return 1; }", 'mv() { rm "$1"; return 1; }', "mktemp() { return 1; }"])
+def test_an_archive_that_cannot_be_kept_fails_no_build(tmp_path: Path, kept: Path, fault: str) -> None:
+    run(tmp_path, f'printf x >"$archives/liba_1_amd64.deb"; {fault}; keep')
+    assert list(kept.iterdir()) == []
+
+
 def test_what_apt_cannot_resolve_is_left_to_it(tmp_path: Path, kept: Path) -> None:
     run(tmp_path, "take_kept libb; keep")
     assert list(kept.iterdir()) == []
