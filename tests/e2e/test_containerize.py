@@ -236,8 +236,8 @@ def test_a_machine_that_has_nothing_builds_nothing_twice(
     assert {image.target: image.digest for image in again.images}["run"] == first["run"]["digest"]
     assert f"nothing to build: {cache} has it" in said
     assert again.tests.count == 2 and again.outcome.packages == ["compass"]
-    logs = [services.state / f"log/containerize-{NAMESPACE}+cached@latest-{target}.log" for target in ("run", "dev")]
-    assert not [line for log in logs for line in log.read_text().splitlines() if "RUN" in line], "no step at all"
+    log = services.state / f"log/containerize-{NAMESPACE}+cached@latest-images.log"
+    assert "RUN" not in log.read_text(), "no step at all"
 
     source.write_text(source.read_text().replace('"west"', '"WEST"'))
     with pytest.raises(RosmlError, match="1 of 2 tests failed; no image was made") as caught:

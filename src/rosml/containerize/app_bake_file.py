@@ -43,6 +43,12 @@ REPORT, RESULTS, ASKED = "report", "results", "identified"
 """The targets that leave an archive: the reports of rosml's own steps, the test reports, and the packages for each key of rosdep, in
 case these cannot be installed."""
 
+PASSED = "passed"
+"""The stage that fails if a test did."""
+
+FAILED = "target-results"
+"""The target that leaves the reports of the app's own tests alone, in the archive of `RESULTS`."""
+
 STAGES = ("app", "runtime", "workspace")
 """Stages that images join."""
 
@@ -124,7 +130,11 @@ def render(
         targets[RESULTS] = {**common, "target": f"{before}{RESULTS}", "output": [exported.output(left[RESULTS])]}
     elif values.downstream_workspace:  # built all the same, without output
         targets[RESULTS] = {**common, "target": "downstream-built", "output": ["type=cacheonly"]}
+    if tested and not kept:  # a cache gets all stages: whoever mends the test builds on them
+        targets[PASSED] = {**common, "target": PASSED, "output": ["type=cacheonly"]}
     first = [*targets]
+    if tested:
+        targets[FAILED] = {**common, "target": FAILED, "output": [exported.output(left[RESULTS])]}
     targets[ASKED] = {**common, "target": ASKED, "output": [exported.output(left[ASKED])]}
     for stage in inputs.stages:
         targets[stage] = {**common, "target": stage}

@@ -358,7 +358,7 @@ class App:
                 archive.unlink(missing_ok=True)
             files.write(file, app_bake_file.render(*arguments))
             self._install_ros(inputs.base, known)
-            self._bake(app_bake_file.PACKAGES, file, left[app_bake_file.ASKED])
+            self._make_stages(file, left, built)
             said = report.Said(left[app_bake_file.REPORT], self._state / "said", self._names.platforms)
             _take(built, said, slim=inputs.slim is not None)
             if self._values.tests:
@@ -372,16 +372,45 @@ class App:
             made = locked  # it may have more: of another platform, or of a slim image
         built.lock = made
         files.write(file, app_bake_file.render(*arguments, replaced=built.outcome.replacing, lock=made.line()))
-        for target in self._names.targets:
-            call = buildx.Bake(target, f"containerize-{self._state.name}-{target}", file)
-            _progress, metadata = buildx.run(self._services, call)
-            digest = metadata.get(f"containerimage.{'config.' if self._names.loads else ''}digest", "")
-            built.images.append(Made(target, self._names.reference(target), digest))
+        built.images = self._join(file)
         if self._values.sbom and not self._names.loads:
             if said:
                 self._describe(built, said.detail)
             elif cache:
                 self._describe(built, functools.partial(cache.detail, keys))
+
+    def _make_stages(self, file: Path, left: Mapping[str, Path], built: Built) -> None:
+        """Builds the stages of the packages and runs their tests. A failed test ends the build.
+
+        Args:
+            file: the bake file.
+            left: the archives of its targets.
+
+        Raises:
+            RosmlError: a step or a test failed.
+        """
+        try:
+            self._bake(app_bake_file.PACKAGES, file, left[app_bake_file.ASKED])
+        except buildx.StepFailed as error:
+            if error.stage == app_bake_file.PASSED:
+                buildx.run(self._services, self._call(app_bake_file.FAILED, file, "read the reports of the tests"))
+                self._test(left[app_bake_file.RESULTS], built)
+            raise
+
+    def _join(self, file: Path) -> list[Made]:
+        """Joins the images of a bake file.
+
+        Raises:
+            RosmlError: one cannot be joined, or cannot be pushed.
+        """
+        first, *others = self._names.targets
+        call = buildx.Bake(first, f"containerize-{self._state.name}-images", file, beside=others)
+        _progress, metadata = buildx.run_all(self._services, call)
+        fact = f"containerimage.{'config.' if self._names.loads else ''}digest"
+        return [
+            Made(target, self._names.reference(target), metadata.get(target, {}).get(fact, ""))
+            for target in self._names.targets
+        ]
 
     def _install_ros(self, base: app_base.Base, known: Mapping[str, str]) -> None:
         """Has the builder install ROS on a base image without it, one app after the other. All other steps wait for nobody.
@@ -405,14 +434,17 @@ class App:
         Raises:
             RosmlError: a step failed.
         """
-        jobs = {"PARALLEL_JOBS": self._values.parallel_jobs}
-        name = f"containerize-{self._state.name}"
-        call = buildx.Bake(target, name, file, variables=jobs, foreign=app_bake_file.FOREIGN)
         try:
-            return buildx.run(self._services, call)[1]
+            return buildx.run(self._services, self._call(target, file))[1]
         except RosmlError as error:
             self._explain(error, file, asked)
             raise
+
+    def _call(self, target: str, file: Path, glance: str = "") -> buildx.Bake:
+        """The call that builds a target with steps. `glance` as in `buildx.Bake`."""
+        name = f"containerize-{self._state.name}" + (f"-{target}" if glance else "")
+        jobs = {"PARALLEL_JOBS": self._values.parallel_jobs}
+        return buildx.Bake(target, name, file, variables=jobs, foreign=app_bake_file.FOREIGN, glance=glance)
 
     def _explain(self, error: RosmlError, file: Path, left: Path) -> None:
         """If a build failed because apt lacks packages, adds to the error which rule of rosdep names them, and which package

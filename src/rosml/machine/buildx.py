@@ -18,6 +18,7 @@ from typing import Literal
 from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import holder, turn
+from rosml.base.problems import listed
 from rosml.machine import trust
 from rosml.machine.progress import TAIL_LINES, BuildProgress, Step
 from rosml.machine.services import Services
@@ -128,12 +129,25 @@ class Unanswered(RosmlError):
         self.pushing = pushing
 
 
+class StepFailed(RosmlError):
+    """A build that failed in a step.
+
+    Attributes:
+        stage: the stage of the Dockerfile.
+    """
+
+    def __init__(self, message: str, remedy: str, stage: str) -> None:
+        super().__init__(message, remedy)
+        self.stage = stage
+
+
 @dataclass(frozen=True)
 class Bake:
     """One call of `buildx bake`.
 
     Attributes:
         target: the bake target.
+        beside: targets that the call builds as well.
         sets: overrides of targets, `target.key=value` each.
         variables: values of the bake file's variables.
         name: the log's name, without its ending.
@@ -152,6 +166,7 @@ class Bake:
     foreign: Sequence[str] = ()
     glance: str = ""
     shares: str = ""
+    beside: Sequence[str] = ()
 
 
 IMAGES = "images"
@@ -176,7 +191,7 @@ def command(services: Services, bake: Bake, metadata: Path) -> list[str]:
         arguments += ["--allow", "network.host"]
     for item in bake.sets:
         arguments += ["--set", item]
-    return [*arguments, bake.target]
+    return [*arguments, bake.target, *bake.beside]
 
 
 def environment(services: Services, bake: Bake) -> dict[str, str]:
@@ -238,7 +253,13 @@ def _turn(services: Services, shares: str) -> Iterator[None]:
 
 
 def run(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, str]]:
-    """Builds a target. Lines for people go to standard error, everything goes to `.state/log/<name>.log`.
+    """Builds a target, as `run_all`. Returns the progress with all steps, and buildx's facts about the target."""
+    progress, facts = run_all(services, bake)
+    return progress, facts.get(bake.target, {})
+
+
+def run_all(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, dict[str, str]]]:
+    """Builds targets. Lines for people go to standard error, everything goes to `.state/log/<name>.log`.
 
     Builds in one builder that share steps take turns. BuildKit solves concurrent builds in one graph. If a build begins while another
     one holds their common steps, it runs steps again whose results are in the cache (https://github.com/moby/buildkit/issues/4674):
@@ -249,7 +270,7 @@ def run(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, str]]:
     request (`registry/failures.py`).
 
     Returns:
-        The progress with all steps, and buildx's facts about the target, e.g. `containerimage.digest`.
+        The progress with all steps, and buildx's facts by target, e.g. `containerimage.digest`.
 
     Raises:
         RosmlError: the build failed; the message has the failed step's last lines.
@@ -296,7 +317,7 @@ def _pause(services: Services, error: Unanswered, attempt: int) -> float | None:
     return failures.pause(transient, attempt, reached=bool(status))
 
 
-def _run(services: Services, bake: Bake, mode: Literal["w", "a"]) -> tuple[BuildProgress, dict[str, str]]:
+def _run(services: Services, bake: Bake, mode: Literal["w", "a"]) -> tuple[BuildProgress, dict[str, dict[str, str]]]:
     folder = services.state / "log"
     folder.mkdir(parents=True, exist_ok=True)
     log_path = folder / f"{bake.name}.log"
@@ -331,7 +352,7 @@ def _run(services: Services, bake: Bake, mode: Literal["w", "a"]) -> tuple[Build
             services.require_registry()
         services.require_builder()
         raise failure(bake, progress, log_path, code)
-    return progress, _metadata(metadata, bake.target)
+    return progress, _metadata(metadata)
 
 
 def failure(bake: Bake, progress: BuildProgress, log: Path, code: int) -> RosmlError:
@@ -339,7 +360,7 @@ def failure(bake: Bake, progress: BuildProgress, log: Path, code: int) -> RosmlE
     step = progress.failed()
     lines = list(step.tail)[-TAIL_LINES:] if step else []
     remedy = _remedy(bake, progress, step)
-    message = f"building {bake.target} failed"
+    message = f"building {listed([bake.target, *bake.beside])} failed"
     if step:
         message += f" in step {step.label}"
         lines = lines or [step.error]
@@ -351,7 +372,7 @@ def failure(bake: Bake, progress: BuildProgress, log: Path, code: int) -> RosmlE
     push, status = _PUSH.search(reason), _STATUS.search(reason)
     if status or (push and _CUT_OFF.search(push[2])):
         return Unanswered(message, remedy, status[1] if status else reason, push[1] if push else "")
-    return RosmlError(message, remedy)
+    return StepFailed(message, remedy, step.stage) if step else RosmlError(message, remedy)
 
 
 def _remedy(bake: Bake, progress: BuildProgress, step: Step | None) -> str:
@@ -383,10 +404,14 @@ def _stop(process: subprocess.Popen[str]) -> None:
             process.wait()
 
 
-def _metadata(path: Path, target: str) -> dict[str, str]:
-    """buildx's facts about a target; empty if it wrote none."""
+def _metadata(path: Path) -> dict[str, dict[str, str]]:
+    """buildx's facts by target; empty if it wrote none."""
     try:
-        content = untrusted.json_value(path.read_bytes())[target].items()
-    except (OSError, ValueError, TypeError, KeyError, AttributeError):
+        content = untrusted.json_value(path.read_bytes()).items()
+    except (OSError, ValueError, AttributeError):
         return {}
-    return {key: value for key, value in content if isinstance(value, str)}
+    return {
+        target: {key: value for key, value in facts.items() if isinstance(value, str)}
+        for target, facts in content
+        if isinstance(facts, dict)
+    }

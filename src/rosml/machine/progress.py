@@ -23,6 +23,7 @@ from rosml.base import untrusted
 from rosml.base.terminal import shown
 
 _PREFIX = re.compile(r"^\[(?P<context>[^\]]*)\]\s*+(?P<command>.*)$")
+_STAGE = re.compile(r"^\[(?:[^]]* )?(?P<stage>\S+) +\d+/\d+\] ")
 _PART = re.compile(r"^\[(?:_files-|part-)?(?P<part>\S+) part-files [^]]*\] .*/assemble\.sh")
 _MOUNT = re.compile(r"--mount=\S+\s*")
 _WORD = re.compile(r'"([^"\\]*)",?')
@@ -82,6 +83,12 @@ class Step:
         if command.startswith('["/'):
             command = _START.sub("", " ".join(_WORD.findall(command)))
         return f"[{context}] {' '.join(command.split())}"
+
+    @property
+    def stage(self) -> str:
+        """The stage of the Dockerfile; empty for BuildKit's own steps."""
+        match = _STAGE.match(self.name)
+        return match["stage"] if match else ""
 
     @property
     def internal(self) -> bool:

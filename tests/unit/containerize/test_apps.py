@@ -643,7 +643,11 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
                 archives.write(Path(wanted["results"]["output"][0].partition("dest=")[2]), {})
         return None, {"containerimage.digest": "sha256:1"}
 
-    monkeypatch.setattr(buildx, "run", run)
+    def run_all(services: Services, bake: buildx.Bake) -> tuple[None, dict[str, dict[str, str]]]:
+        one = {target: dataclasses.replace(bake, target=target) for target in (bake.target, *bake.beside)}
+        return None, {target: run(services, call)[1] for target, call in one.items()}
+
+    monkeypatch.setattr(buildx, "run_all", run_all)
     monkeypatch.setattr(sources, "fetch", lambda *_, **__: [])
     return seen
 
@@ -1510,6 +1514,34 @@ def test_no_image_is_made_where_a_test_failed(
     with pytest.raises(RosmlError, match="No module named 'cv3'") as caught:
         app(repository, services, base_image="ros:jazzy", command="true").build()
     assert caught.value.remedy.startswith("name what has the module in package.xml, as test_depend; or correct")
+
+
+@pytest.mark.parametrize("failures", [("robot: a.bad: 1 is not 2",), ()])
+def test_a_build_that_a_failed_test_ended_says_which(
+    repository: Path,
+    services: Services,
+    calls: list[dict[str, Any]],
+    monkeypatch: pytest.MonkeyPatch,
+    failures: tuple[str, ...],
+) -> None:
+    """The reports alone say so: a stage with code of the packages may have left anything."""
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    monkeypatch.setattr(junit, "read", lambda folder: junit.Tests(3, 0, failures))
+    leaving = buildx.run_all
+
+    def run_all(services: Services, bake: buildx.Bake) -> tuple[Any, dict[str, dict[str, str]]]:
+        done = leaving(services, bake)
+        if bake.target == app_bake_file.PACKAGES:
+            wanted = json.loads(bake.file.read_text())
+            assert app_bake_file.PASSED in wanted["group"]["packages"]["targets"]
+            raise buildx.StepFailed("building packages failed", "", app_bake_file.PASSED)
+        return done
+
+    monkeypatch.setattr(buildx, "run_all", run_all)
+    expected = "1 of 3 tests failed; no image was made" if failures else "building packages failed"
+    with pytest.raises(RosmlError, match=expected):
+        app(repository, services, base_image="ros:jazzy", command="true").build()
+    assert [call["name"] for call in calls] == [app_bake_file.PACKAGES, app_bake_file.FAILED]
 
 
 NAMES = ["robot", "me/robot", "me/a.b_c__d---e/f", "ghcr.io/me/robot", "localhost/robot", "127.0.0.1:5000/me/robot"]

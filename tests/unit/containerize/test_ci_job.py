@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import os
 from collections.abc import Mapping
@@ -283,7 +284,11 @@ def test_a_build_takes_what_ci_makes_of_the_inputs(
                 archives.write(Path(targets[name]["output"][0].partition("dest=")[2]), left)
         return None, {"containerimage.digest": "sha256:1"}
 
-    monkeypatch.setattr(buildx, "run", run)
+    def run_all(services: Services, bake: buildx.Bake) -> tuple[None, dict[str, dict[str, str]]]:
+        one = {target: dataclasses.replace(bake, target=target) for target in (bake.target, *bake.beside)}
+        return None, {target: run(services, call)[1] for target, call in one.items()}
+
+    monkeypatch.setattr(buildx, "run_all", run_all)
     monkeypatch.setattr(ci_job, "App", build.App)
     facts = app_base.Base("ros:jazzy", f"sha256:{'0' * 64}", {"ROS_DISTRO": "jazzy"})
     monkeypatch.setattr(app_base, "find", lambda *_: facts)
