@@ -24,6 +24,7 @@ from importlib.metadata import distributions
 from pathlib import Path
 from typing import Any, Callable, Container, Iterable, NoReturn, Sequence
 from urllib.parse import urlsplit, urlunsplit
+from urllib.request import url2pathname
 
 
 def normal(name: str) -> str:
@@ -186,15 +187,8 @@ def constraints(locked: Iterable[str]) -> str:
     return "".join(f"{item.partition(' ')[0]}\n" for item in sorted(locked) if " @ " not in item)
 
 
-PLACES = (
-    "-i",
-    "--index-url",
-    "--extra-index-url",
-    "-f",
-    "--find-links",
-    "--no-binary",
-    "--only-binary",
-)
+FOLDERS = ("-f", "--find-links")
+PLACES = (*FOLDERS, "-i", "--index-url", "--extra-index-url", "--no-binary", "--only-binary")
 SWITCHES = ("--no-index", "--pre", "--prefer-binary")
 """Options of pip that say where archives come from and which kinds count, with a value and without."""
 
@@ -215,7 +209,8 @@ def from_where(arguments: Sequence[str], depth: int = 0) -> list[str]:
                 folder = Path(value).parent
                 for text in Path(value).read_text("utf-8", "replace").split("\n"):
                     inside = words_of(text) if text.lstrip().startswith("-") else []
-                    if inside[:1] in (["-r"], ["--requirement"]) and len(inside) == 2:
+                    files = inside[:1] in (["-r"], ["--requirement"])
+                    if len(inside) == 2 and (files or (inside[0] in FOLDERS and (folder / inside[1]).is_dir())):
                         inside[1] = str(folder / inside[1])
                     options += from_where(inside, depth + 1)
     return options
@@ -249,10 +244,30 @@ def take_locked(
     hashed = [item for item in sorted(locked) if "sha256" in item]
     if not hashed:
         return []
-    with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder) / "locked.txt"
+    hashes = {found for item in hashed for found in SHA256.findall(item)}
+    with tempfile.TemporaryDirectory() as scratch:
+        where = from_where(arguments)
+        for at, option in enumerate(where[:-1]):
+            if option in FOLDERS:
+                where[at + 1] = without_others(where[at + 1], hashes, Path(scratch, str(at)))
+        file = Path(scratch) / "locked.txt"
         file.write_text("".join(f"{item}\n" for item in hashed), encoding="utf-8")
-        return install([*from_where(arguments), "--no-deps", "--require-hashes", "--requirement", str(file)])
+        return install([*where, "--no-deps", "--require-hashes", "--requirement", str(file)])
+
+
+def without_others(place: str, hashes: Container[str], new: Path) -> str:
+    """A folder with the locked archives of a folder; any other place as it is.
+
+    An index says hashes, and pip chooses by them. Of a folder, pip takes the best archive by its name and only then compares.
+    """
+    folder = Path(url2pathname(place[len("file:") :]) if place.startswith("file:") else place)
+    if not folder.is_dir():
+        return place
+    new.mkdir()
+    for file in sorted(folder.iterdir()):
+        if file.is_file() and hashlib.sha256(file.read_bytes()).hexdigest() in hashes:
+            (new / file.name).symlink_to(file.resolve())
+    return str(new)
 
 
 def main(written: Path, lock: Path, *arguments: str) -> None:

@@ -280,3 +280,22 @@ def test_the_archives_of_the_lock_file_come_by_their_hashes(script: ModuleType, 
     assert locked == "a==1 --hash=sha256:aa\nb @ https://x.test/b.zip#sha256=bb\n"
     assert usual[:3] == ["--requirement", str(tmp_path / "pip"), "c"] and usual[3] == "--constraint"
     assert (tmp_path / "written").read_text() == "a==1 --hash=sha256:aa\ng @ git+https://x.test/g@c0\n"
+
+
+@pytest.mark.parametrize("named", ["wheels", "uri"])
+def test_another_archive_of_the_version_in_a_folder_is_not_seen(script: ModuleType, tmp_path: Path, named: str) -> None:
+    """pip takes the best archive of a folder by its name, and only then compares hashes."""
+    (tmp_path / "wheels").mkdir()
+    for name, content in (("a-1-py3-none-any.whl", b"locked"), ("a-1-2-py3-none-any.whl", b"new")):
+        (tmp_path / "wheels" / name).write_bytes(content)
+    uri = (tmp_path / "wheels").as_uri()
+    (tmp_path / "pip").write_text(f"--find-links {uri if named == 'uri' else named}\na\n")
+    line = f"a==1 --hash=sha256:{hashlib.sha256(b'locked').hexdigest()}"
+    seen: list[list[str]] = []
+
+    def installed(arguments: list[str]) -> list[str]:
+        seen.append(sorted(path.name for path in Path(arguments[1]).iterdir()))
+        return [line]
+
+    assert script.take_locked([line], ["-r", str(tmp_path / "pip")], installed) == [line]
+    assert seen == [["a-1-py3-none-any.whl"]]
