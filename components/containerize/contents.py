@@ -8,6 +8,8 @@ ROOT is the image's root. OUT/packages.json gets its packages, and OUT/files.gz 
 
 from __future__ import annotations
 
+import contextlib
+import functools
 import gzip
 import json
 import os
@@ -17,7 +19,7 @@ import sys
 import xml.etree.ElementTree as ElementTree
 from email.parser import HeaderParser
 from pathlib import Path
-from typing import Any, Container, Iterable, Sequence
+from typing import Any, Container, Iterable, Mapping, Sequence
 
 PYTHON = re.compile(r"(?!docker-ros/ws/).*\.(dist-info/METADATA|egg-info/PKG-INFO|egg-info)")
 """What a package of Python says of itself. Those in the workspace are ROS packages."""
@@ -41,19 +43,25 @@ INSTALLED = re.compile(r"(install|hold) ok (installed|triggers-awaited|triggers-
 """What dpkg says of a package that is there; some are held back from upgrades."""
 
 
-def entries(root: Path) -> dict[str, os.stat_result]:
-    """All files, links and folders below a root, by path."""
+@functools.lru_cache(maxsize=None)
+def entries(root: Path) -> Mapping[str, os.stat_result]:
+    """All files, links and folders below a root, by path. It is read once: a root that changes has new entries nowhere."""
     found = {}
-    for folder, folders, names in os.walk(root):
-        for name in folders + names:
-            path = os.path.join(folder, name)
-            found[os.path.relpath(path, root)] = os.lstat(path)
+    folders = [""]
+    while folders:
+        above = folders.pop()
+        with contextlib.suppress(OSError), os.scandir(os.path.join(root, above)) as items:
+            for item in items:
+                path = above + item.name
+                found[path] = item.stat(follow_symlinks=False)
+                if item.is_dir(follow_symlinks=False):
+                    folders.append(f"{path}/")
     return found
 
 
-def files(roots: Sequence[Path]) -> dict[str, Path]:
+def files(roots: Sequence[Path]) -> dict[str, str]:
     """All files and links of layers, the lowest first: by path, with the place where an image has them from."""
-    return {path: root / path for root in roots for path, facts in entries(root).items() if _counts(path, facts)}
+    return {path: f"{root}/{path}" for root in roots for path, facts in entries(root).items() if _counts(path, facts)}
 
 
 def _counts(path: str, facts: os.stat_result) -> bool:
@@ -80,22 +88,25 @@ def status(root: Path) -> dict[str, str]:
     return found
 
 
-def packages(known: dict[str, Path], entries: Iterable[str], others: Container[str]) -> dict[str, Any]:
+def packages(known: dict[str, str], entries: Iterable[str], others: Container[str]) -> dict[str, Any]:
     """The packages of an image: of the operating system, of Python, and of the apps in it.
 
     known: its files. entries: of its packages, as dpkg has them. others: files of these packages.
     """
-    python = [place for path, place in known.items() if PYTHON.fullmatch(path) and path not in others]
-    apt = [*entries, *(text for path, place in known.items() if APT.fullmatch(path) for text in paragraphs(place))]
+    python = [Path(place) for path, place in known.items() if PYTHON.fullmatch(path) and path not in others]
+    apt = [
+        *entries,
+        *(text for path, place in known.items() if APT.fullmatch(path) for text in paragraphs(Path(place))),
+    ]
     return {
         "system": _system(known),
         "apt": _sorted(map(_debian, apt)),
         "python": _sorted(map(_python, python)),
-        "ros": _sorted(_ros(place) for path, place in known.items() if ROS.fullmatch(path)),
+        "ros": _sorted(_ros(Path(place)) for path, place in known.items() if ROS.fullmatch(path)),
     }
 
 
-def write(known: dict[str, Path], entries: Iterable[str], others: Container[str], out: Path) -> None:
+def write(known: dict[str, str], entries: Iterable[str], others: Container[str], out: Path) -> None:
     """Writes OUT/packages.json and OUT/files.gz: the same for the same image, on any day."""
     (out / "packages.json").write_text(as_json(packages(known, entries, others), indent=1))
     with open(out / "files.gz", "wb") as raw, gzip.GzipFile("", "wb", 9, raw, 0) as file:
@@ -113,9 +124,9 @@ def paragraphs(place: Path) -> list[str]:
     return place.read_text("utf-8", "replace").split("\n\n") if place.is_file() else []
 
 
-def _system(known: dict[str, Path]) -> dict[str, str]:
-    place = known.get("usr/lib/os-release")
-    text = place.read_text("utf-8", "replace") if place and place.is_file() else ""
+def _system(known: dict[str, str]) -> dict[str, str]:
+    place = Path(known.get("usr/lib/os-release", "/dev/null"))
+    text = place.read_text("utf-8", "replace") if place.is_file() else ""
     fields = {name: value.strip("\"'") for name, value in re.findall(r"^(\w+)=(.*)$", text, re.MULTILINE)}
     return {"name": fields.get("ID", ""), "version": fields.get("VERSION_ID", "")}
 

@@ -82,7 +82,7 @@ def write_base(root: Path, out: Path) -> None:
     libraries = []
     for path, place in sorted(known.items()):
         if LIBRARY.fullmatch(path) or INTERPRETER.fullmatch(path):
-            found = _read(place)
+            found = _read(Path(place))
             if found and _counts(*found):
                 libraries.append(_library(path, *found, links.get(path, ())))
     entries = [*contents.status(root).values(), *_brought(known)]
@@ -102,7 +102,9 @@ def write_app(
     """
     known = contents.files([layer])
     links = _links(known)
-    read = {path: found for path, found in ((path, _read(place)) for path, place in sorted(known.items())) if found}
+    read = {
+        path: found for path, found in ((path, _read(Path(place))) for path, place in sorted(known.items())) if found
+    }
     exported = {(found.machine, name) for found, names in read.values() for name in names.exports}
     libraries = []
     for path, (found, names) in read.items():
@@ -170,7 +172,7 @@ def _texts(names: Iterable[bytes]) -> Iterator[str]:
             continue
 
 
-def _links(known: dict[str, Path]) -> dict[str, set[str]]:
+def _links(known: dict[str, str]) -> dict[str, set[str]]:
     """The names of links to each file that can be a library."""
     targets = {path: os.readlink(place) for path, place in known.items() if os.path.islink(place)}
     found: dict[str, set[str]] = {}
@@ -200,14 +202,14 @@ def _resolved(path: str, targets: dict[str, str]) -> str:
     return here
 
 
-def _brought(known: dict[str, Path]) -> Iterator[str]:
+def _brought(known: dict[str, str]) -> Iterator[str]:
     """What packages say of themselves that apps brought."""
     for path, place in sorted(known.items()):
         if contents.APT.fullmatch(path):
-            yield from contents.paragraphs(place)
+            yield from contents.paragraphs(Path(place))
 
 
-def _owned(item: dict[str, Any], known: dict[str, Path], runtime: Path) -> Iterator[str]:
+def _owned(item: dict[str, Any], known: dict[str, str], runtime: Path) -> Iterator[str]:
     """The files of an app's layer that a package owns, with what the layer says of the package."""
     key = f"{item['name']}:{item['architecture']}"
     if not contents.KEY.fullmatch(key):
