@@ -16,7 +16,7 @@ from scanning import sbom_of
 
 from rosml.base.errors import RosmlError
 from rosml.images.builds import package_state
-from rosml.images.builds.maker import Checked, Made, Maker
+from rosml.images.builds.maker import Checked, Made, Maker, Wanted
 from rosml.images.image_set.labels import title
 from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
 from rosml.images.publish import provenance, run, undo
@@ -237,6 +237,9 @@ class Bytes(Maker):
         own = f"{image.target} {self.packages} {architecture}".encode()
         digest = self._put("build", image, architecture, [*self._layers(parts, architecture), own])
         return Made(digest, parts, packages, "" if parts else BASE, self._sbom(image, digest))
+
+    def build_together(self, wanted: Sequence[Wanted]) -> None:
+        """Each is built when its turn comes."""
 
     def describe(self, thing: Image | Part, digest: str) -> str:
         self.made.append(("describe", thing.target, ""))

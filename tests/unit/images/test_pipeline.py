@@ -9,7 +9,6 @@ from collections.abc import Callable
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -39,7 +38,7 @@ from rosml.base import side_by_side
 from rosml.base.errors import RosmlError
 from rosml.cli.images import report, tables
 from rosml.images.bake.inputs import Inputs
-from rosml.images.builds import base_images, contents, maker, part, sync
+from rosml.images.builds import base_images, contents, maker, sync
 from rosml.images.builds.maker import BuildKitMaker
 from rosml.images.image_set import locked, selection
 from rosml.images.image_set import model as sets
@@ -1115,11 +1114,12 @@ def told(
     """The overrides and variables with which a ROS image is built on this machine's own architecture."""
     calls: list[buildx.Bake] = []
 
-    def push(_services: Services, call: buildx.Bake, _where: str) -> tuple[dict[str, str], str]:
+    def run_all(_services: Services, call: buildx.Bake) -> tuple[None, dict[str, dict[str, str]]]:
         calls.append(call)
-        return {}, put_image(run.state.place.client, f"{PREFIX}/ros", architecture, {}, [])
+        digest = put_image(run.state.place.client, f"{PREFIX}/ros", architecture, {}, [])
+        return None, {call.target: {"containerimage.digest": digest}}
 
-    monkeypatch.setattr(maker, "push_by_digest", push)
+    monkeypatch.setattr(buildx, "run_all", run_all)
     monkeypatch.setattr(contents, "attach", lambda *facts: {facts[4]: "sha256:sbom"})
     monkeypatch.setattr(
         base_images, "reference", lambda _services, systems, name, *_: f"base-of-{systems[name].python}"
@@ -1135,7 +1135,52 @@ def told(
     real = BuildKitMaker(services, run.state.image_set, run.state.place, silent, run.state.request.force)
     STEPS["build"](running.Run(run.state, real, silent))
     (call,) = [call for call in calls if call.target == target and call.name == f"build-{target}-{architecture}"]
-    return list(call.sets), dict(call.variables)
+    where = run.state.place.reference("ros")
+    assert call.sets[0].startswith(f"{target}.output=type=image,name={where},push=true,push-by-digest=true,")
+    return list(call.sets[1:]), dict(call.variables)
+
+
+@pytest.mark.parametrize("broken", [False, True])
+def test_what_an_image_is_made_of_is_built_by_one_call(
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch, broken: bool
+) -> None:
+    """If that fails, one after the other, so that each says why."""
+    image = next(image for image in image_set.images if len(image.parts) > 1 and image.parent == "alpha-base")
+    calls: list[tuple[str, ...]] = []
+    said: list[str] = []
+    run = registry.run(image_set, only=[image.target])
+
+    def run_all(_services: Services, call: buildx.Bake) -> tuple[None, dict[str, dict[str, str]]]:
+        targets = call.target, *call.beside
+        calls.append(targets)
+        assert all(any(item.startswith(f"{name}.output=") for item in call.sets) for name in targets)
+        if broken and call.beside:
+            raise RosmlError("a step failed")
+        found = {}
+        for target in targets:
+            [thing] = [item.thing for item in run.state.items if item.target == target]
+            repository = f"{PREFIX}/{sets.repository_of(thing)}"
+            found[target] = put_image(registry.registry, repository, architecture, {}, [target.encode()])
+        return None, {target: {"containerimage.digest": digest} for target, digest in found.items()}
+
+    monkeypatch.setattr(buildx, "run_all", run_all)
+    monkeypatch.setattr(contents, "attach", lambda *facts: {facts[4]: "sha256:sbom"})
+    monkeypatch.setattr(
+        base_images, "reference", lambda _services, systems, name, *_: f"base-of-{systems[name].python}"
+    )
+    monkeypatch.setattr(base_images, "assembler", lambda *_: base_images.Assembler("base-of-3.12", "3.12"))
+    monkeypatch.setattr(Services, "require_builder", lambda *_: None)
+    architecture = base_images.native_architecture()
+    run.state.items = tuple(item for item in run.state.items if item.architecture == architecture)
+    real = BuildKitMaker(registry.services, image_set, run.state.place, said.append)
+    STEPS["build"](running.Run(run.state, real, said.append, whole=True))
+    first, *others = (item.target for item in run.state.items if isinstance(item.thing, Image) and not item.thing.stack)
+    parts = {item.target for item in run.state.items if item.kind == "part"}
+    assert {*calls[0]} == {first, *parts} and others
+    separate = {(target,) for target in ({first, *parts, *others} if broken else others)}
+    assert {*calls[1:]} == separate and len(calls[1:]) == len(separate)
+    assert "a step failed\nnow one after the other" in said or not broken
+    assert all(run.state.made((target, architecture)) for target in {first, *parts, *others})
 
 
 def never() -> str:
@@ -1172,12 +1217,15 @@ def test_a_part_is_assembled_anew_when_that_is_asked_for(
 ) -> None:
     """Past the builder's cache."""
     seen: list[bool] = []
+    wanted = image_set.parts[0].target
 
-    def push(*arguments: Any) -> tuple[Any, str]:
-        seen.append(arguments[-1])
-        return SimpleNamespace(reference=PINNED), put_image(registry.registry, f"{PREFIX}/part", "amd64", {}, [])
+    def run_all(_services: Services, call: buildx.Bake) -> tuple[None, dict[str, dict[str, str]]]:
+        seen.append(f"{wanted}.no-cache=true" in call.sets)
+        digest = put_image(registry.registry, f"{PREFIX}/part", "amd64", {}, [])
+        return None, {wanted: {"containerimage.digest": digest}}
 
-    monkeypatch.setattr(part, "push", push)
+    monkeypatch.setattr(buildx, "run_all", run_all)
+    monkeypatch.setattr(base_images, "assembler", lambda *_: base_images.Assembler(PINNED, ""))
     monkeypatch.setattr(contents, "attach", lambda *facts: {facts[4]: "sha256:sbom"})
     for force in (False, True):
         made = BuildKitMaker(registry.services, image_set, registry.place, lambda line: None, force)

@@ -7,7 +7,7 @@ the builder. The run itself decides what is due, writes the records, and moves t
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -18,7 +18,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.builds import base_images, contents, disk, package_state, structure_tests
 from rosml.images.builds import part as parts
-from rosml.images.builds.push import push_by_digest, write_excerpt
+from rosml.images.builds.push import push_together, pushed, pushing, write_excerpt
 from rosml.images.builds.variables import base, variables
 from rosml.images.image_set import missing
 from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
@@ -72,6 +72,27 @@ class Checked:
     said: str = ""
 
 
+@dataclass(frozen=True)
+class Wanted:
+    """What to build.
+
+    Attributes:
+        thing: a part or a ROS image.
+        architecture: to build for.
+        parts, packages: of an image, as for `Maker.build_image`.
+    """
+
+    thing: Image | Part
+    architecture: str
+    parts: Mapping[str, str] = field(default_factory=dict)
+    packages: str = ""
+
+    @property
+    def key(self) -> tuple[str, str]:
+        """What it is called in the records."""
+        return self.thing.target, self.architecture
+
+
 def require_buildable(image: Image, architecture: str) -> None:
     """Checks, before anything is set up, that an image can be built for an architecture.
 
@@ -110,6 +131,12 @@ class Maker(Protocol):
             parts: digest of the image below it, by target; none for the first component, which starts from the base
                 image.
             packages: the state of the package repositories; empty if the image does not depend on any.
+        """
+
+    def build_together(self, wanted: Sequence[Wanted]) -> None:
+        """Builds ROS images and parts that need nothing of each other, all at once. `build_part` and `build_image` then find them.
+
+        If one of them cannot be built, `build_part` or `build_image` says so.
         """
 
     def describe(self, thing: Image | Part, digest: str) -> str:
@@ -164,24 +191,74 @@ class BuildKitMaker:
     force: bool = False
     forecast: ImageSet | None = None
     _there: set[str] = field(default_factory=set)  # names of the parts and targets that the builder has
+    _pushed: dict[tuple[str, str], tuple[str, str]] = field(default_factory=dict)
+    """The base and the digest of what `build_together` made, by target and architecture."""
 
     def build_part(self, part: Part, architecture: str) -> Made:
         """Builds a part from its lock."""
-        self._make_room(disk.part_mb(part), part.name)
-        platform = self._platform(architecture)
-        start, digest = parts.push(
-            self.services, self.image_set, part, self.say, str(self.place), [platform], self.force
-        )
-        return Made(digest, base=start.reference, sbom=self._describe(part, digest))
+        start, digest = self._push(Wanted(part, architecture))
+        return Made(digest, base=start, sbom=self._describe(part, digest))
 
     def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], packages: str) -> Made:
         """Builds a ROS image on the image below it, which it takes from the registry."""
+        start, digest = self._push(Wanted(image, architecture, parts, packages))
+        return Made(digest, parts, packages, "" if parts else start, self._describe(image, digest))
+
+    def build_together(self, wanted: Sequence[Wanted]) -> None:
+        """Builds what one call can build: with the same values of the bake file's variables, such as the base images."""
+        values: dict[str, str] = {}
+        calls: dict[tuple[str, str], tuple[str, buildx.Bake]] = {}
+        for one in wanted:
+            try:
+                start, call = self._call(one)
+            except RosmlError:  # said when its turn comes
+                continue
+            if all(values.setdefault(key, value) == value for key, value in call.variables.items()):
+                calls[one.key] = start, call
+        if len(calls) < 2:
+            return
+        self._make_room_for(*(one for one in wanted if one.key in calls))
+        targets = [target for target, _ in calls]
+        self.say(f"build {listed(targets)} at once")
+        file = write_excerpt(self.services, self.image_set, *targets)
+        name = f"build-{'-'.join(dict.fromkeys(architecture for _, architecture in calls))}-together"
+        try:
+            digests = push_together(self.services, [call for _, call in calls.values()], file, name)
+        except RosmlError as error:
+            self.say(f"{error.message}\nnow one after the other")
+            return
+        self._pushed |= {key: (start, digests[call.target]) for key, (start, call) in calls.items()}
+
+    def _push(self, wanted: Wanted) -> tuple[str, str]:
+        """Builds and pushes a part or an image, unless that was done together with others. Gives the reference of its base image and
+        its digest."""
+        if made := self._pushed.pop(wanted.key, None):
+            return made
+        start, call = self._call(wanted)
+        self._make_room_for(wanted)
+        _, metadata = buildx.run(self.services, call)
+        return start, pushed(call, metadata)
+
+    def _call(self, wanted: Wanted) -> tuple[str, buildx.Bake]:
+        """The call that builds and pushes a part or an image, and the reference of its base image."""
+        if isinstance(wanted.thing, Image):
+            start, call = self._call_of_image(wanted.thing, wanted)
+        else:
+            prefix, platforms = str(self.place), [self._platform(wanted.architecture)]
+            under, call = parts.bake(
+                self.services, self.image_set, wanted.thing, self.say, prefix, platforms, self.force
+            )
+            start = under.reference
+        return start, pushing(call, self.place.reference(repository_of(wanted.thing)))
+
+    def _call_of_image(self, image: Image, wanted: Wanted) -> tuple[str, buildx.Bake]:
+        architecture, packages = wanted.architecture, wanted.packages
         self._require_builder(architecture)
-        self._make_room(disk.needed_mb(self._sizes, image, self._there), image.parent, image.target)
-        given = self.variables(image, architecture, package_state.ros_date(packages)) | {"DIGESTS": json.dumps(parts)}
+        given = self.variables(image, architecture, package_state.ros_date(packages))
+        given |= {"DIGESTS": json.dumps(wanted.parts)}
         sets = [f"{image.target}.tags="]
         # The first component is built with its parent, the essentials, which are packages of the operating system.
-        installing = [image.target] if parts else [image.parent, image.target]
+        installing = [image.target] if wanted.parts else [image.parent, image.target]
         if self.force:
             sets += [f"{target}.no-cache=true" for target in installing]
         elif packages:  # makes the builder install the packages again after they moved, which it cannot know itself
@@ -189,9 +266,7 @@ class BuildKitMaker:
             sets += [f"{target}.contexts.upstream={folder}" for target in installing]
         bake_file = write_excerpt(self.services, self.image_set, image.target)
         name = f"build-{image.target}-{architecture}"
-        call = buildx.Bake(image.target, name, bake_file, tuple(sets), given, shares=buildx.IMAGES)
-        _, digest = push_by_digest(self.services, call, self.place.reference(image.repository))
-        return Made(digest, parts, packages, "" if parts else base(image, given), self._describe(image, digest))
+        return base(image, given), buildx.Bake(image.target, name, bake_file, tuple(sets), given, shares=buildx.IMAGES)
 
     def describe(self, thing: Image | Part, digest: str) -> str:
         """Has the builder list what is in a pushed ROS image or part, and attaches that."""
@@ -246,6 +321,18 @@ class BuildKitMaker:
     @property
     def _sizes(self) -> ImageSet:
         return self.forecast or self.image_set
+
+    def _make_room_for(self, *wanted: Wanted) -> None:
+        """Makes room to build parts and ROS images."""
+        needed, coming = 0, set[str]()
+        for thing in (one.thing for one in wanted):
+            if isinstance(thing, Image):
+                needed += disk.needed_mb(self._sizes, thing, self._there)
+                coming |= {thing.parent, thing.target}
+            else:
+                needed += disk.part_mb(thing)
+                coming.add(thing.name)
+        self._make_room(needed, *coming)
 
     def _make_room(self, needed: int, *coming: str) -> None:
         """Makes room for a build.

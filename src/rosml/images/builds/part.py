@@ -133,6 +133,25 @@ def push(
     Raises:
         RosmlError: the base image is not available, or the build failed; the part is restricted, and may not go there (exit code 2).
     """
+    base, call = bake(services, image_set, part, say, prefix, platforms, again)
+    _, digest = push_by_digest(services, call, f"{prefix}/part")
+    return base, digest
+
+
+def bake(
+    services: Services,
+    image_set: ImageSet,
+    part: Part,
+    say: Callable[[str], None],
+    prefix: str,
+    platforms: list[str],
+    again: bool = False,
+) -> tuple[base_images.Assembler, buildx.Bake]:
+    """The call that builds a part, as in `push`, and the image that it is built on.
+
+    Raises:
+        RosmlError: the base image is not available; the part is restricted, and may not go there (exit code 2).
+    """
     place = references.parse(f"{prefix}/part")
     kinds = restricted.of(image_set.matrix, [part.kind])
     told = restricted.require(kinds, part.name, place.host, place.repository, Declared.of(image_set.matrix))
@@ -150,9 +169,7 @@ def push(
         sets.append(f"{part.target}.no-cache=true")
     variables = {"REGISTRY": prefix, names.os_variable(part.os): f"docker-image://{base.reference}"}
     say(f"part {part.name} for {', '.join(platforms)}, built on {_said(part, base)}")
-    call = buildx.Bake(part.target, part.target, file, tuple(sets), variables, shares=buildx.IMAGES)
-    _, digest = push_by_digest(services, call, f"{prefix}/part")
-    return base, digest
+    return base, buildx.Bake(part.target, part.target, file, tuple(sets), variables, shares=buildx.IMAGES)
 
 
 def _said(part: Part, base: base_images.Assembler) -> str:

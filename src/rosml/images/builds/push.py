@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -27,8 +28,14 @@ def write_excerpt(services: Services, image_set: ImageSet, target: str, *others:
     return file
 
 
+def pushing(call: buildx.Bake, repository: str) -> buildx.Bake:
+    """The call that also pushes its target into a repository by digest, without a tag, so that nobody sees it yet."""
+    output = f"{call.target}.output=type=image,name={repository},push=true,push-by-digest=true,{COMPRESSION}"
+    return replace(call, sets=(output, *call.sets))
+
+
 def push_by_digest(services: Services, call: buildx.Bake, repository: str) -> tuple[BuildProgress, str]:
-    """Builds a target and pushes it into a repository by digest, without a tag, so that nobody sees it yet.
+    """Builds a target and pushes it, as `pushing` says.
 
     Returns:
         The progress with all steps, and the digest.
@@ -36,9 +43,40 @@ def push_by_digest(services: Services, call: buildx.Bake, repository: str) -> tu
     Raises:
         RosmlError: the build failed, or buildx does not say what it pushed.
     """
-    output = f"{call.target}.output=type=image,name={repository},push=true,push-by-digest=true,{COMPRESSION}"
-    progress, metadata = buildx.run(services, replace(call, sets=(output, *call.sets)))
-    digest = metadata.get("containerimage.digest", "")
-    if not digest:
-        raise RosmlError(f"buildx did not say which digest it pushed for {call.target}", "run it again")
-    return progress, digest
+    call = pushing(call, repository)
+    progress, metadata = buildx.run(services, call)
+    return progress, pushed(call, metadata)
+
+
+def pushed(call: buildx.Bake, metadata: Mapping[str, str]) -> str:
+    """The digest of what a call pushed, from buildx's facts.
+
+    Raises:
+        RosmlError: buildx does not say it.
+    """
+    if digest := metadata.get("containerimage.digest", ""):
+        return digest
+    raise RosmlError(f"buildx did not say which digest it pushed for {call.target}", "run it again")
+
+
+def push_together(services: Services, calls: Sequence[buildx.Bake], file: Path, name: str) -> dict[str, str]:
+    """Builds and pushes several targets in one call, so that their downloads, installations and uploads overlap.
+
+    Args:
+        calls: made by `pushing`. Variables of one name have one value.
+        file: the bake file of all of them.
+        name: the log's name, without its ending.
+
+    Returns:
+        The digests by target.
+
+    Raises:
+        RosmlError: a build failed, or buildx does not say what it pushed.
+    """
+    first, *others = calls
+    sets = [item for call in calls for item in call.sets]
+    variables = {key: value for call in calls for key, value in call.variables.items()}
+    beside = tuple(call.target for call in others)
+    whole = replace(first, file=file, name=name, sets=sets, variables=variables, beside=beside)
+    metadata = buildx.run_all(services, whole)[1]
+    return {call.target: pushed(call, metadata.get(call.target, {})) for call in calls}

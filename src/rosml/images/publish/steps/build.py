@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 
 from rosml.base.clock import now
 from rosml.base.errors import RosmlError
 from rosml.images.builds import contents, package_state
-from rosml.images.builds.maker import Made
+from rosml.images.builds.maker import Made, Wanted
 from rosml.images.image_set.model import Part
 from rosml.images.publish.made import after
 from rosml.images.publish.run import Postponed, Run
@@ -26,12 +27,33 @@ def build(run: Run) -> None:
     these, so that all packages of an image have one sync date.
     """
     items = [item for item in run.state.items if item.kind != "joined"]
+    if run.whole:
+        _build_together(run, items)
     for left in range(RESTARTS, -1, -1):
         before = len(run.outcomes)
         if not run.each("build", items, partial(_build, run, left > 0)):
             return
         # Items that waited for a postponed one may be ready now, so all items are tried again.
         run.outcomes[before:] = [outcome for outcome in run.outcomes[before:] if outcome.state != "waits"]
+
+
+def _build_together(run: Run, items: Sequence[Item]) -> None:
+    """Builds at once what one image is made of and what needs nothing else first. The steps find it, and record it."""
+    wanted = []
+    for item in items:
+        task = run.state.task(item, ahead=False)
+        if not task.hindered and task.steps[:1] == ("build",) and run.state.reasons(item) != [UNDESCRIBED]:
+            wanted.append(Wanted(item.thing, item.architecture, run.parts(item), _packages(run, item)))
+    if len(wanted) > 1:
+        run.maker.build_together(wanted)
+
+
+def _packages(run: Run, item: Item) -> str:
+    """The state of an image's package repositories; if they did not answer, that of its last build. Empty for a part."""
+    if isinstance(item.thing, Part):
+        return ""
+    entry = run.state.known.get(item.key)
+    return run.state.package_state.get(item.thing.distribution, entry.package_state if entry else "")
 
 
 def _build(run: Run, may_restart: bool, item: Item, entry: Entry) -> Entry:
@@ -42,8 +64,8 @@ def _build(run: Run, may_restart: bool, item: Item, entry: Entry) -> Entry:
     started = now()
     if isinstance(item.thing, Part):
         made = run.maker.build_part(item.thing, item.architecture)
-    else:  # if the package repository did not answer, the state of the last build counts
-        packages = run.state.package_state.get(item.thing.distribution, entry.package_state)
+    else:
+        packages = _packages(run, item)
         try:
             made = run.maker.build_image(item.thing, item.architecture, run.parts(item), packages)
         except RosmlError:
