@@ -73,6 +73,15 @@ def test_the_same_entry_again_stays(server: StandIn, book: Records) -> None:
     assert server.count("^DELETE") == 0
 
 
+def test_missing_entries_cost_no_request(server: StandIn, book: Records) -> None:
+    book.write(ENTRY)
+    missing = [(f"jazzy-{number}", "amd64") for number in range(2000)]
+    before = server.count("^GET")
+    found = book.read_all([*missing, ("jazzy-base", "amd64"), ("jazzy-base", "arm64")])
+    assert found == {("jazzy-base", "amd64"): ENTRY}
+    assert server.count("^GET") - before == 2, "the list of tags, and the entry"
+
+
 @pytest.mark.parametrize("status", [400, 403, 404, 405])
 def test_a_registry_that_deletes_nothing_takes_entries(server: StandIn, book: Records, status: int) -> None:
     """And is asked once, for all entries."""

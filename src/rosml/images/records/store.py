@@ -33,6 +33,9 @@ ANNOTATION = "io.rosml.records"
 LAYER = "application/json"
 REPOSITORY = "records"
 
+FEW = 100
+"""So many entries are asked for one by one: a list of tags would be no shorter."""
+
 INDEX = "index"
 """The architecture in the entry of an image's index."""
 
@@ -172,8 +175,12 @@ class Records:
         return entry if entry and (entry.target, entry.architecture) == (target, architecture) else None
 
     def read_all(self, wanted: Iterable[tuple[str, str]]) -> dict[tuple[str, str], Entry]:
-        """Entries by target and architecture, without those that are missing."""
+        """Entries by target and architecture, without those that are missing. Many are looked for in the list of tags first: one
+        request for a thousand of them, instead of one for each that is missing."""
         keys = list(wanted)
+        if len(keys) > FEW:
+            tags = {*self.registry.tags(self.repository)}
+            keys = [key for key in keys if tag(*key) in tags]
         found = side_by_side(lambda key: self.read(*key), keys)
         return {key: entry for key, entry in zip(keys, found, strict=True) if entry}
 
