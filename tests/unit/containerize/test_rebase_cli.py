@@ -15,6 +15,7 @@ from rosml.base import clock
 from rosml.base.errors import RosmlError
 from rosml.cli.containerize import rebase
 from rosml.cli.images import publish
+from rosml.images.image_set.labels import TITLE
 from rosml.machine.services import Services
 
 
@@ -122,6 +123,15 @@ def test_the_way_back_loses_no_platform(place: Place) -> None:
     before = place.digest(app)
     code, _, said = called(app, "--back", one)
     assert code == 2 and "would lose linux/arm64" in said and place.digest(app) == before
+
+
+def test_the_way_back_leads_to_no_other_app(place: Place) -> None:
+    """Not to the image for development, either: the tag of a robot would be without the app."""
+    base = place.base()
+    app, other = (place.app(base, tag, labels={TITLE: title}) for tag, title in (("a", "robot"), ("b", "robot (dev)")))
+    before = place.digest(app)
+    code, _, said = called(app, "--back", place.digest(other))
+    assert code == 2 and "is an image of robot (dev), and" in said and place.digest(app) == before
 
 
 def test_many_apps_are_told_with_the_way_back(place: Place, tmp_path: Path) -> None:

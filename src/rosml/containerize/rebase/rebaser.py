@@ -21,7 +21,7 @@ from rosml.containerize.rebase import checks, contents, image
 from rosml.containerize.rebase.checks import Judgement, Verdict
 from rosml.containerize.rebase.contents import Contents, Known
 from rosml.containerize.rebase.trial import Pair
-from rosml.images.image_set.labels import ADDONS, APP, GPU, PREFIX
+from rosml.images.image_set.labels import ADDONS, APP, GPU, PREFIX, TITLE
 from rosml.images.join.layers import Joined, Source, as_source, join, platform
 from rosml.images.join.transfer import Transfer, Transferred
 from rosml.images.matrix.names import DATED
@@ -373,8 +373,8 @@ class Rebaser:
             dry_run: change nothing.
 
         Raises:
-            RosmlError: the app is named by a digest, there is no such image of an app, or the tag would lose a platform (exit code 2); a
-                registry does not answer or refuses.
+            RosmlError: the app is named by a digest, there is no such image, it is of another app, or the tag would lose a platform (exit
+                code 2); a registry does not answer or refuses.
         """
         where, now = self._find(app)
         if references.is_digest(where.reference):
@@ -395,6 +395,9 @@ class Rebaser:
                 f"{where} would lose {listed(lost)}: {digest} has not {some(lost)}", "name an index that has", 2
             )
         old, new = (next(iter(found.values())) for found in (present, images))
+        if old.labels.get(TITLE) != new.labels.get(TITLE):
+            text = f"{digest} is an image of {new.labels.get(TITLE) or 'no app'}, and {where} is one of {old.labels.get(TITLE) or 'no app'}"
+            raise RosmlError(text, "name an earlier image of the same app", exit_code=2)
         if moves := now.digest != digest and not dry_run:
             registry.tag(where.repository, digest, where.reference)
         return Rebased(
