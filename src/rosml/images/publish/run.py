@@ -81,6 +81,7 @@ class Run:
         signing: a lock, so that one index is signed at a time.
         refused: how often in a row the signer failed.
         whole: it is for one image: nothing more is started after a failure.
+        beforehand: seconds of work on items before their turn, if several were built at once.
     """
 
     state: State
@@ -96,6 +97,7 @@ class Run:
     refused: int = 0
     whole: bool = False
     _may_push: bool = False
+    beforehand: dict[tuple[str, str], float] = field(default_factory=dict)
 
     @property
     def records(self) -> Records:
@@ -189,7 +191,8 @@ class Run:
         except RosmlError as error:
             entry = replace(entry, failed=failure(step, error.message, error.remedy))
             self.say(f"failed: {error.message}" + (f"; {error.remedy}" if error.remedy else ""))
-        seconds, waited = time.monotonic() - started, buildx.waited() - waits
+        waited = buildx.waited() - waits
+        seconds = time.monotonic() - started + self.beforehand.pop(item.key, 0.0)
         self.write(item, replace(entry, seconds={**entry.seconds, step: round(seconds - waited, 2)}))
         reason = entry.failed.get("reason", "") if entry.failed else "; ".join(why)
         state: Literal["done", "failed"] = "failed" if entry.failed else "done"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
@@ -45,7 +46,10 @@ def _build_together(run: Run, items: Sequence[Item]) -> None:
         if not task.hindered and task.steps[:1] == ("build",) and run.state.reasons(item) != [UNDESCRIBED]:
             wanted.append(Wanted(item.thing, item.architecture, run.parts(item), _packages(run, item)))
     if len(wanted) > 1:
+        started = time.monotonic()
         run.maker.build_together(wanted)
+        share = (time.monotonic() - started) / len(wanted)
+        run.beforehand |= {one.key: share for one in wanted}
 
 
 def _packages(run: Run, item: Item) -> str:
