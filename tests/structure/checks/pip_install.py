@@ -26,6 +26,7 @@ import sys
 import tempfile
 import zipfile
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from packaging.requirements import Requirement
@@ -165,25 +166,31 @@ if "numpy" in before:
     wheel("numpy", before["numpy"])
 own = {name: before[name] for name in carried}
 
-# A user without rights in /usr/local.
-home = FOLDER / "home"
-home.mkdir()
-os.chown(home, 4711, 4711)
-user = ("gosu", "4711:4711", "env", f"HOME={home}", sys.executable)
-for options in ([], ["--user"]):
-    install(*options, "--upgrade", "wantsframeworks", *carried, by=user)
-    found = versions(user)
-    assert found == {**before, "wantsframeworks": "1.0", "numpy": numpy}, set(found.items()) ^ set(before.items())
-    shutil.rmtree(home / ".local")
-said = install("--target", str(FOLDER / "target"), "wantsframeworks")
-there = {path.name for path in (FOLDER / "target").glob("*.dist-info")}
-assert there == {f"{name}-{own[name]}.dist-info" for name in carried} | {
-    "wantsframeworks-1.0.dist-info",
-    f"numpy-{numpy}.dist-info",
-}, there
 
-# Environments: one that sees the image's packages takes them, one that does not gets the same releases; either may have others.
-for option in ("--system-site-packages", "--clear"):
+def of_a_user() -> None:
+    """A user without rights in /usr/local."""
+    home = FOLDER / "home"
+    home.mkdir()
+    os.chown(home, 4711, 4711)
+    user = ("gosu", "4711:4711", "env", f"HOME={home}", sys.executable)
+    for options in ([], ["--user"]):
+        install(*options, "--upgrade", "wantsframeworks", *carried, by=user)
+        found = versions(user)
+        assert found == {**before, "wantsframeworks": "1.0", "numpy": numpy}, set(found.items()) ^ set(before.items())
+        shutil.rmtree(home / ".local")
+
+
+def in_a_folder() -> None:
+    install("--target", str(FOLDER / "target"), "wantsframeworks")
+    there = {path.name for path in (FOLDER / "target").glob("*.dist-info")}
+    assert there == {f"{name}-{own[name]}.dist-info" for name in carried} | {
+        "wantsframeworks-1.0.dist-info",
+        f"numpy-{numpy}.dist-info",
+    }, there
+
+
+def in_an_environment(option: str) -> None:
+    """One that sees the image's packages takes them, one that does not gets the same releases; either may have others."""
     environment = FOLDER / option.strip("-")
     subprocess.run([sys.executable, "-m", "venv", option, environment], check=True)
     inside = (str(environment / "bin/python"),)
@@ -208,6 +215,14 @@ for option in ("--system-site-packages", "--clear"):
     for name in carried:
         install("--upgrade", name, by=("unpinned", *inside))
         assert versions(inside)[name] == FAR
+
+
+# Side by side: each has its own place, and the image's packages stay as they are meanwhile.
+with ThreadPoolExecutor() as pool:
+    beside = [pool.submit(of_a_user), pool.submit(in_a_folder)]
+    beside += [pool.submit(in_an_environment, option) for option in ("--system-site-packages", "--clear")]
+    for work in beside:
+        work.result()
 assert versions() == before
 
 # Debian's cffi has no RECORD, by which pip could remove it.

@@ -101,7 +101,8 @@ if __name__ == "__main__":
         vision(opencv_first=sys.argv[1] == "opencv-first")
         sys.exit()
     if version := promised("torchvision"):
-        for order in ("opencv-first", "opencv-last"):
+        orders = ("opencv-first", "opencv-last") if util.find_spec("cv2") else ("opencv-first",)
+        for order in orders:
             subprocess.run([sys.executable, __file__, order], check=True)
         print("torchvision", version)
     if version := promised("torchaudio"):

@@ -7,10 +7,14 @@ extension that calls CUDA, and has no kernels, is built with the folder that doc
 
 from __future__ import annotations
 
+import importlib
 import os
-import subprocess
+import runpy
 import sys
 import tempfile
+import traceback
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 SETUP = """
@@ -38,50 +42,81 @@ PyMODINIT_FUNC PyInit_answer() {
 """
 
 
-def found_toolkit(path: str) -> str:
-    """The CUDA_HOME that PyTorch finds with programs of a path before its own, and what it says about that."""
-    asked = "from torch.utils.cpp_extension import CUDA_HOME; print(CUDA_HOME)"
-    env = {**os.environ, "PATH": f"{path}:{os.environ['PATH']}"}
-    done = subprocess.run(
-        [sys.executable, "-c", asked], env=env, check=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
-    )
-    return done.stdout
+def forked(work: Callable[[], object]) -> Callable[[], str]:
+    """Begins work in a process of its own that has imported PyTorch already, which takes seconds.
+
+    Returns:
+        Waits for it: the last line of what it said.
+    """
+    ours, theirs = os.pipe()
+    child = os.fork()
+    if not child:
+        try:
+            os.dup2(theirs, 1)
+            work()
+            sys.stdout.flush()
+            os._exit(0)
+        except BaseException:
+            traceback.print_exc()
+            os._exit(1)
+    os.close(theirs)
+
+    def ended() -> str:
+        with open(ours) as stream:
+            said = stream.read()
+        _, status = os.waitpid(child, 0)
+        if status:
+            sys.exit(f"the test ended with {status}: {said}")
+        return said.splitlines()[-1]
+
+    return ended
 
 
-def answer(folder: str, kind: str, **env: str) -> None:
-    """Builds an extension of a kind, and asks it."""
+def find_toolkit(path: str) -> None:
+    """Prints the CUDA_HOME that PyTorch finds with programs of a path before its own."""
+    os.environ["PATH"] = f"{path}:{os.environ['PATH']}"
+    from torch.utils.cpp_extension import CUDA_HOME
+
+    print(CUDA_HOME)
+
+
+def build(folder: str, kind: str, **env: str) -> None:
+    """Builds an extension of a kind as its setup.py does, imports it, and asks it."""
     Path(folder, "setup.py").write_text(SETUP.format(kind=kind))
     Path(folder, "answer.cpp").write_text(SOURCE)
-    build = [sys.executable, "setup.py", "-q", "build_ext", "--inplace", "--force"]
-    subprocess.run(build, cwd=folder, check=True, env={**os.environ, **env})
-    asked = "import torch, answer; print(answer.answer)"
-    said = subprocess.run([sys.executable, "-c", asked], cwd=folder, stdout=subprocess.PIPE, text=True, check=True)
-    assert said.stdout == "42\n", said.stdout
+    os.chdir(folder)
+    os.environ.update(env)
+    sys.argv = ["setup.py", "-q", "build_ext", "--inplace", "--force"]
+    runpy.run_path("setup.py", run_name="__main__")
+    sys.path.insert(0, folder)
+    print(importlib.import_module("answer").answer)
 
 
 def main() -> None:
     import setuptools
-
-    with tempfile.TemporaryDirectory() as folder:
-        said = found_toolkit(folder)
-        toolkit = "/usr/local/cuda"  # of a part, perhaps
-        assert said.endswith(f"{toolkit}\n") if os.path.exists(f"{toolkit}/bin/nvcc") else said == "None\n", said
-        compiler = Path(folder, "bin/nvcc")
-        compiler.parent.mkdir()
-        compiler.touch(mode=0o755)
-        said = found_toolkit(str(compiler.parent))
-        assert said.endswith(f"{folder}\n"), said
+    import torch
 
     assert not str(setuptools.__file__).startswith("/usr/local"), setuptools.__file__
-    with tempfile.TemporaryDirectory() as folder:
-        os.environ["TORCHINDUCTOR_CACHE_DIR"] = folder
-        import torch
+    with tempfile.TemporaryDirectory() as scratch:
+        folders = [os.path.join(scratch, name) for name in ("bin", "cpu", "cuda", "none")]
+        for folder in folders:
+            os.mkdir(folder)
+        with_compiler, cpu, cuda, none = folders
+        Path(with_compiler, "nvcc").touch(mode=0o755)
+        found = [forked(partial(find_toolkit, path)) for path in (none, with_compiler)]
+        built = [forked(partial(build, cpu, "CppExtension"))]
+        if torch.version.cuda:
+            built.append(forked(partial(build, cuda, "CUDAExtension", CUDA_HOME=CUDA_HOME, CFLAGS="-DCALLS_CUDA")))
 
+        # Last, as it starts threads, which no fork has.
+        os.environ["TORCHINDUCTOR_CACHE_DIR"] = scratch
         compiled = torch.compile(lambda x: torch.sin(x) ** 2 + torch.cos(x) ** 2)
         assert torch.allclose(compiled(torch.rand(1000)), torch.ones(1000))
-        answer(folder, "CppExtension")
-        if torch.version.cuda:
-            answer(folder, "CUDAExtension", CUDA_HOME=CUDA_HOME, CFLAGS="-DCALLS_CUDA")
+
+        toolkit = "/usr/local/cuda"  # of a part, perhaps
+        assert found[0]() == (toolkit if os.path.exists(f"{toolkit}/bin/nvcc") else "None")
+        assert found[1]() == scratch
+        assert {ended() for ended in built} == {"42"}
     print("setuptools", setuptools.__version__)
 
 
