@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from functools import cached_property
 from pathlib import Path
 from string import Template
@@ -108,19 +108,25 @@ class Inputs:
         paths = [self.root / name for name, value in self._source(structure.FOLDER).items() if value != MISSING]
         return StructureTests({path.relative_to(folder).as_posix(): _text(path) for path in paths})
 
-    def check(self) -> None:
-        """Checks that the image set can be built and tested once its locks exist.
+    def check(self, things: Iterable[Image | Part] | None = None) -> None:
+        """Checks that images and parts can be built and tested once their locks exist.
+
+        Args:
+            things: the images and parts; the whole image set if None.
 
         Raises:
             RosmlError: a file from which a target is built, or one of structure tests, is missing.
         """
-        if gone := self._gone():
+        checked = [*(things if things is not None else (*self.image_set.parts, *self.image_set.images))]
+        if gone := self._gone(checked):
             text = f"{listed(gone)}: not there, and the Dockerfile builds parts or images from it"
             raise RosmlError(
                 text, "restore it with git checkout, or write it; a new part has a file there, such as prune.txt"
             )
         folder = self.root / structure.FOLDER
-        tests = dict.fromkeys(name for image in self.image_set.images for name in (*image.tests, *image.shared))
+        tests = dict.fromkeys(
+            name for image in checked if isinstance(image, Image) for name in (*image.tests, *image.shared)
+        )
         if untested := [
             f"{name}.yaml" for name in tests if folder.is_dir() and not (folder / f"{name}.yaml").is_file()
         ]:
@@ -128,10 +134,9 @@ class Inputs:
                 f"{structure.FOLDER} has no {listed(untested)}", "write what must hold in these images there"
             )
 
-    def _gone(self) -> list[str]:
+    def _gone(self, things: Iterable[Image | Part]) -> list[str]:
         """Missing files and folders from which targets are built. Locks do not count, as they are made later; nor do patterns, which
         need not match a file."""
-        things: tuple[Image | Part, ...] = (*self.image_set.parts, *self.image_set.images)
         for item in things:
             self.digests(item)  # this also reads the targets below it
         gone = {name for found in self._known.values() for name, value in found.items() if value == MISSING}

@@ -34,7 +34,7 @@ def survey(request: Request) -> State:
         request.architectures or (base_images.native_architecture(),),
         package_state=dict(request.package_state),
     )
-    state.inputs.check()
+    state.inputs.check([item.thing for item in state.items] if request.only else None)
     keys = [item.key for item in state.items] + [(thing.target, INDEX) for thing in state.things()]
     keys += [
         (target, item.architecture)
