@@ -19,6 +19,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -251,6 +252,42 @@ def test_a_machine_that_has_nothing_builds_nothing_twice(
         folder, app_inputs.values(options | {"tests": "false"}, folder, {}), {}, fresh, said.append
     ).build()
     assert untested.tests.count == 0, "no result of the build before"
+
+
+def test_apps_and_a_part_at_once_repeat_no_step(published: Publish, services: Services, tmp_path: Path) -> None:
+    """What two apps both need is made once, and neither waits for the other or for the part."""
+    base = published(BASE).result["reference"]
+    folders = [tmp_path / name for name in ("first", "second")]
+    for folder in folders:
+        (folder / "docker").mkdir(parents=True)
+        (folder / "package.xml").write_text(PACKAGE.format(folder.name, ""))
+        (folder / "CMakeLists.txt").write_text(CMAKE.format(folder.name))
+        # Another number each time that it runs, and the same file for both apps.
+        script = f"# {tmp_path}\necho made-$RANDOM-$RANDOM\n"
+        (folder / "docker/custom.sh").write_text(script)
+    part = (
+        sys.executable,
+        str(ROOT / "src"),
+        "part",
+        "common-cpu-py311",
+        "--namespace",
+        NAMESPACE,
+        "--again",
+        "--json",
+    )
+    with ThreadPoolExecutor() as pool:
+        beside = pool.submit(run, *part)
+        names = [f"{NAMESPACE}/{folder.name}" for folder in folders]
+        apps = [
+            pool.submit(made, folder, "--base-image", base, "--image-name", name, "--command", "true")
+            for folder, name in zip(folders, names, strict=True)
+        ]
+        assert [app.result()["packages"] for app in apps] == [["first"], ["second"]]
+        assert beside.result().code == 0, beside.result().err
+    logs = [services.state / f"log/containerize-{name.replace('/', '+')}@latest.log" for name in names]
+    said = [re.findall(r"\bmade-\d+-\d+", log.read_text()) for log in logs]
+    assert len({*said[0], *said[1]}) == len({*said[0]}) > 0, said
+    assert all(app.result()["waited"] == 0 for app in apps)
 
 
 def test_an_app_is_a_base_image_as_well(published: Publish, services: Services, tmp_path: Path) -> None:
