@@ -31,8 +31,11 @@ from rosml.images.builds.push import push_by_digest
 from rosml.images.builds.variables import variables
 from rosml.images.image_set import lock_file
 from rosml.images.image_set.model import Image, ImageSet
-from rosml.machine import buildx, regctl
+from rosml.machine import buildx
 from rosml.machine.services import Services
+from rosml.registry import references
+from rosml.registry.client import Registry
+from rosml.registry.oci import Manifest
 
 NAMESPACE = "bench"
 """Namespace in the local registry: nothing of anybody else is in it."""
@@ -208,9 +211,9 @@ class _Bench:
             raise RosmlError(f"the two ways did not install the same: {imports}")
         sides = {}
         for way in WAYS:
-            today, yesterday = (stored(services, made[way, day][0]) for day in ("today", "yesterday"))
-            there = {**yesterday, **stored(services, ros["today"])}
-            layers = {layer.digest: layer.size for layer in regctl.layers(services, made[way, "today"][0])}
+            today, yesterday = (stored(made[way, day][0]) for day in ("today", "yesterday"))
+            there = {**yesterday, **stored(ros["today"])}
+            layers = {layer.digest: layer.size for layer in manifest(made[way, "today"][0]).layers}
             sides[way] = Side(
                 second=made[way, "today"][1],
                 first=made[way, "yesterday"][1],
@@ -228,7 +231,9 @@ class _Bench:
         finally:
             for reference in self.pushed:
                 try:
-                    regctl.regctl(self.services, "manifest", "delete", reference)
+                    place = references.parse(reference)
+                    with Registry(place.host) as registry:
+                        registry.delete(place.repository, place.reference)
                 except RosmlError:
                     self.say(f"left in the registry, without a tag: {reference}")
             self._prune(self.run)
@@ -295,13 +300,22 @@ class _Bench:
             )
 
 
-def stored(services: Services, reference: str) -> dict[str, int]:
-    """All that a registry stores for an image manifest, in bytes by digest: its layers, its config, and itself.
+def manifest(reference: str) -> Manifest:
+    """The manifest that a registry has.
 
     Args:
         reference: the repository, and the manifest's digest after an ``@``.
     """
-    content = regctl.manifest(services, reference)
-    entries = {entry["digest"]: int(entry["size"]) for entry in (*content["layers"], content["config"])}
-    descriptor = regctl.regctl(services, "manifest", "head", "--format", "{{.GetDescriptor.Size}}", reference)
-    return {**entries, reference.rpartition("@")[2]: int(descriptor)}
+    place = references.parse(reference)
+    with Registry(place.host) as registry:
+        found = registry.manifest(place.repository, place.reference)
+    if found is None:
+        raise RosmlError(f"{reference} is not in the registry any more", "run it again")
+    return found
+
+
+def stored(reference: str) -> dict[str, int]:
+    """All that a registry stores for an image manifest, in bytes by digest: its layers, its config, and itself."""
+    found = manifest(reference)
+    entries = [*found.layers, *filter(None, [found.config])]
+    return {entry.digest: entry.size for entry in entries} | {found.digest: found.size}

@@ -27,8 +27,8 @@ from rosml.base.file_lock import turn
 from rosml.images.bake import bake_file
 from rosml.images.image_set import load
 from rosml.images.image_set.model import Image, ImageSet
-from rosml.machine import regctl
 from rosml.machine.services import Services
+from tests import regctl
 from tests.e2e.builders import builder
 
 NAMESPACE = "rosml-test"
@@ -230,7 +230,7 @@ def checkout(tmp_path: Path) -> Path:
             shutil.copy(source, tmp_path / name)
     shutil.copytree(ROOT / "tests" / "structure", tmp_path / "tests" / "structure")
     (tmp_path / ".state").mkdir()
-    for name in ("services.json", "registry", "base", "regctl"):
+    for name in ("services.json", "registry", "base", "auth", "bin"):
         if (ROOT / ".state" / name).exists():
             (tmp_path / ".state" / name).symlink_to(ROOT / ".state" / name)
     return tmp_path

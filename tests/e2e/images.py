@@ -12,8 +12,9 @@ from rosml.images.builds.push import COMPRESSION
 from rosml.images.image_set import load
 from rosml.images.image_set.model import Part
 from rosml.images.matrix import names
-from rosml.machine import buildx, regctl
+from rosml.machine import buildx
 from rosml.machine.services import Services
+from tests import regctl
 from tests.e2e.conftest import NAMESPACE, Published, run
 
 Publish = Callable[[str], Published]

@@ -29,11 +29,11 @@ from rosml.images.publish.survey import survey
 from rosml.images.records import store
 from rosml.images.records.store import ARTIFACT, INDEX, Records
 from rosml.images.records.tag_moves import UNDO
-from rosml.machine import regctl
 from rosml.machine.services import Services
 from rosml.registry import oci
 from rosml.registry.client import Registry
 from rosml.registry.place import Place
+from tests import regctl
 from tests.e2e.conftest import CHECKOUT, Run, run
 from tests.e2e.images import ca_secret
 
@@ -354,7 +354,7 @@ def make(folder: Path, services: Services) -> Mini:
     (folder / "matrix.yaml").write_text(yaml.safe_dump(matrix, sort_keys=False))
     (folder / ".state").mkdir()
     (ROOT / ".state" / "base").mkdir(exist_ok=True)  # base images are made once, by whoever is the first
-    for name in ("registry", "base", "regctl", "bin"):
+    for name in ("registry", "base", "auth", "bin"):
         if (ROOT / ".state" / name).exists():
             (folder / ".state" / name).symlink_to(ROOT / ".state" / name)
     facts = json.loads((ROOT / ".state" / "services.json").read_text())

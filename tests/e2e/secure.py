@@ -152,7 +152,7 @@ def used(folder: Path, tokens: bool, monkeypatch: pytest.MonkeyPatch) -> Iterato
         monkeypatch.setenv(name, own_address())
     root = folder / "checkout"
     (root / ".state").mkdir(parents=True)
-    services = Services(root, "", (), "", "", None, "", "", "", ())
+    services = Services(root, "", (), "", "", None, "", "", ())
     with registry(folder / "registry", users={NAME: "pull,push"} if tokens else None) as found:
         found.docker_config(docker, {"auths": {found.host: {"auth": encoded(NAME, PASSWORD)}}})
         yield found, services, docker

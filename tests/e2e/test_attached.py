@@ -22,6 +22,7 @@ from rosml.images.records.store import INDEX, Records
 from rosml.machine.services import Services
 from rosml.registry.client import Registry
 from rosml.registry.place import Place
+from tests import regctl
 from tests.e2e import mini as minis
 from tests.e2e import secure
 from tests.e2e.conftest import LOG, run
@@ -58,7 +59,13 @@ def test_entries_and_provenance(mini: Mini) -> None:
         if architecture != INDEX:
             assert Records(Place(client, mini.prefix)).attached(entry.repository, entry.digest) == entry
         listed = run(
-            *(mini.services.regctl, "--host", f"reg={mini.services.registry},tls=disabled", "artifact", "list"),
+            *(
+                regctl.program(mini.services),
+                "--host",
+                f"reg={mini.services.registry},tls=disabled",
+                "artifact",
+                "list",
+            ),
             *("--format", "{{json .}}", f"{mini.services.registry}/{path}@{entry.digest}"),
         )
         kinds = [item["artifactType"] for item in json.loads(listed.out)["descriptors"]]

@@ -12,8 +12,8 @@ from rosml import ROOT
 from rosml.images.builds import structure_tests
 from rosml.images.image_set.model import ImageSet
 from rosml.images.matrix import names
-from rosml.machine import regctl
 from rosml.machine.services import Services
+from tests import regctl
 from tests.e2e.conftest import NAMESPACE
 from tests.e2e.images import Publish, build, build_on, push
 

@@ -28,11 +28,10 @@ import pytest
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.containerize import app_inputs, build
-from rosml.machine import regctl
 from rosml.machine.services import Services
 from rosml.registry import oci, references
 from rosml.registry.client import Registry
-from tests import recording
+from tests import recording, regctl
 from tests.e2e.conftest import NAMESPACE, Run, run
 from tests.e2e.images import Publish
 from tests.e2e.images import build as build_folder

@@ -14,8 +14,8 @@ import pytest
 import yaml
 
 from rosml import ROOT
-from rosml.machine import regctl
 from rosml.machine.services import Services
+from tests import regctl
 from tests.e2e.conftest import NAMESPACE, Published, run
 from tests.e2e.images import Publish, build
 from tests.pages import SHELLS, Block, blocks, commands
@@ -227,7 +227,7 @@ def test_parts_are_compared(services: Services) -> None:
         if argv[0] == "./rosml":
             argv[0] = str(ROOT / "rosml")
         if argv[0] == "regctl":
-            argv[:1] = [services.regctl, "--host", f"reg={services.registry},tls=disabled"]
+            argv[:1] = [regctl.program(services), "--host", f"reg={services.registry},tls=disabled"]
         done = run(*argv, env={"PATH": f"{Path(services.uv).parent}:{os.environ['PATH']}"})
         assert done.code == 0, done.err
     assert done.out.strip() == "", "they differ"
@@ -245,7 +245,7 @@ def test_an_image_is_carried_over(services: Services, published: Publish, tmp_pa
     for command, place in zip(found, places, strict=True):
         words = shlex.split(command)
         done = run(
-            services.regctl,
+            regctl.program(services),
             "--host",
             f"reg={services.registry},tls=disabled",
             *words[1:3],

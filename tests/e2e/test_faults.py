@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from rosml.machine import regctl
 from rosml.machine.services import Services
+from tests import regctl
 from tests.e2e.conftest import HANGS, NAMESPACE, Published, publish, run, small_file_system
 from tests.e2e.images import NATIVE
 

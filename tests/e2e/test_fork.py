@@ -61,7 +61,7 @@ def test_a_set_without_a_fork(services: Services, tmp_path: Path) -> None:
     assert listed.code == 0, listed.err
     assert {image["distribution"] for image in json.loads(listed.out)} == {"ros1-bookworm"}
     shutil.rmtree(own / ".rosml/.state/bin")
-    for name in ("bin", "buildx", "regctl"):  # what `rosml setup` would make
+    for name in ("bin", "buildx", "auth"):  # what `rosml setup` would make
         (own / ".rosml/.state" / name).symlink_to(ROOT / ".state" / name)
     shutil.copy(ROOT / ".state/services.json", own / ".rosml/.state")
     asked = ("--registry", place, "--only", "ros1-bookworm-core", "--serve", NATIVE)

@@ -16,8 +16,8 @@ from rosml.images.bake import bake_file
 from rosml.images.builds import structure_tests
 from rosml.images.image_set.labels import OCI
 from rosml.images.image_set.model import ImageSet
-from rosml.machine import regctl
 from rosml.machine.services import Services
+from tests import regctl
 from tests.e2e.conftest import NAMESPACE, Published, publish, run
 from tests.e2e.images import NATIVE, PLATFORM, Publish, base_image, base_reference, build, push_part
 from tests.pages import blocks, commands

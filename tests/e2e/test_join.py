@@ -17,10 +17,10 @@ from rosml.images.builds import contents
 from rosml.images.image_set.model import ImageSet
 from rosml.images.join import file_lists
 from rosml.images.join import joiner as joining
-from rosml.machine import regctl
 from rosml.machine.services import Services
 from rosml.registry import oci
 from rosml.registry.client import Registry
+from tests import regctl
 from tests.e2e import mini as minis
 from tests.e2e.conftest import LOG, NAMESPACE, Published, Run, run
 from tests.e2e.images import build, push_part

@@ -20,11 +20,10 @@ from rosml.images.builds import base_images
 from rosml.images.image_set import load
 from rosml.images.matrix.source import read
 from rosml.images.records import store
-from rosml.machine import regctl
 from rosml.machine.services import Services
 from rosml.registry.client import Registry
 from rosml.registry.place import Place
-from tests import walk
+from tests import regctl, walk
 from tests.e2e.apt_stand_in import Image, Keys, Repository, Server, package
 from tests.e2e.conftest import NAMESPACE, Run, run
 from tests.e2e.images import NATIVE, PLATFORM, build

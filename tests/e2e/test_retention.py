@@ -31,6 +31,7 @@ from rosml.images.scan import sbom
 from rosml.machine.services import Services
 from rosml.registry import oci
 from rosml.registry.client import Registry
+from tests import regctl
 from tests.e2e import mini as minis
 from tests.e2e import secure
 from tests.e2e.conftest import Run, run
@@ -103,7 +104,7 @@ def pull(mini: Mini, folder: Path) -> int:
     for number, tag in enumerate(tags):
         reference, target = f"{mini.registry}/{tag}", f"ocidir://{folder}/{number}:one"
         host = f"reg={mini.services.registry},tls=disabled"
-        done = run(mini.services.regctl, "--host", host, "image", "copy", reference, target)
+        done = run(regctl.program(mini.services), "--host", host, "image", "copy", reference, target)
         assert done.code == 0, f"{tag}: {done.err}"
     return len(tags)
 

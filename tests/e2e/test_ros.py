@@ -13,8 +13,9 @@ from rosml import ROOT
 from rosml.images.builds import base_images, push, structure_tests
 from rosml.images.builds.variables import variables
 from rosml.images.image_set.model import ImageSet
-from rosml.machine import buildx, regctl
+from rosml.machine import buildx
 from rosml.machine.services import Services
+from tests import regctl
 from tests.e2e.conftest import NAMESPACE
 from tests.e2e.images import NATIVE, Publish, build, build_on
 

@@ -15,10 +15,8 @@ from pathlib import Path
 import pytest
 
 from rosml.images.records.store import Records
-from rosml.machine import regctl as images
 from rosml.machine.services import Services
-from rosml.machine.setup.registry import regctl_config
-from rosml.registry import certificates, credentials
+from rosml.registry import certificates
 from rosml.registry.client import Registry
 from rosml.registry.place import Place
 from tests.e2e import mini as minis
@@ -62,13 +60,8 @@ class Company(Mini):
 
 
 def trusting(folder: Path, services: Services, name: str) -> Services:
-    """Another machine: the builder of a name, and a regctl that `rosml setup` told of the certificates."""
+    """Another machine: the builder of a name."""
     state = folder / ".state"
-    own = (state / credentials.OWN).read_text()
-    (state / "regctl").unlink()
-    (state / "regctl").mkdir()
-    (state / credentials.OWN).write_text(own)
-    (state / "regctl/config.json").write_text(regctl_config(services.registry, "", certificates.by_host()))
     facts = json.loads((state / "services.json").read_text())
     (state / "services.json").write_text(json.dumps(facts | {"builder": name, "builder_kind": "user"}))
     return Services.load(folder)
@@ -280,7 +273,6 @@ def test_a_bundle_for_everything(
     machine = tmp_path / "machine"
     shutil.copytree(company.folder, machine, symlinks=True)
     (machine / "components/part/install-assembler.sh").write_text(NOTHING)  # nothing is tested
-    (machine / ".state/regctl/config.json").write_text(regctl_config(services.registry, "", {}))
     name = f"bundle-{os.getpid()}"
     told = {"builder": name, "builder_kind": "user", "ca_bundle": str(bundle)}
     facts = json.loads((machine / ".state/services.json").read_text())
@@ -292,8 +284,8 @@ def test_a_bundle_for_everything(
     book = Records(Place(Registry(host, ca_bundle=str(bundle)), company.prefix))
     entry = book.read("ros1-bookworm-core", NATIVE)
     assert entry
-    layers = images.layers(Services.load(machine), f"{host}/{company.prefix}/ros@{entry.digest}")
-    assert sum(layer.size for layer in layers) == entry.size
+    manifest = book.registry.manifest(f"{company.prefix}/ros", entry.digest)
+    assert manifest and sum(layer.size for layer in manifest.layers) == entry.size
     nothing_secret(company, outcome)
 
 

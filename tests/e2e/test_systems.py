@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from rosml.machine import regctl
 from rosml.machine.services import Services
+from tests import regctl
 from tests.e2e.conftest import publish
 from tests.e2e.images import Publish
 

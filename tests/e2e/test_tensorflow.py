@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from rosml.images.image_set.model import ImageSet
-from rosml.machine import regctl
 from rosml.machine.services import Services
+from tests import regctl
 from tests.e2e.conftest import NAMESPACE
 from tests.e2e.images import Publish, build, push_part
 

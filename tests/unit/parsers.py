@@ -70,7 +70,7 @@ from rosml.images.publish import issue, plan, scan_results
 from rosml.images.records import store, tag_moves
 from rosml.images.scan import judge, policy, trivy
 from rosml.images.scan.sbom import Sbom
-from rosml.machine import buildx, progress, regctl
+from rosml.machine import buildx, progress
 from rosml.machine.services import Services
 from rosml.registry import answers, challenge, credentials, oci, references
 from rosml.registry.client import Registry
@@ -1127,14 +1127,6 @@ STEPS = b"\n".join(
 )
 
 
-def regctl_of(document: bytes, folder: Path) -> object:
-    """What regctl prints."""
-    (folder / "answer").write_bytes(document)
-    found = stubs.services(folder, regctl=stubs.executable(folder / "regctl", f"exec cat {folder}/answer"))
-    regctl.image_config(found, "registry.test/a:b", "linux/amd64")
-    return regctl.layers(found, "registry.test/a:b")
-
-
 def base_of_command(document: bytes, folder: Path) -> object:
     """What a machine's command says of a base image."""
     (folder / "answer").write_bytes(document)
@@ -1177,7 +1169,6 @@ SERVICES = {
     "builder": "rosml",
     "builder_kind": "ours",
     "buildx_config": None,
-    "regctl": "regctl",
     "uv": "uv",
     "ca_bundle": "",
     "bases": [],
@@ -1409,7 +1400,6 @@ PARSERS: dict[str, Parser] = {
     "compose file": Parser("yaml", [COMPOSE], text(composed)),
     "cookies of a display": Parser("text", [COOKIES], cookies_of),
     "progress of buildx": Parser("text", [STEPS], progress_of),
-    "answer of regctl": Parser("json", as_json({"layers": [{"digest": DIGEST, "size": 1}]}), regctl_of),
     "base image of a command": Parser("json", as_json({"reference": f"a@{DIGEST}", "missing": ""}), base_of_command),
     "files of a base image": Parser("text", [SYSTEM], text(adopted_of)),
     "issues of GitHub": Parser("json", as_json(ISSUES), github_of),

@@ -23,14 +23,16 @@ from offline.official import debian_suite, missing
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.images.builds.base_images import native_architecture
-from rosml.machine import regctl
 from rosml.machine.services import Services
+from rosml.registry.client import Registry
+from rosml.registry.oci import INDEX
 
 EPOCH = 1767225600
 """Timestamp of files and image (2026-01-01), as everywhere in this project."""
 MANIFEST = "application/vnd.oci.image.manifest.v1+json"
 CONFIG = "application/vnd.oci.image.config.v1+json"
 LAYER = "application/vnd.oci.image.layer.v1.tar+gzip"
+REPOSITORY = "library/debian"
 RECIPE = "io.rosml.recipe"
 """Annotation that says how an image was made: a change of the recipe makes it anew."""
 TAIL_LINES = 20
@@ -103,7 +105,14 @@ def ensure(services: Services, image: str, architecture: str = "") -> dict[str, 
             f"run 'rosml setup emulate', or use an {architecture} machine, or one that reaches Docker Hub",
         )
     digests = [debian(services, suite, name) for name in (native, architecture)]
-    index = regctl.create_index(services, f"{services.registry}/library/debian", digests, {})
+    members = []
+    with Registry(services.registry) as registry:
+        for name, digest in zip((native, architecture), digests, strict=True):
+            found = registry.manifest(REPOSITORY, digest)
+            assert found, "it was just pushed"
+            members.append({**found.descriptor, "platform": {"os": "linux", "architecture": name}})
+        content = {"schemaVersion": 2, "mediaType": INDEX, "manifests": members}
+        index = registry.put_manifest(REPOSITORY, "", content, INDEX)
     return {"reference": f"{image}@{index}"}
 
 
@@ -347,17 +356,13 @@ def push(services: Services, layout: Path, tag: str) -> None:
     """Copies a layout into the local registry.
 
     Raises:
-        RosmlError: regctl fails.
+        RosmlError: the registry does not answer or refuses.
     """
-    env = services.environment()
-    Path(env["REGCTL_CONFIG"]).parent.mkdir(parents=True, exist_ok=True)
-    target = f"{services.registry}/library/debian:{tag}"
-    for arguments in (
-        ["registry", "set", "--tls=disabled", "--skip-check", services.registry],
-        ["image", "copy", f"ocidir://{layout}:{tag}", target],
-    ):
-        done = subprocess.run([services.regctl, *arguments], env=env, capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            raise RosmlError(
-                f"cannot push the base image to {target}: {done.stderr.strip()}", "run 'rosml setup' and try again"
-            )
+    [entry] = json.loads((layout / "index.json").read_text())["manifests"]
+    blobs = layout / "blobs/sha256"
+    manifest = (blobs / entry["digest"].removeprefix("sha256:")).read_bytes()
+    with Registry(services.registry) as registry:
+        content = json.loads(manifest)
+        for blob in (content["config"], *content["layers"]):
+            registry.put_blob(REPOSITORY, (blobs / blob["digest"].removeprefix("sha256:")).read_bytes())
+        registry.put_manifest(REPOSITORY, tag, manifest, entry["mediaType"])

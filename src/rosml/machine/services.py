@@ -37,7 +37,6 @@ class Services:
         builder: the builder's name; empty if there is none.
         builder_kind: ``buildkitd`` (our own), ``docker`` (a container of the user's Docker) or ``user`` (theirs).
         buildx_config: buildx' configuration folder; None for the user's own.
-        regctl: the path of regctl.
         uv: the path of uv.
         ca_bundle: the user's CA bundle, absolute; empty if the system's certificates count.
         bases: the command that gives base images, as `base_images` says; empty if they are those of matrix.yaml.
@@ -49,7 +48,6 @@ class Services:
     builder: str
     builder_kind: str
     buildx_config: Path | None
-    regctl: str
     uv: str
     ca_bundle: str
     bases: tuple[str, ...]
@@ -71,7 +69,7 @@ class Services:
             return _WRITTEN.validate_python({**untrusted.json_value(path.read_bytes()), "root": root})
         except FileNotFoundError:
             if not required:
-                return cls(root, "", (), "", "", None, "", "", os.environ.get("SSL_CERT_FILE", ""), bases=())
+                return cls(root, "", (), "", "", None, "", os.environ.get("SSL_CERT_FILE", ""), bases=())
             raise RosmlError("the local registry and the builder are not up", REMEDY) from None
         except OSError as error:
             raise RosmlError(f"cannot read {path}: {error.strerror}", REMEDY) from None
@@ -101,7 +99,7 @@ class Services:
             said = done.stderr.strip().splitlines()
             raise RosmlError(f"docker buildx does not answer: {said[-1] if said else 'it names no builder'}", remedy)
         bundle = os.environ.get("SSL_CERT_FILE", "")
-        return cls(folder, "", buildx, named[0], "user", None, "", "", bundle, bases=())
+        return cls(folder, "", buildx, named[0], "user", None, "", bundle, bases=())
 
     def save(self) -> None:
         """Writes the services for `load`.
@@ -118,7 +116,7 @@ class Services:
         return self.root / ".state"
 
     def environment(self, base: Mapping[str, str] | None = None) -> dict[str, str]:
-        """Environment for buildx, regctl and uv: our builder, our configuration folders, the user's certificates.
+        """Environment for buildx and uv: our builder, our configuration folders, the user's certificates.
 
         Args:
             base: what to start from; this process' own environment by default.
@@ -133,7 +131,6 @@ class Services:
             env[credentials.VARIABLE] = json.dumps(
                 {**given, "auths": {**(theirs if isinstance(theirs, dict) else {}), **auths}}
             )
-        env["REGCTL_CONFIG"] = str(self.state / "regctl" / "config.json")
         if self.ca_bundle:
             env["SSL_CERT_FILE"] = self.ca_bundle
         # The registry is on loopback: a proxy could not reach it. Both spellings have the same value: Go's programs and build

@@ -1,6 +1,6 @@
 """Certificates of private authorities for registries, from the folders that Docker reads: `certs.d/<host>/*.crt`.
 
-`rosml setup` configures the builder and regctl with the same certificates. buildx, which asks for tokens, and trivy do
+`rosml setup` configures the builder with the same certificates. buildx, which asks for tokens, and trivy do
 not read these folders: they get a bundle with all certificates.
 """
 
@@ -85,4 +85,4 @@ def remedy(host: str, reason: str) -> str:
     if "mismatch" in reason or "not valid for" in reason or "is valid for" in reason or "IP SANs" in reason:
         return "call the registry by a name that its certificate has"
     place = folders()[-1] / host / "ca.crt"
-    return f"put its authority's certificate into {place}, then run 'rosml setup' for the builder and regctl"
+    return f"put its authority's certificate into {place}, then run 'rosml setup' for the builder"

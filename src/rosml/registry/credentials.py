@@ -26,11 +26,10 @@ HELPER_SECONDS = 30.0
 """Time limit of a credential helper, which may ask a keychain or a cloud."""
 
 VARIABLE = "DOCKER_AUTH_CONFIG"
-"""Has the same content as `auths` in the config file, for jobs in CI. buildx and regctl read it as well."""
+"""Has the same content as `auths` in the config file, for jobs in CI. buildx reads it as well."""
 
-OWN = "regctl/docker.json"
-"""Below `.state`: credentials for the local registry of a checkout, in the form of Docker's config file. regctl's own
-file is beside it."""
+OWN = "auth/docker.json"
+"""Below `.state`: credentials for the local registry of a checkout, in the form of Docker's config file."""
 
 TOKEN_USER = "<token>"
 """The user name of a helper's answer if the secret is an identity token."""

@@ -214,7 +214,7 @@ def stranger(folder: Path) -> Path:
         "builder": "x",
         "builder_kind": "user",
     }
-    facts |= {"buildx_config": None, "regctl": str(folder / "buildx"), "uv": str(folder / "buildx"), "ca_bundle": ""}
+    facts |= {"buildx_config": None, "uv": str(folder / "buildx"), "ca_bundle": ""}
     (folder / ".state/services.json").write_text(json.dumps({**facts, "bases": [str(folder / "buildx")]}))
     return folder
 

@@ -29,7 +29,7 @@ OURS = {"io.rosml.distribution": "jazzy"}
 
 @pytest.fixture
 def services(stand_in: StandIn, tmp_path: Path) -> Services:
-    return Services(tmp_path / "state", stand_in.address, ("buildx",), "rosml", "buildkitd", None, "", "", "", bases=())
+    return Services(tmp_path / "state", stand_in.address, ("buildx",), "rosml", "buildkitd", None, "", "", bases=())
 
 
 @pytest.fixture

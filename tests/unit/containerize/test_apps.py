@@ -60,7 +60,7 @@ PACKAGE = "<package><name>{}</name></package>"
 @pytest.fixture
 def services(stand_in: StandIn, tmp_path: Path) -> Services:
     state = tmp_path / "rosml"
-    return Services(state, stand_in.address, ("buildx",), "rosml", "buildkitd", None, "", "", "", bases=())
+    return Services(state, stand_in.address, ("buildx",), "rosml", "buildkitd", None, "", "", bases=())
 
 
 def put(

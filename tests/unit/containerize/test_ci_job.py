@@ -126,7 +126,7 @@ def test_elsewhere_is_no_job() -> None:
 
 @pytest.fixture
 def services(stand_in: StandIn, tmp_path: Path) -> Services:
-    return Services(tmp_path / "state", stand_in.address, ("buildx",), "rosml", "user", None, "", "", "", bases=())
+    return Services(tmp_path / "state", stand_in.address, ("buildx",), "rosml", "user", None, "", "", bases=())
 
 
 class App:

@@ -32,7 +32,7 @@ VALUES = Values()
 
 @pytest.fixture
 def services(stand_in: StandIn, tmp_path: Path) -> Services:
-    return Services(tmp_path, stand_in.address, ("buildx",), "rosml", "buildkitd", None, "", "", "", bases=())
+    return Services(tmp_path, stand_in.address, ("buildx",), "rosml", "buildkitd", None, "", "", bases=())
 
 
 WHOLE = ("bin/bash", "bin/apt-get", "dpkg/status", "apt/debian.sources")

@@ -1,4 +1,4 @@
-"""What the builder is told of an image, and what its structure tests come to, with local replacements for buildx and regctl."""
+"""What the builder is told of an image, and what its structure tests come to, with a local replacement for buildx."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any, cast
 
 import pytest
 from conftest import changed, parse, write_locks
-from stubs import buildx, calls, executable, services
+from stubs import buildx, calls, services
 
 from rosml.base.errors import RosmlError
 from rosml.images.builds import base_images, disk, sync
@@ -18,7 +18,8 @@ from rosml.images.builds.maker import BuildKitMaker, Checked, require_buildable
 from rosml.images.image_set import apt_repository, locked
 from rosml.images.image_set import model as sets
 from rosml.machine.services import Services
-from rosml.registry.oci import Manifest
+from rosml.registry import documents
+from rosml.registry.oci import Config, Manifest
 from rosml.registry.place import Place
 
 TARGET = "alpha-base"
@@ -33,11 +34,6 @@ BAKE = """
 env >"$here/env-$1"
 [ ! -d "$here/report" ] || cp -r "$here/report" "$report"
 exit "$(cat "$here/code")"
-"""
-
-REGCTL = """
-echo "regctl $*" >>'{folder}/calls'
-cat '{folder}/config.json'
 """
 
 
@@ -65,6 +61,10 @@ class OneManifest:
     def manifest(self, _repository: str, reference: str) -> Manifest | None:
         return Manifest(self.content, MANIFEST, "", 1) if reference == MANIFEST else None
 
+    def config(self, _repository: str, _manifest: Manifest) -> Config:
+        content = {"config": {"Labels": {"io.rosml.torch": "2.10.0", "other": "1"}}}
+        return Config(content, documents.Config())
+
 
 @dataclass
 class Stage:
@@ -78,14 +78,12 @@ class Stage:
     def __post_init__(self) -> None:
         (self.folder / "report").mkdir()
         self.write("code", "0")
-        self.write("config.json", json.dumps({"config": {"Labels": {"io.rosml.torch": "2.10.0", "other": "1"}}}))
         for name in FILES:
             self.write(f"report/{name}.json", results(one=True, two=True))
         self.write("report/unpacked", "4 /")
         self.write("report/versions", "python3 3.12.3\n")
         write_locks(self.folder, self.image_set)
-        regctl = executable(self.folder / "regctl", REGCTL.format(folder=self.folder))
-        services(self.folder, "127.0.0.1:1", buildx=buildx(self.folder, BAKE), regctl=regctl)
+        services(self.folder, "127.0.0.1:1", buildx=buildx(self.folder, BAKE))
 
     def write(self, name: str, text: str) -> None:
         (self.folder / name).write_text(text)

@@ -13,12 +13,13 @@ import tarfile
 from pathlib import Path
 
 import pytest
+from registry_stand_in import standing_in
 from stubs import OFFLINE, buildx, calls, load
 
 from offline import assembler, debian, official
 from rosml.base.errors import RosmlError
-from rosml.machine import regctl
 from rosml.machine.services import Services
+from rosml.registry.client import Registry
 
 DEBIAN, UBUNTU = "docker.io/library/debian:bookworm", "docker.io/library/ubuntu:24.04"
 DIGEST = f"sha256:{'a' * 64}"
@@ -88,15 +89,19 @@ def test_a_foreign_architecture_under_emulation(tmp_path: Path, monkeypatch: pyt
         made.append((suite, architecture))
         return f"sha256:{architecture}"
 
-    def index(_services: Services, repository: str, digests: list[str], _annotations: object) -> str:
-        assert digests == ["sha256:amd64", "sha256:arm64"]
-        return f"sha256:of-{repository.rpartition('/')[2]}"
-
-    monkeypatch.setattr(debian, "debian", one)
-    monkeypatch.setattr(regctl, "create_index", index)
-    assert debian.ensure(load(tmp_path), DEBIAN, "arm64") == {"reference": f"{DEBIAN}@sha256:of-debian"}
+    with standing_in() as registry, Registry(registry.address) as client:
+        digests = {
+            name: client.put_manifest("library/debian", "", {"schemaVersion": 2, "annotations": {"of": name}})
+            for name in ("amd64", "arm64")
+        }
+        monkeypatch.setattr(debian, "debian", lambda *given: digests[one(*given).removeprefix("sha256:")])
+        found = debian.ensure(load(tmp_path, registry=registry.address), DEBIAN, "arm64")["reference"]
+        index = client.manifest("library/debian", found.rpartition("@")[2])
+    assert index and [(member.digest, member.platform.architecture) for member in index.members if member.platform] == [
+        (digest, name) for name, digest in digests.items()
+    ]
     assert made == [("bookworm", "amd64"), ("bookworm", "arm64")]
-    assert debian.ensure(load(tmp_path), DEBIAN) == {"reference": f"{DEBIAN}@sha256:amd64"}
+    assert debian.ensure(load(tmp_path), DEBIAN) == {"reference": f"{DEBIAN}@{digests['amd64']}"}
 
 
 @pytest.mark.parametrize(
@@ -185,12 +190,10 @@ def test_no_mmdebstrap(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_push_that_fails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     fake_mmdebstrap(tmp_path, 'tar --create --file "${@: -1}" --files-from /dev/null', monkeypatch)
-    regctl = tmp_path / "regctl"
-    regctl.write_text("#!/bin/sh\n[ $1 = registry ] || { echo refused >&2; exit 1; }\n")
-    regctl.chmod(0o755)
     folder = tmp_path / ".state/base/bookworm"
-    with pytest.raises(RosmlError, match="refused"):
-        debian.make(load(tmp_path, regctl=str(regctl)), "bookworm", "amd64", folder)
+    with standing_in() as registry, pytest.raises(RosmlError, match="405"):
+        registry.fault("PUT", "/manifests/", 405)
+        debian.make(load(tmp_path, registry=registry.address), "bookworm", "amd64", folder)
     assert not folder.exists()
 
 

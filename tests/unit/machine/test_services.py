@@ -41,7 +41,6 @@ def test_environment(tmp_path: Path) -> None:
         "PATH": "/bin",
         "BUILDX_BUILDER": "rosml",
         "BUILDX_CONFIG": "/x/.state/buildx",
-        "REGCTL_CONFIG": str(tmp_path / ".state/regctl/config.json"),
         "SSL_CERT_FILE": "/ca.pem",
         "NO_PROXY": "example.org,127.0.0.1,localhost",
         "no_proxy": "example.org,127.0.0.1,localhost",

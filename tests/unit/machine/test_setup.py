@@ -175,7 +175,7 @@ def test_set_up_does_not_build_the_scanner_and_the_signer(state: State, bare: Pa
     """Each takes ten minutes or more; most who build an image never scan or sign one."""
     tools.install(state, hub=True)
     built = {line.split()[1] for line in bare.read_text().splitlines() if line.startswith("build ")}
-    assert "regctl" in built
+    assert "buildx" in built
     assert not {"trivy", "cosign", "actionlint", "composecheck"} & built
 
 
@@ -211,12 +211,12 @@ def test_set_up_of_a_bare_machine(state: State, bare: Path, capsys: pytest.Captu
     them: otherwise the standard library would be compiled twice."""
     found = tools.install(state, hub=False, tests=tests)
     calls = bare.read_text().splitlines()
-    names = sorted(["actionlint", "composecheck"] * tests + ["buildkitd", "buildx", "regctl", "registry"])
+    names = sorted(["actionlint", "composecheck", "regctl"] * tests + ["buildkitd", "buildx", "registry"])
     assert sorted(call for call in calls if call.startswith("build ")) == [f"build {name}" for name in names]
     for_tests = " docker.io chromium" if tests else ""
     assert [call for call in calls if call.startswith("apt ")] == [f"apt runc mmdebstrap{for_tests}"]
     assert not (state.folder / "go").exists()
-    assert (found.regctl, found.buildx) == (str(state.bin / "regctl"), (str(state.bin / "buildx"),))
+    assert found.buildx == (str(state.bin / "buildx"),)
     assert (found.uv, found.registry, bool(found.bases)) == ("/uv", "", True)
     said = capsys.readouterr().out
     assert "fetching them in the background" in said and "installs the Debian packages runc (" in said
@@ -724,7 +724,7 @@ def test_command_line_of_nobody() -> None:
 # ---- services -------------------------------------------------------------------------------------------------------
 def machine(state: State, kind: str, buildx: str = "buildx", registry: str = "127.0.0.1:5001") -> Services:
     config = None if kind == "user" else state.folder / "buildx"
-    return Services(state.root, registry, (buildx,), "rosml", kind, config, "regctl", "/uv", "", bases=())
+    return Services(state.root, registry, (buildx,), "rosml", kind, config, "/uv", "", bases=())
 
 
 def test_registry_config_is_yaml_of_a_plain_registry() -> None:
@@ -780,9 +780,6 @@ def test_buildkit_config(tmp_path: Path) -> None:
     }
     certificate.write_text("another")
     assert builder.config("127.0.0.1:5001", False, None, trusted) != text, "a builder in Docker has copies"
-    hosts = json.loads(registry.regctl_config("127.0.0.1:5001", "pw", {"reg.example:5000": [certificate] * 2}))["hosts"]
-    assert hosts["reg.example:5000"]["regcert"] == "anotheranother" and hosts["reg.example:5000"]["tls"] == "enabled"
-    assert hosts["127.0.0.1:5001"]["tls"] == "disabled" and hosts["127.0.0.1:5001"]["pass"] == "pw"
     in_docker = builder.config("127.0.0.1:5001", False)
     assert "docker.io" not in in_docker
     assert "root" not in in_docker
@@ -1115,7 +1112,6 @@ def test_services_json(state: State) -> None:
         "builder": "rosml",
         "builder_kind": "buildkitd",
         "buildx_config": str(state.folder / "buildx"),
-        "regctl": "regctl",
         "uv": "/uv",
         "ca_bundle": "",
         "bases": [],

@@ -17,7 +17,7 @@ import trustme
 from stubs import services
 
 from rosml.base.errors import RosmlError
-from rosml.machine import regctl, trust
+from rosml.machine import trust
 from rosml.registry import certificates, failures
 from rosml.registry.client import Registry
 
@@ -181,13 +181,7 @@ def test_what_cannot_be_read_stops_its_own_host_alone(
         Registry("other.example")
 
 
-def test_regctl_speaks_tls_to_this_machine_where_there_are_certificates(docker: Path, tmp_path: Path) -> None:
-    program = tmp_path / "regctl"
-    program.write_text('#!/bin/sh\necho "$@"\n')
-    program.chmod(0o755)
-    here = services(tmp_path, regctl=str(program))
-    assert "tls=disabled" in regctl.regctl(here, "127.0.0.1:5001/a:b")
+def test_a_registry_of_this_machine_speaks_tls_where_there_are_certificates(docker: Path) -> None:
     put(docker, "127.0.0.1:5001", trustme.CA())
-    assert "tls=disabled" not in regctl.regctl(here, "127.0.0.1:5001/a:b")
     assert Registry("127.0.0.1:5001").base.scheme == "https"
     assert Registry("127.0.0.1:5002").base.scheme == "http"

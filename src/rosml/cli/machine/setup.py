@@ -53,9 +53,10 @@ def bootstrap() -> None:
 
 
 def is_up(root: Path) -> bool:
-    """Whether a checkout is ready for builds: its registry and its builder answer."""
+    """Whether a checkout is ready for builds: its registry and its builder answer, and whoever pushes has the registry's password."""
     from rosml.base.errors import RosmlError
     from rosml.machine.services import Services
+    from rosml.registry import credentials
 
     try:
         services = Services.load(root)
@@ -63,7 +64,7 @@ def is_up(root: Path) -> bool:
         services.require_builder()
     except RosmlError:
         return False
-    return True
+    return not services.registry or bool(credentials.own(services.state))
 
 
 def bring_up(root: Path) -> None:
@@ -157,7 +158,7 @@ def client() -> None:
     state = state_of_checkout()
     _installer(state).report()
     if not services.written(state):
-        Services(ROOT, "", (), "", "", None, "", state.uv, state.ca_bundle, bases=()).save()
+        Services(ROOT, "", (), "", "", None, state.uv, state.ca_bundle, bases=()).save()
 
 
 @main.command(hidden=True)
@@ -202,6 +203,14 @@ def scanner(tests: bool) -> None:
 def signer(tests: bool) -> None:
     """Finds or builds cosign, which signs images: a quarter of an hour."""
     _program("cosign", "version", "signer.json", tests)
+
+
+@main.command(short_help="Builds regctl, which reads and copies images in registries.")
+def regctl() -> None:
+    """Builds regctl into .state/bin: the pages of the documentation read and copy images with it. No other command needs it."""
+    installer = _installer(state_of_checkout())
+    terminal.echo(installer.go_program("regctl"))
+    installer.drop_go_caches()
 
 
 @main.command(hidden=True)

@@ -305,7 +305,8 @@ class BuildKitMaker:
         size = sum(size for part, size in of_parts if part in image.budgeted)
         room = disk.tested_mb(self._sizes, image, self._there)
         self._make_room(room, *image.parts, image.parent, *([] if image.stack else [image.target]))
-        report, folder = structure_tests.run(self.services, image, architecture, reference, file, given, names, size)
+        config = self.place.client.config(self.place.path(image.repository), manifest).content
+        report, folder = structure_tests.run(self.services, image, architecture, config, file, given, names, size)
         failures = tuple(f"{outcome.file}: {outcome.name}" for outcome in report.failed)
         if failures:
             self.say(

@@ -19,9 +19,10 @@ from rosml.images.builds.push import push_by_digest, write_excerpt
 from rosml.images.image_set import restricted
 from rosml.images.image_set.model import ImageSet, Part
 from rosml.images.image_set.restricted import Declared
+from rosml.images.join.layers import platform as platform_of
 from rosml.images.matrix import names
 from rosml.images.matrix.model import ANY_PYTHON
-from rosml.machine import buildx, regctl
+from rosml.machine import buildx
 from rosml.machine.services import NAMESPACE, Services
 from rosml.registry import references
 from rosml.registry.client import Registry
@@ -105,12 +106,12 @@ def publish(
     prefix = f"{services.registry}/{namespace}"
     repository = f"{prefix}/part"
     base, digest = push(services, image_set, part, say, prefix, platforms, again)
-    layers = dict(_layers(services, f"{repository}@{digest}", platforms))
     reference = f"{repository}@{digest}"
-    if len(platforms) == len(part.platforms):  # a tag is for all platforms
-        with Registry(services.registry, ca_bundle=services.ca_bundle) as client:
+    with Registry(services.registry, ca_bundle=services.ca_bundle) as client:
+        layers = dict(_layers(client, f"{namespace}/part", digest, platforms))
+        if len(platforms) == len(part.platforms):  # a tag is for all platforms
             client.tag(f"{namespace}/part", digest, part.name)
-        reference = f"{repository}:{part.name}@{digest}"
+            reference = f"{repository}:{part.name}@{digest}"
     python = base.python if part.python != ANY_PYTHON else ""
     said = _said(part, base)
     return Assembled(part.name, reference, digest, layers, said, python, time.monotonic() - started)
@@ -178,29 +179,23 @@ def _said(part: Part, base: base_images.Assembler) -> str:
     return base.reference + ("" if base.python or part.python == ANY_PYTHON else without)
 
 
-def _layers(services: Services, reference: str, platforms: list[str]) -> Iterator[tuple[str, tuple[str, int]]]:
+def _layers(
+    registry: Registry, repository: str, digest: str, platforms: list[str]
+) -> Iterator[tuple[str, tuple[str, int]]]:
     """The layer of each platform, as digest and size in bytes.
 
     Raises:
         RosmlError: the manifest in the registry is not that of a part.
     """
-    repository = reference.partition("@")[0]
-    try:
-        content = regctl.manifest(services, reference)
-        if "layers" in content:  # one platform only
-            entries = {platforms[0]: content}
-        else:
-            entries = {
-                f"{entry['platform']['os']}/{entry['platform']['architecture']}": regctl.manifest(
-                    services, f"{repository}@{entry['digest']}"
-                )
-                for entry in content["manifests"]
-            }
-        for platform, manifest in entries.items():
-            (layer,) = manifest["layers"]
-            yield platform, (layer["digest"], layer["size"])
-    except (KeyError, TypeError, ValueError):
-        raise RosmlError(f"{reference} is not a part with one layer for each platform", "run it again") from None
+    found = registry.manifest(repository, digest)
+    images = {platforms[0]: found}  # one platform only
+    if found and found.is_index:
+        images = {platform_of(entry.platform): registry.manifest(repository, entry.digest) for entry in found.members}
+    for platform, manifest in images.items():
+        if manifest is None or len(manifest.layers) != 1:
+            text = f"{registry.host}/{repository}@{digest} is not a part with one layer for each platform"
+            raise RosmlError(text, "run it again")
+        yield platform, (manifest.layers[0].digest, manifest.layers[0].size)
 
 
 def markdown(found: Iterable[Assembled]) -> str:

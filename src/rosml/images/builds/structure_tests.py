@@ -15,7 +15,7 @@ from rosml.base.shapes import Shape
 from rosml.images.builds import base_images
 from rosml.images.image_set import labels
 from rosml.images.image_set.model import Image
-from rosml.machine import buildx, exported, regctl
+from rosml.machine import buildx, exported
 from rosml.machine.services import Services
 
 LABEL = "io.rosml."
@@ -161,7 +161,7 @@ def run(
     services: Services,
     image: Image,
     architecture: str,
-    reference: str,
+    config: Mapping[str, Any],
     bake_file: Path,
     variables: Mapping[str, str],
     names: tuple[str, ...],
@@ -173,7 +173,7 @@ def run(
         services: the builder.
         image: the image to test.
         architecture: such as `amd64`.
-        reference: of its manifest. The tests get its config.
+        config: its config in the registry, which the tests read.
         bake_file: has the image's test target.
         variables: of the bake file.
         names: of the tests' files.
@@ -189,7 +189,7 @@ def run(
     folder = services.state / "tests" / (image.target if native else f"{image.target}-{architecture}")
     metadata, reports, left = folder / "metadata", folder / "report", folder / "report.tar"
     left.unlink(missing_ok=True)
-    write_metadata(metadata, image, regctl.image_config(services, reference, variables["PLATFORM"]))
+    write_metadata(metadata, image, config)
     # The builder caches failed runs, too. Another number makes it run the tests again.
     attempts = folder / "failed-attempts"
     attempt = attempts.read_text() if attempts.exists() else "0"

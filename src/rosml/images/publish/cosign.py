@@ -19,7 +19,6 @@ from pathlib import Path
 from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.programs import pinned_version
-from rosml.machine.regctl import LOOPBACK
 
 INSTALL = "run 'rosml setup signer'"
 SECONDS = 180.0
@@ -27,6 +26,9 @@ SECONDS = 180.0
 
 PATIENCE = 3
 """After this many failures in a row, the signer is not called again in this run."""
+
+LOOPBACK = re.compile(r"(?:127\.0\.0\.1|localhost|\[::1\])(?::\d+)?(?=/)")
+"""A registry of this machine."""
 
 ISSUER = "https://token.actions.githubusercontent.com"
 """The issuer of a workflow's identity."""

@@ -7,7 +7,6 @@ import json
 import os
 import secrets
 import time
-from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -126,19 +125,3 @@ def write_private(file: Path, text: str) -> None:
 def _settled(registry: Daemon, port: int) -> bool:
     """Whether a registry has answered or ended after its start."""
     return not registry.pid() or network.registry_answers(f"127.0.0.1:{port}")
-
-
-def regctl_config(registry: str, password: str, certificates: Mapping[str, Sequence[Path]]) -> str:
-    """regctl's config.json, for a registry with plain http, whose port may have changed.
-
-    Args:
-        registry: the address of the local registry.
-        password: its password for pushes.
-        certificates: files with authorities for registries, by host; regctl takes their text.
-    """
-    hosts = {
-        host: {"tls": "enabled", "hostname": host, "regcert": "".join(file.read_text() for file in trusted)}
-        for host, trusted in certificates.items()
-    }
-    hosts[registry] = {"tls": "disabled", "hostname": registry, "user": USER, "pass": password}
-    return json.dumps({"hosts": hosts}, indent=2) + "\n"

@@ -13,7 +13,6 @@ from rosml.machine.services import Services
 from rosml.machine.setup import builder, registry, tools
 from rosml.machine.setup.installer import GO_PROGRAMS
 from rosml.machine.setup.state import State
-from rosml.registry import certificates
 
 
 def up(state: State, found: Services) -> None:
@@ -27,12 +26,6 @@ def up(state: State, found: Services) -> None:
     """
     services = replace(found, registry=registry.up(state))
     builder.up(state, services, tools.buildkit_image(state))
-    regctl = state.folder / "regctl"
-    regctl.mkdir(exist_ok=True)
-    registry.write_private(
-        regctl / "config.json",
-        registry.regctl_config(services.registry, registry.password(state), certificates.by_host()),
-    )
     services.save()
 
 

@@ -127,7 +127,7 @@ def install(state: State, hub: bool, tests: bool = False) -> Services:
         packages = {**packages, **engine_packages(installer), **browser_packages()}
     if packages:
         installer.apt(packages)  # fails now if it may not, not after minutes of compiling
-    regctl = installer.found("regctl", "version", OLDEST_REGCTL)
+    regctl = not tests or installer.found("regctl", "version", OLDEST_REGCTL)
     buildx = buildx_of(installer)
     linter = not tests or installer.found("actionlint", "--version")
     there = {"regctl": regctl, "buildx": buildx, "actionlint": linter, "registry": "", "buildkitd": kind != "buildkitd"}
@@ -149,7 +149,6 @@ def install(state: State, hub: bool, tests: bool = False) -> Services:
         builder=builder,
         builder_kind=kind,
         buildx_config=None if kind == "user" else state.folder / "buildx",
-        regctl=regctl or str(state.bin / "regctl"),
         uv=state.uv,
         ca_bundle=state.ca_bundle,
         bases=() if hub else (str(state.root / ".venv/bin/python"), str(state.root / "tools/offline")),

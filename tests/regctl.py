@@ -1,5 +1,4 @@
-"""Calls regctl, which reads single manifests for builds and tests, and makes indexes of base images that are made offline. A
-publishing run uses the client of `registry/client.py` instead: without builds there is no regctl."""
+"""Calls regctl: what tests read of a registry, they read with a program that nobody here wrote."""
 
 from __future__ import annotations
 
@@ -22,8 +21,7 @@ SECONDS = 120.0
 
 
 LOOPBACK = re.compile(r"(?:127\.0\.0\.1|localhost|\[::1\])(?::\d+)?(?=/)")
-"""Registries that speak plain http: those of this machine without certificates in certs.d. Setup tells regctl of its own
-registry."""
+"""Registries that speak plain http: those of this machine without certificates in certs.d."""
 
 
 @dataclass(frozen=True)
@@ -34,6 +32,12 @@ class Layer:
     size: int
 
 
+def program(services: Services) -> str:
+    """The path of regctl: that of setup, or the machine's own."""
+    ours = services.state / "bin/regctl"
+    return str(ours) if ours.exists() else "regctl"
+
+
 def regctl(services: Services, *arguments: str) -> str:
     """Runs regctl and returns its output.
 
@@ -41,18 +45,16 @@ def regctl(services: Services, *arguments: str) -> str:
         RosmlError: regctl failed, or the registry does not answer.
     """
     loopback = dict.fromkeys(
-        found[0]
-        for argument in arguments
-        if (found := LOOPBACK.match(argument)) and found[0] != services.registry and not certificates.of(found[0])
+        found[0] for argument in arguments if (found := LOOPBACK.match(argument)) and not certificates.of(found[0])
     )
     plain = [option for host in loopback for option in ("--host", f"reg={host},tls=disabled")]
-    command = [services.regctl, *arguments, *plain]
+    command = [program(services), *arguments, *plain]
     try:
         done = subprocess.run(
             command, env=services.environment(), capture_output=True, text=True, timeout=SECONDS, check=False
         )
     except OSError as error:
-        raise RosmlError(f"cannot run {services.regctl}: {error.strerror}", REMEDY) from None
+        raise RosmlError(f"cannot run {command[0]}: {error.strerror}", REMEDY) from None
     except subprocess.TimeoutExpired:
         raise RosmlError(f"the registry did not answer within {SECONDS:.0f} s: {' '.join(arguments)}", REMEDY) from None
     if done.returncode != 0:
