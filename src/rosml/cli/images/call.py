@@ -30,7 +30,7 @@ KEPT = "interrupted: no tag points at what is not finished; what was finished is
 """The message after Ctrl-C."""
 
 
-def wait_for_turn() -> None:
+def _wait_for_turn() -> None:
     """Waits until no other publishing run of this checkout is under way. The turn ends with the command."""
     file = ROOT / ".state/publish.lock"
     waiting = "waiting for another publishing run of this checkout ({})"
@@ -170,12 +170,13 @@ class Call:
 
         return load.load(self.matrix, ROOT)
 
-    def survey(self, reading: bool = False) -> State:
+    def survey(self, reading: bool = False, turn: bool = False) -> State:
         """Asks the registry and the package repositories, and gives the state of the requested images.
 
         Args:
             reading: nothing will be built. Then the ROS images and parts below are judged on all of their
                 architectures, and if a registry is named, no service of this machine is needed.
+            turn: wait until no other run of this checkout is under way. What is wrong is told before.
         """
         from rosml.base import clock
         from rosml.images.image_set import selection
@@ -211,6 +212,8 @@ class Call:
             services.require_registry()
         place = Place.at(self.registry or services.place, services.ca_bundle)
         self.only = self._allowed(place, reading)
+        if turn:
+            _wait_for_turn()
         date = self.date or clock.now()
         if not self.force:
             clock.require_not_ahead(date, clock.now())
@@ -264,7 +267,7 @@ class Call:
         started = time.monotonic()
         # If the signer is missing, the command ends before anything is asked.
         signer = Signer.find(ROOT, trust.trusting(self.services(reading=False))) if self.sign else None
-        state = self.survey()
+        state = self.survey(turn=True)
         services = state.request.services
         maker = BuildKitMaker(services, self.image_set, state.place, say, self.force, state.forecast)
         return Run(state, maker, say, signer, started)

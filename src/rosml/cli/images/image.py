@@ -16,7 +16,7 @@ from rosml.base.errors import RosmlError
 from rosml.cli import completion
 from rosml.cli.checkout import Command
 from rosml.cli.command import say
-from rosml.cli.images.call import KEPT, Call, sharing, wait_for_turn
+from rosml.cli.images.call import KEPT, Call, sharing
 from rosml.cli.machine import setup
 
 if TYPE_CHECKING:
@@ -100,7 +100,6 @@ def main(
     wanted = named or default.default(services, image_set, architecture, say)
     call.registry, call.only = f"{services.registry}/{namespace}", (wanted.target,)
     call.architectures = call.serve = (architecture,)
-    wait_for_turn()
     run = call.run()
     run.whole = True
     summary.require_makeable(run, wanted, architecture)

@@ -16,7 +16,7 @@ from rosml import ROOT
 from rosml.base import files, terminal
 from rosml.cli.checkout import Group
 from rosml.cli.command import say
-from rosml.cli.images.call import KEPT, Call, sharing, wait_for_turn
+from rosml.cli.images.call import KEPT, Call, sharing
 from rosml.cli.options import place_of
 
 if TYPE_CHECKING:
@@ -64,7 +64,6 @@ def _step(name: str, help_text: str, options: tuple[str, ...] = _STEP) -> None:
         from rosml.images.publish.steps import STEPS
 
         call = Call(**options)
-        wait_for_turn()
         run = call.run()
         STEPS[name.removesuffix("-images")](run)
         call.report(run)
@@ -128,7 +127,6 @@ def images(minutes: float | None, **options: Any) -> None:
     from rosml.images.publish import steps
 
     call = Call(**options)
-    wait_for_turn()
     run = call.run()
     steps.images(run, math.inf if minutes is None else minutes)
     call.report(run)
@@ -164,7 +162,6 @@ def everything(**options: Any) -> None:
     from rosml.images.publish.steps import STEPS
 
     call = Call(**options)
-    wait_for_turn()
     run = call.run()
     for name, step in STEPS.items():
         if name == "index" and call.require_scan:
@@ -226,7 +223,6 @@ def scan(fetch: bool, database: str, reports: Path | None, output: Path | None, 
     from rosml.images.scan.results import Results
 
     call = Call(**options)
-    wait_for_turn()
     run = call.run()
     results = Results(output, run.state.date) if output else None
     found = _scan(call, run, fetch, database, reports, results)
@@ -276,7 +272,6 @@ def record(file: Path, **options: Any) -> None:
     from rosml.images.publish import scan_results
 
     call = Call(**options)
-    wait_for_turn()
     run = call.run()
     scan_results.record(run, file)
     call.report(run)
