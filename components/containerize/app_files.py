@@ -58,6 +58,15 @@ ASKED = Path("/run")
 REQUIRED = re.compile(r"\s*([A-Za-z0-9][A-Za-z0-9._-]*)")
 """The name at the beginning of a requirement of pip."""
 
+NAMED = re.compile(r"\s*(?:-r|--requirement)[ \t=]*(\S+)")
+"""A line that names another list for pip."""
+
+DEEPEST = 10
+"""How deep lists for pip may name others."""
+
+METADATA = "usr/**/*-packages/*.dist-info/METADATA"
+"""What the packages of Python in a layer say of themselves."""
+
 TIME = 1767225600
 """2026-01-01T00:00:00Z, as the layers of all parts have it."""
 
@@ -207,16 +216,43 @@ def asked(runtime: Path, brought: Sequence[str]) -> set[str]:
     return {key.partition(":")[0] for key in status(runtime).keys() - {*brought}} & names
 
 
-def asked_of_pip(brought: Container[str]) -> set[str]:
-    """The packages of pip that the app asks for by name, in manifests and in its own list, and that its base image has.
+def asked_of_pip(brought: Container[str], runtime: Path, layer: Path) -> set[str]:
+    """The packages of pip that the app asks for by name, in manifests and in its own lists, or that a package of the app's layer needs; and
+    that its base image has.
 
     Args:
         brought: names of packages of Python that the base image has.
+        runtime: the image with the files that lists name.
+        layer: the app's files.
     """
     listed = (ASKED / "needed/exec.pip", ASKED / "requests/pip")
-    lines = [line for file in listed if file.is_file() for line in file.read_text("utf-8", "replace").splitlines()]
+    lines = [line for file in listed for line in requirements(file, runtime)]
+    lines += [line for file in sorted(layer.glob(METADATA)) for line in required(file)]
     names = {lacking.normal(match.group(1)) for match in map(REQUIRED.match, lines) if match}
     return {name for name in names if name in brought}
+
+
+def requirements(file: Path, root: Path, depth: int = 0) -> list[str]:
+    """The lines of a list for pip, and of those that it names: relative to it, or in the image."""
+    if not file.is_file() or depth > DEEPEST:
+        return []
+    found: list[str] = []
+    for line in file.read_text("utf-8", "replace").splitlines():
+        named = NAMED.match(line)
+        if named and named.group(1).startswith("/"):
+            found += requirements(root / named.group(1).lstrip("/"), root, depth + 1)
+        elif named:
+            found += requirements(file.parent / named.group(1), root, depth + 1)
+        else:
+            found.append(line)
+    return found
+
+
+def required(metadata: Path) -> list[str]:
+    """What a package of Python needs on any machine: without what belongs to an extra, or to some machines alone."""
+    lines = metadata.read_text("utf-8", "replace").partition("\n\n")[0].splitlines() if metadata.is_file() else []
+    wanted = [line.partition(":")[2] for line in lines if line.startswith("Requires-Dist:")]
+    return [line for line in wanted if ";" not in line]
 
 
 def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *locked: Path) -> None:
@@ -268,7 +304,7 @@ def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *
     below = base if linked else runtime
     contents.write(contents.files([below, root]), status(runtime).values(), contents.owned(runtime), out)
     if linked:
-        of_pip = asked_of_pip(lacks.distributions(root))
+        of_pip = asked_of_pip(lacks.distributions(root), runtime, root)
         write_app(root, runtime, out, lacks.imported(root), asked(runtime, facts["packages"]), of_pip)
 
 

@@ -244,35 +244,103 @@ def take_locked(
     hashed = [item for item in sorted(locked) if "sha256" in item]
     if not hashed:
         return []
-    hashes = {found for item in hashed for found in SHA256.findall(item)}
+    hashes = hashes_of(hashed)
+    names = {re.split("[ =]", item, maxsplit=1)[0] for item in hashed}
     with tempfile.TemporaryDirectory() as scratch:
         where = from_where(arguments)
         for at, option in enumerate(where[:-1]):
             if option in FOLDERS:
-                where[at + 1] = without_others(where[at + 1], hashes, Path(scratch, str(at)))
+                where[at + 1] = without_others(where[at + 1], names, hashes, Path(scratch, str(at)))
         file = Path(scratch) / "locked.txt"
         file.write_text("".join(f"{item}\n" for item in hashed), encoding="utf-8")
         return install([*where, "--no-deps", "--require-hashes", "--requirement", str(file)])
 
 
-def without_others(place: str, hashes: Container[str], new: Path) -> str:
-    """A folder with the locked archives of a folder; any other place as it is.
+def hashes_of(lines: Iterable[str]) -> set[str]:
+    """The hashes in lines of a lock file."""
+    return {found for item in lines for found in SHA256.findall(item)}
 
-    An index says hashes, and pip chooses by them. Of a folder, pip takes the best archive by its name and only then compares.
+
+def without_others(place: str, names: Container[str], hashes: Container[str], new: Path) -> str:
+    """A folder without the archives of locked packages that are not the locked ones; any other place as it is.
+
+    An index says hashes, and pip chooses by them. Of a folder, pip takes the best archive by its name and only then compares. What a
+    package is built with is in no lock file, and stays.
     """
     folder = Path(url2pathname(place[len("file:") :]) if place.startswith("file:") else place)
     if not folder.is_dir():
         return place
     new.mkdir()
     for file in sorted(folder.iterdir()):
-        if file.is_file() and hashlib.sha256(file.read_bytes()).hexdigest() in hashes:
+        match = ARCHIVE.fullmatch(file.name)
+        if not match or normal(match[1] or match[2]) not in names or sha256_of(file) in hashes:
             (new / file.name).symlink_to(file.resolve())
     return str(new)
+
+
+ARCHIVE = re.compile(r"([A-Za-z0-9._]+)-.*\.whl|(.+)-[^-]+\.(?:tar\.gz|tar\.bz2|tar\.xz|zip|tgz)")
+"""The file name of a wheel, or of a package's sources."""
+
+
+def sha256_of(file: Path) -> str:
+    return hashlib.sha256(file.read_bytes()).hexdigest() if file.is_file() else ""
+
+
+def require_locked(locked: Iterable[str], arguments: Sequence[str]) -> None:
+    """Checks that a lock file has what is asked for, before pip runs anything of it.
+
+    Raises:
+        SystemExit: it lacks a package that is asked for by its name, or an archive that is named.
+    """
+    lines = list(locked)
+    names, hashes = {normal(re.split("[ =]", item, maxsplit=1)[0]) for item in lines}, hashes_of(lines)
+    names |= {normal(item.metadata["Name"] or "") for item in distributions()}  # what is there, pip leaves alone
+    for word in asked(arguments):
+        file = Path(url2pathname(word[len("file:") :]) if word.startswith("file:") else word.partition("#")[0])
+        if ARCHIVE.fullmatch(file.name) and file.is_file():
+            lacking = sha256_of(file) not in hashes
+        else:
+            match = ASKED.fullmatch(word)
+            lacking = match is not None and normal(match[1]) not in names
+        if lacking:
+            fail(f"the lock file does not have {word}, which is asked for", "write it anew with --lock")
+
+
+ASKED = re.compile(r"([A-Za-z0-9](?:[A-Za-z0-9._-]*[A-Za-z0-9])?)(?:\[[^]]*\])?(?:[ ]*[<>=!~(].*)?")
+"""A requirement by its name, without a marker."""
+
+
+def asked(arguments: Sequence[str], depth: int = 0) -> list[str]:
+    """What is asked for among arguments of pip, and in the files of requirements that they name."""
+    found: list[str] = []
+    words = iter(arguments)
+    for word in words:
+        name, equals, value = word.partition("=")
+        if name in ("-r", "--requirement"):
+            file = Path(value if equals else next(words, ""))
+            for text in file.read_text("utf-8", "replace").splitlines() if depth < DEEPEST and file.is_file() else []:
+                line = re.sub(r"(^|\s)#.*", "", text).strip()
+                if not line.startswith("-"):
+                    found += [line] if line else []
+                elif words_of(line)[:1] in (["-r"], ["--requirement"]):
+                    found += asked(["-r", str(file.parent / " ".join(words_of(line)[1:]))], depth + 1)
+        elif word.startswith("-"):
+            if name in VALUED and not equals:
+                next(words, "")
+        else:
+            found.append(word)
+    return found
+
+
+VALUED = (*PLACES, "-c", "--constraint", "-e", "--editable", "-t", "--target")
+"""Options of pip with a value."""
 
 
 def main(written: Path, lock: Path, *arguments: str) -> None:
     locked = set(lines_of(lock)) if lock.exists() else set()
     install = reported if knows_report() else compared
+    if lock.exists():
+        require_locked(locked, arguments)
     new = take_locked(locked, arguments, install)
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "constraints"

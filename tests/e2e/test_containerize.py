@@ -17,6 +17,7 @@ import signal
 import socket
 import subprocess
 import sys
+import tarfile
 import threading
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -251,6 +252,28 @@ def test_a_machine_that_has_nothing_builds_nothing_twice(
         folder, app_inputs.values(options | {"tests": "false"}, folder, {}), {}, fresh, said.append
     ).build()
     assert untested.tests.count == 0, "no result of the build before"
+
+
+def test_a_build_gets_no_results_of_another(services: Services, tmp_path: Path) -> None:
+    """BuildKit's cache took a copy of an empty stage for the copy of another one: results of packages that use another app's."""
+    text = (ROOT / "components/containerize/Dockerfile").read_text()
+    stages = text[text.index("FROM scratch AS nothing") : text.index("FROM results AS slim-results")]
+    for folder in ("results", "user"):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / "report.xml").write_text(f"<testsuite name='{secrets.token_hex()}'/>")
+    (tmp_path / "Dockerfile").write_text(
+        "ARG DOWNSTREAM\nFROM scratch AS tested\nCOPY results /tests/results/\n"
+        f"FROM scratch AS downstream-results\nCOPY user /downstream/user/\n{stages}"
+    )
+    for used, expected in (
+        ("downstream-results", ["results/report.xml", "downstream/user/report.xml"]),
+        ("nothing", ["results/report.xml"]),
+    ):
+        left = tmp_path / f"{used}.tar"
+        options = ("--target=results", f"--build-arg=DOWNSTREAM={used}", f"--output=type=tar,dest={left}")
+        subprocess.run([*services.buildx, "build", *options, tmp_path], env=services.environment(), check=True)
+        with tarfile.open(left) as archive:
+            assert sorted(entry.name for entry in archive if entry.isfile()) == sorted(expected)
 
 
 def test_apps_and_a_part_at_once_repeat_no_step(published: Publish, services: Services, tmp_path: Path) -> None:

@@ -346,15 +346,27 @@ def test_an_app_that_replaces_packages_of_its_base_has_no_facts(
     python = {
         f"{sites}/NumPy-1.26.4.dist-info/METADATA": "",
         f"{sites}/typing_extensions.egg-info": "",
+        f"{sites}/click-8.dist-info/METADATA": "",
+        f"{sites}/colorama-1.dist-info/METADATA": "",
+        f"{sites}/six-1.dist-info/METADATA": "",
         f"{sites}/x": "",
+        "docker-ros/more.txt": "-r less.txt\n",
+        "docker-ros/less.txt": "click\n",
     }
-    asked = {"requests/pip": "--no-deps\nnumpy[all] < 2 # why\ntyping-extensions\nx\nmissing==1\n"}
+    asked = {
+        "requests/pip": "--no-deps\nnumpy[all] < 2 # why\ntyping-extensions\nx\nmissing==1\n-r /docker-ros/more.txt\n"
+    }
+    brought = {
+        "usr/local/lib/python3.11/dist-packages/own-1.dist-info/METADATA": (
+            "Name: own\nRequires-Dist: Colorama (>=1)\nRequires-Dist: six; extra == 'all'\n\nRequires-Dist: numpy\n"
+        )
+    }
     monkeypatch.setattr(script, "ASKED", put(tmp_path / "asked", asked))
     base = put(tmp_path / "base", {status: STATUS, **python})
     new = STATUS.replace("1.0", version) + STATUS.replace("liba1", "libnew")
     runtime = put(
         tmp_path / "runtime",
-        {status: new, "usr/lib/new": "x", "var/lib/dpkg/info/libnew.list": "/usr/lib/new\n", **python},
+        {status: new, "usr/lib/new": "x", "var/lib/dpkg/info/libnew.list": "/usr/lib/new\n", **python, **brought},
     )
     built = put(tmp_path / "built", {status: new, "docker-ros/ws/install/setup.sh": "x"})
     script.main(base, runtime, runtime, built, tmp_path / "out")
@@ -363,5 +375,5 @@ def test_an_app_that_replaces_packages_of_its_base_has_no_facts(
         return
     found = facts.parse((tmp_path / "out/facts.gz").read_bytes())
     assert [item.files for item in found.packages] == [["usr/lib/new", "var/lib/dpkg/status.d/libnew"]]
-    assert found.files == ["docker-ros/ws/install/setup.sh"]
-    assert found.asks_pip == ["numpy", "typing-extensions"]
+    assert found.files == ["docker-ros/ws/install/setup.sh", *brought]
+    assert found.asks_pip == ["click", "colorama", "numpy", "typing-extensions"]

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import base64
+import contextlib
 import hashlib
 import json
+import re
 import sys
 from pathlib import Path
 from types import ModuleType
@@ -273,12 +275,12 @@ def test_the_archives_of_the_lock_file_come_by_their_hashes(script: ModuleType, 
     script.knows_report = lambda: True  # type: ignore[attr-defined]
     script.reported = installed  # type: ignore[attr-defined]
     script.forget_secrets = lambda names: None  # type: ignore[attr-defined]
-    script.main(tmp_path / "written", tmp_path / "lock", "--requirement", str(tmp_path / "pip"), "c")
+    script.main(tmp_path / "written", tmp_path / "lock", "--requirement", str(tmp_path / "pip"), "pytest")
     (hashed, locked), (usual, _) = calls
     where = ["--index-url", "https://index.test/simple", "-f", "https://wheels.test/a b", "--no-index"]
     assert hashed[:-1] == [*where, "--no-deps", "--require-hashes", "--requirement"]
     assert locked == "a==1 --hash=sha256:aa\nb @ https://x.test/b.zip#sha256=bb\n"
-    assert usual[:3] == ["--requirement", str(tmp_path / "pip"), "c"] and usual[3] == "--constraint"
+    assert usual[:3] == ["--requirement", str(tmp_path / "pip"), "pytest"] and usual[3] == "--constraint"
     assert (tmp_path / "written").read_text() == "a==1 --hash=sha256:aa\ng @ git+https://x.test/g@c0\n"
 
 
@@ -286,7 +288,8 @@ def test_the_archives_of_the_lock_file_come_by_their_hashes(script: ModuleType, 
 def test_another_archive_of_the_version_in_a_folder_is_not_seen(script: ModuleType, tmp_path: Path, named: str) -> None:
     """pip takes the best archive of a folder by its name, and only then compares hashes."""
     (tmp_path / "wheels").mkdir()
-    for name, content in (("a-1-py3-none-any.whl", b"locked"), ("a-1-2-py3-none-any.whl", b"new")):
+    others = {"a-1-2-py3-none-any.whl": b"new", "a-1.tar.gz": b"sources", "builds_it-2.tar.gz": b"needed to build it"}
+    for name, content in {"a-1-py3-none-any.whl": b"locked", **others}.items():
         (tmp_path / "wheels" / name).write_bytes(content)
     uri = (tmp_path / "wheels").as_uri()
     (tmp_path / "pip").write_text(f"--find-links {uri if named == 'uri' else named}\na\n")
@@ -298,4 +301,32 @@ def test_another_archive_of_the_version_in_a_folder_is_not_seen(script: ModuleTy
         return [line]
 
     assert script.take_locked([line], ["-r", str(tmp_path / "pip")], installed) == [line]
-    assert seen == [["a-1-py3-none-any.whl"]]
+    assert seen == [["a-1-py3-none-any.whl", "builds_it-2.tar.gz"]], "else an index would be asked for what builds it"
+
+
+@pytest.mark.parametrize(
+    ("asked", "missing"),
+    [
+        ("a[x] >= 1  # why", ""),
+        ("PyTest", ""),
+        ("here/a-1.tar.gz", ""),
+        ("b", "b"),
+        ("-r more", "b~=1"),
+        ("there/a-1.tar.gz", "there/a-1.tar.gz"),
+        ("--index-url https://b.test/simple", ""),
+        ("git+https://x.test/b", ""),
+    ],
+)
+def test_what_a_lock_file_lacks_is_told_before_pip_runs_anything(
+    script: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, asked: str, missing: str
+) -> None:
+    """Sources run code when pip looks at them. What is installed already is in no lock file."""
+    monkeypatch.chdir(tmp_path)
+    for folder in ("here", "there"):
+        Path(folder).mkdir()
+        Path(folder, "a-1.tar.gz").write_text(folder)
+    Path("more").write_text("b~=1\n")
+    Path("asked").write_text(f"{asked}\n")
+    line = f"a @ file:///x/a-1.tar.gz#sha256={hashlib.sha256(b'here').hexdigest()}"
+    with pytest.raises(SystemExit, match=re.escape(missing)) if missing else contextlib.nullcontext():
+        script.require_locked([line], ["--requirement", "asked"])

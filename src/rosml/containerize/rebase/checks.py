@@ -136,7 +136,10 @@ def judge(
     _asked_of_pip(app, files[0], found)
     _parts(app, labels, found)
     if old is None:
-        found.add(Verdict.LINK, "the base image that the app was built on is gone, so nobody can compare with it")
+        found.add(
+            Verdict.LINK,
+            "the base image that the app was built on is gone, or has no facts beside it, so nobody can compare with it",
+        )
     return found
 
 

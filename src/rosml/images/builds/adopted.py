@@ -63,6 +63,9 @@ _SHEBANG = re.compile(r"#![ \t]*(/usr)?/bin/(env[ \t]+)?(ba|da|a)?sh\b")
 _BECOMES = re.compile(r'exec (-- |(gosu|su-exec) [\w:.-]+ )?"\$(@|\{@\})"')
 """The line by which a script becomes the command that it gets."""
 
+_ELSEWHERE = re.compile(r"exec (?![0-9]*[<>&])|exit\b|set -- ")
+"""The beginning of a line after which a script is something else, or has another command. Only a line in no block begins so."""
+
 _PATH = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
 """PATH of an image that sets none."""
 
@@ -408,6 +411,9 @@ def ends_in_the_command(script: str) -> bool:
     """Whether a shell script becomes the command that it gets, at its end."""
     lines = [line for raw in script.splitlines() if (line := raw.strip()) and not line.startswith("#")]
     if not _SHEBANG.match(script) or not lines:
+        return False
+    whole = script.rstrip().splitlines()
+    if any(map(_ELSEWHERE.match, whole[:-1])):
         return False
     if lines[-1] == "fi" and lines[-3:-2] == ["else"]:  # such as NVIDIA's, which becomes bash if there is no command
         lines.pop()
