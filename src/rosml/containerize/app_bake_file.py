@@ -46,6 +46,9 @@ case these cannot be installed."""
 PASSED = "passed"
 """The stage that fails if a test did."""
 
+TESTS = "tests"
+"""The target of that stage: its name is shown before each step that it waits for."""
+
 FAILED = "target-results"
 """The target that leaves the reports of the app's own tests alone, in the archive of `RESULTS`."""
 
@@ -131,7 +134,7 @@ def render(
     elif values.downstream_workspace:  # built all the same, without output
         targets[RESULTS] = {**common, "target": "downstream-built", "output": ["type=cacheonly"]}
     if tested and not kept:  # a cache gets all stages: whoever mends the test builds on them
-        targets[PASSED] = {**common, "target": PASSED, "output": ["type=cacheonly"]}
+        targets[TESTS] = {**common, "target": PASSED, "output": ["type=cacheonly"]}
     first = [*targets]
     if tested:
         targets[FAILED] = {**common, "target": FAILED, "output": [exported.output(left[RESULTS])]}

@@ -1533,7 +1533,7 @@ def test_a_build_that_a_failed_test_ended_says_which(
         done = leaving(services, bake)
         if bake.target == app_bake_file.PACKAGES:
             wanted = json.loads(bake.file.read_text())
-            assert app_bake_file.PASSED in wanted["group"]["packages"]["targets"]
+            assert app_bake_file.TESTS in wanted["group"]["packages"]["targets"]
             raise buildx.StepFailed("building packages failed", "", app_bake_file.PASSED)
         return done
 

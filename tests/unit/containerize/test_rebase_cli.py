@@ -13,6 +13,7 @@ from rebasing import BASE_FACTS, BOTH, App, Place, addon, app_with_addon, moving
 
 from rosml.base import clock
 from rosml.base.errors import RosmlError
+from rosml.cli import checkout
 from rosml.cli.containerize import rebase
 from rosml.cli.images import publish
 from rosml.images.image_set.labels import TITLE
@@ -99,7 +100,9 @@ def test_each_line_of_the_way_back_gives_the_digest_of_before(place: Place) -> N
     before = {name: place.digest(name) for name in (*apps.values(), f"{apps['gpu']}-cpu")}
     for kind, app in apps.items():
         code, out, _ = called(app, *moves[kind])
-        lines = [line.partition("; back: rosml rebase ")[2] for line in out.splitlines() if "; back: " in line]
+        lines = [
+            line.partition(f"; back: {checkout.call()} rebase ")[2] for line in out.splitlines() if "; back: " in line
+        ]
         assert (code, len(lines)) == (0, 2 if kind == "gpu" else 1), "a tag that was not there has no way back"
         for line in lines:
             name = line.split()[0]
@@ -151,7 +154,7 @@ def test_many_apps_are_told_with_the_way_back(place: Place, tmp_path: Path) -> N
     assert code == 0 and after == [item["rebased"]["digest"] for item in planned]
     for name, old, new in zip(names, before, after, strict=True):
         assert f"moved      {name}  {old[7:19]} -> {new[7:19]}  {base}\n" in out
-    lines = [line for line in out.splitlines() if line.startswith("back: rosml publish undo 20")]
+    lines = [line for line in out.splitlines() if line.startswith(f"back: {checkout.call()} publish undo 20")]
     folders = [line.partition(" --registry ")[2] for line in lines]
     assert folders == [f"{place.server.address}/me", f"{place.server.address}/me/deep"], "an undo for each folder"
 

@@ -13,7 +13,7 @@ from click.core import ParameterSource
 from rosml import IN_CHECKOUT, ROOT, STATE
 from rosml.base import terminal
 from rosml.base.errors import RosmlError
-from rosml.cli import options
+from rosml.cli import checkout, options
 from rosml.cli.checkout import Command
 from rosml.cli.command import say
 
@@ -198,7 +198,7 @@ def _fleet(rebaser: Rebaser, file: Path, fixes: str, with_sbom: bool, dry_run: b
     else:
         _tell(found)
         for place in fleet.places(found):
-            terminal.echo(f"back: rosml publish undo {date} --registry {place}")
+            terminal.echo(f"back: {checkout.call()} publish undo {date} --registry {place}")
         if dry_run:
             terminal.echo("nothing was changed")
     if any(item.state in ("refused", "failed") for item in found):
@@ -284,7 +284,7 @@ def _print(found: Rebased) -> None:
         terminal.echo("it was there already")
         return
     terminal.echo(f"base    {_in_full(found.base, found.base_digest)}")
-    back = f"; back: rosml rebase {found.reference} --back {found.back}" if found.back else ""
+    back = f"; back: {checkout.call()} rebase {found.reference} --back {found.back}" if found.back else ""
     terminal.echo(f"before  {_in_full(found.old_base, found.old_base_digest) or 'an unknown base image'}{back}")
     if not found.verdict:  # after --back, which sends no layer
         return
