@@ -17,12 +17,15 @@ from memory_registry import DAY, HOST, NEXT, Publisher, Run, publisher
 from projects import copy
 from stubs import OFFLINE, buildx, calls, services
 
+from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.cli import command
 from rosml.cli.images import call
 from rosml.cli.images import image as script
 from rosml.images.builds import base_images
 from rosml.images.image_set import model as sets
+from rosml.images.publish import survey as surveys
+from rosml.images.publish.state import Request
 from rosml.machine.services import Services
 
 TARGET = "alpha-base-torch-cu1"
@@ -66,6 +69,8 @@ def stage(tmp_path: Path, registry: str, small: sets.ImageSet, monkeypatch: pyte
     (tmp_path / "matrix.yaml").write_text(SMALL)
     write_locks(tmp_path, small)
     services(tmp_path, registry, buildx=buildx(tmp_path, "exit 1"))
+    (tmp_path / ".state/auth").mkdir()
+    (tmp_path / ".state/auth/docker.json").write_text('{"auths": {}}')
     found = Stage(tmp_path, small, publisher(tmp_path, Services.load(tmp_path), monkeypatch))
 
     def run(called: call.Call) -> Run:
@@ -125,21 +130,35 @@ def test_a_second_call_does_nothing(stage: Stage, capsys: pytest.CaptureFixture[
 def test_a_run_waits_for_another_one_of_its_checkout(
     stage: Stage, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """It asks how things are only when that one has ended."""
+    """It asks how things are only when that one has ended. What is wrong is told before."""
+    lock, asked = stage.folder / ".state/publish.lock", list[str]()
+    waits: list[str] = []
+    wanted: dict[str, Any] = {"matrix": stage.folder / "matrix.yaml", "only": (TARGET,)}
+
+    def survey(request: Request) -> None:
+        asked.append(str(request.place))
+        raise RosmlError("that is all")
+
+    monkeypatch.setattr(surveys, "survey", survey)
     with ExitStack() as other:
-        other.enter_context(turn(stage.folder / ".state/publish.lock", lambda: None))
+        other.enter_context(turn(lock, lambda: None))
 
         def say(line: str) -> None:
-            if "waiting for another publishing run" in line:
-                assert not stage.runs
+            if "waiting for another publishing run of this checkout" in line:
+                assert not asked
+                waits.append(line)
                 other.close()
-            click.echo(line)
 
         monkeypatch.setattr(call, "say", say)
-        assert stage.image(TARGET) == 0
-    assert "waiting for another publishing run of this checkout" in capsys.readouterr().out
-    with turn(stage.folder / ".state/publish.lock", lambda: pytest.fail("its own turn has not ended")):
-        assert stage.tags()
+        with click.Context(click.Command("x")):
+            with pytest.raises(RosmlError, match="NOWHERE"):
+                call.Call(registry="NOWHERE", **wanted).survey(turn=True)
+            assert not asked and not waits
+            with pytest.raises(RosmlError, match="that is all"):
+                call.Call(registry=f"{HOST}/rosml", **wanted).survey(turn=True)
+            assert asked == [f"{HOST}/rosml"] and waits
+    with turn(lock, lambda: pytest.fail("its own turn has not ended")):
+        assert asked
 
 
 def test_force_makes_it_anew(stage: Stage) -> None:

@@ -412,8 +412,8 @@ def ends_in_the_command(script: str) -> bool:
     lines = [line for raw in script.splitlines() if (line := raw.strip()) and not line.startswith("#")]
     if not _SHEBANG.match(script) or not lines:
         return False
-    whole = script.rstrip().splitlines()
-    if any(map(_ELSEWHERE.match, whole[:-1])):
+    outside = [raw for raw in script.splitlines() if raw.strip() and not raw.lstrip().startswith("#")]
+    if any(map(_ELSEWHERE.match, outside[:-1])):
         return False
     if lines[-1] == "fi" and lines[-3:-2] == ["else"]:  # such as NVIDIA's, which becomes bash if there is no command
         lines.pop()
