@@ -120,6 +120,7 @@ def full_disk(checkout: Path, services: Services) -> Iterator[Path]:
     state = checkout / ".state"
     small_file_system(state, "50m", services)
     (state / "services.json").write_text(content)
+    (state / "auth").symlink_to(ROOT / ".state/auth")
     yield checkout
     subprocess.run(["umount", str(state)], check=True)
 
