@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from rosml import ROOT
 from rosml.machine.services import Services
 from tests import regctl
 from tests.e2e.conftest import HANGS, NAMESPACE, Published, publish, run, small_file_system
