@@ -306,8 +306,8 @@ def require_locked(locked: Iterable[str], arguments: Sequence[str]) -> None:
             fail(f"the lock file does not have {word}, which is asked for", "write it anew with --lock")
 
 
-ASKED = re.compile(r"([A-Za-z0-9](?:[A-Za-z0-9._-]*[A-Za-z0-9])?)(?:\[[^]]*\])?(?:[ ]*[<>=!~(].*)?")
-"""A requirement by its name, without a marker."""
+ASKED = re.compile(r"([A-Za-z0-9](?:[A-Za-z0-9._-]*[A-Za-z0-9])?)(?:\[[^]]*\])?(?:[ ]*[<>=!~(][^;]*)?")
+"""A requirement by its name. pip alone knows whether one with a marker counts here."""
 
 
 def asked(arguments: Sequence[str], depth: int = 0) -> list[str]:

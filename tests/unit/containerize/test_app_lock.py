@@ -315,6 +315,7 @@ def test_another_archive_of_the_version_in_a_folder_is_not_seen(script: ModuleTy
         ("there/a-1.tar.gz", "there/a-1.tar.gz"),
         ("--index-url https://b.test/simple", ""),
         ("git+https://x.test/b", ""),
+        ("b<2; python_version < '3'", ""),
     ],
 )
 def test_what_a_lock_file_lacks_is_told_before_pip_runs_anything(
