@@ -213,7 +213,8 @@ class BuildKitMaker:
                 start, call = self._call(one)
             except RosmlError:  # said when its turn comes
                 continue
-            if all(values.setdefault(key, value) == value for key, value in call.variables.items()):
+            if all(values.get(key, value) == value for key, value in call.variables.items()):
+                values |= call.variables
                 calls[one.key] = start, call
         if len(calls) < 2:
             return
