@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 from scanning import sbom_of
 
+from rosml.base import web
 from rosml.base.errors import RosmlError
 from rosml.images.builds import package_state
 from rosml.images.builds.maker import Checked, Made, Maker, Wanted
@@ -28,7 +29,7 @@ from rosml.images.publish.survey import survey
 from rosml.images.records import store, tag_moves
 from rosml.images.scan import sbom
 from rosml.machine.services import Services
-from rosml.registry import oci
+from rosml.registry import failures, oci
 from rosml.registry.client import BLOB_BYTES, Registry
 from rosml.registry.oci import Manifest
 from rosml.registry.place import Place
@@ -431,7 +432,7 @@ def waiting(run: Run, target: str) -> list[str]:
 
 
 def publisher(folder: Path, services: Services, monkeypatch: pytest.MonkeyPatch) -> Publisher:
-    """A place whose repositories of packages are in memory as well."""
+    """A place whose repositories of packages are in memory as well. No hosts are waited for."""
     found = Publisher(services)
 
     def state(_services: object, _matrix: object, distribution: str) -> str:
@@ -445,6 +446,8 @@ def publisher(folder: Path, services: Services, monkeypatch: pytest.MonkeyPatch)
 
     monkeypatch.setattr(package_state, "state", state)
     monkeypatch.setattr(package_state, "lacking", lacking)
+    for module in (failures, web):
+        monkeypatch.setattr(module, "WAIT", 0.001)
     return found
 
 

@@ -38,8 +38,10 @@ class StructureTests:
     def __init__(self, texts: Mapping[str, str]) -> None:
         self.texts = texts
         self._members: dict[str, list[str]] = {}
+        self._beside: dict[str, list[str]] = {}
         for path in texts:
             self._members.setdefault(_unit(path), []).append(path)
+            self._beside.setdefault(dirname(path), []).append(path)
         self._folders = "|".join(sorted({re.escape(path.split("/")[0]) for path in texts if "/" in path})) or "(?!)"
         self._called: dict[str, frozenset[str] | None] = {}
 
@@ -81,17 +83,10 @@ class StructureTests:
         if lent or (own and _CLIMBS.search(text)):
             yield None
         if path.count("/") == 1:  # others share its folder
-            others = {other: self._named(other, path) for other in self.texts if dirname(other) == dirname(path)}
-            yield from (_unit(other) for other, named in others.items() if named.search(text))
-            if not all(any(named.search(line) for named in others.values()) for line in own):
+            others = [other for other in self._beside[dirname(path)] if _names(path, text, other)]
+            yield from map(_unit, others)
+            if not all(any(_names(path, line, other) for other in others) for line in own):
                 yield None
-
-    def _named(self, other: str, path: str) -> re.Pattern[str]:
-        """A pattern of references to a file in the same folder, including Python's imports."""
-        name = other.rpartition("/")[2]
-        if path.endswith(".py") and name.endswith(".py"):
-            return re.compile(rf"\b{re.escape(name.removesuffix('.py'))}\b")
-        return re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w-])")
 
     def _resolved(self, path: str) -> str | None:
         """The unit of a path; None if the path does not exist, or is a folder of several units."""
@@ -100,6 +95,17 @@ class StructureTests:
         if unit in self._members and (path in self.texts or any(item.startswith(f"{path}/") for item in self.texts)):
             return unit
         return None
+
+
+def _names(path: str, text: str, other: str) -> bool:
+    """Whether a text of a file refers to a file in the same folder, perhaps by one of Python's imports."""
+    name = other.rpartition("/")[2]
+    python = path.endswith(".py") and name.endswith(".py")
+    name = name.removesuffix(".py") if python else name
+    if name not in text:  # which takes a tenth of the search's time
+        return False
+    before, after = (r"\b", r"\b") if python else (r"(?<![\w.-])", r"(?![\w-])")
+    return bool(re.search(f"{before}{re.escape(name)}{after}", text))
 
 
 def _unit(path: str) -> str:

@@ -11,7 +11,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from typing import Any, ClassVar
 
 from pydantic import ConfigDict, ValidationError
@@ -121,7 +121,8 @@ class Entry:
 
     def to_json(self) -> dict[str, Any]:
         """As plain data, without empty values."""
-        return {name: value for name, value in asdict(self).items() if value}
+        # Its values are plain already; dataclasses.asdict would copy each of them.
+        return {item.name: value for item in fields(self) if (value := getattr(self, item.name))}
 
 
 def tag(target: str, architecture: str) -> str:
