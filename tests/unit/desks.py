@@ -6,42 +6,40 @@ import contextlib
 import json
 import os
 import pty
+import shlex
 import subprocess
 import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
+import forks
 from conftest import ROOT
 
 from rosml.run.context import Host
 
-ENGINE = f"""\
-#!{sys.executable} -IS
+ENGINE = """\
 import json, os, signal, sys, time
-here, name = os.path.split(os.path.abspath(__file__))
-with open(f"{{here}}/{{name}}.json") as file:
+here, name = os.path.split(sys.argv.pop(1))
+with open(f"{here}/{name}.json") as file:
     says = json.load(file)
-with open(f"{{here}}/calls", "a") as out:
-    out.write(json.dumps([name, *sys.argv[1:]]) + "\\n")
 first, last = sys.argv[1], sys.argv[-1]
-if first in says["answers"]:
-    print(says["answers"][first])
-    sys.exit()
 if first == "info":
     print(json.dumps(says["info"]))
     sys.exit(says["complaint"] or 0)
 if first == "image":
     if last not in says["images"]:
-        sys.exit(says["complaint"] or f"Error: No such image: {{last}}")
-    config = {{"Env": says["images"][last]}} | says["configs"].get(last, {{}})
-    print(json.dumps({{"Id": "sha256:" + last.removeprefix("sha256:"), "Config": config}}))
+        sys.exit(says["complaint"] or f"Error: No such image: {last}")
+    config = {"Env": says["images"][last]} | says["configs"].get(last, {})
+    print(json.dumps({"Id": "sha256:" + last.removeprefix("sha256:"), "Config": config}))
 if first == "container":
     for asked in sys.argv[5:]:
         if asked in says["containers"]:
             given = says["containers"][asked]
-            state, own, image, config, mounts, settings = [*given, *["", {{}}, [], {{}}][len(given) - 2:]]
+            state, own, image, config, mounts, settings = [*given, *["", {}, [], {}][len(given) - 2:]]
             print(*map(json.dumps, [own, state, image, config, mounts, settings]))
-    if not set(sys.argv[5:]) <= {{*says["containers"]}}:
+    if not set(sys.argv[5:]) <= {*says["containers"]}:
         sys.exit(says["complaint"] or "Error: No such container")
 if first == "ps":
     print(*says["containers"], sep="\\n")
@@ -50,14 +48,14 @@ if first == "start":
     if not says["started"]:
         sys.exit("no such file or directory")
     says["containers"][last][0] = says["started"]
-    with open(f"{{here}}/{{name}}.json", "w") as file:
+    with open(f"{here}/{name}.json", "w") as file:
         json.dump(says, file)
 if first == "pull":
     print("progress")
     if last not in says["registry"]:
         sys.exit("pull access denied")
     says["images"][last] = says["registry"][last]
-    with open(f"{{here}}/{{name}}.json", "w") as file:
+    with open(f"{here}/{name}.json", "w") as file:
         json.dump(says, file)
 if first in ("run", "exec"):
     if last == "read":
@@ -68,7 +66,36 @@ if first in ("run", "exec"):
         time.sleep(60)
     sys.exit(says["code"])
 """
-"""An engine that answers as its file says, `answers` before all else, and writes down all calls as JSON."""
+"""An engine that answers as its file says."""
+
+SHORT = """\
+#!/bin/sh
+printf '%s\\0' "$(($# + 1))" "${{0##*/}}" "$@" >>"${{0%/*}}/calls"
+for last; do :; done
+case $1:$last in
+{answers}
+  run:read | run:wait | exec:read | exec:wait) ;;
+  run:* | exec:*) exit {code} ;;
+esac
+exec {python} -IS "${{0%/*}}/engine.py" "$0" "$@"
+"""
+"""Writes down all calls: how many words, and the words. Gives the usual answers itself, before Python has started."""
+
+
+def answers(says: Mapping[str, Any]) -> Iterator[str]:
+    """Lines of `case` for what an engine is asked most."""
+    for word, answer in says["answers"].items():
+        yield f"  {word}:*) printf '%s\\n' {shlex.quote(answer)}; exit ;;"
+    if says["complaint"]:
+        return
+    yield f"  info:*) printf '%s\\n' {shlex.quote(json.dumps(says['info']))}; exit ;;"
+    for image in says["images"].keys() - says["registry"].keys():
+        config = {"Env": says["images"][image]} | says["configs"].get(image, {})
+        answer = json.dumps({"Id": f"sha256:{image.removeprefix('sha256:')}", "Config": config})
+        yield f"  image:{shlex.quote(image)}) printf '%s\\n' {shlex.quote(answer)}; exit ;;"
+    if not says["containers"]:
+        yield "  container:*) [ $# -lt 5 ] || { echo 'Error: No such container' >&2; exit 1; } ;;"
+
 
 DOCKER = {"ServerVersion": "28.2.2", "SecurityOptions": ["name=seccomp,profile=builtin", "name=cgroupns"]}
 ROOTLESS = {**DOCKER, "SecurityOptions": [*DOCKER["SecurityOptions"], "name=rootless"]}
@@ -131,7 +158,10 @@ class Desk:
         says = {"info": DOCKER, "images": {"ubuntu": OTHER, "ours": OURS}, "containers": {}, "registry": {}}
         says |= {"code": 0, "complaint": "", "configs": {}, "started": "running", "answers": {}} | facts
         (self.bin / f"{name}.json").write_text(json.dumps(says))
-        (self.bin / name).write_text(ENGINE)
+        (self.bin / "engine.py").write_text(ENGINE)
+        (self.bin / name).write_text(
+            SHORT.format(answers="\n".join(answers(says)), code=says["code"], python=shlex.quote(sys.executable))
+        )
         (self.bin / name).chmod(0o755)
 
     def argv(self, *words: str) -> list[str]:
@@ -140,22 +170,27 @@ class Desk:
 
     def call(self, *words: str, **environment: str) -> subprocess.CompletedProcess[str]:
         """Calls `rosml run` without a terminal, and with nothing to read."""
-        env = {**self.environment, **environment}
-        return subprocess.run(
-            self.argv(*words),
-            cwd=self.folder,
-            env=env,
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
+        output, errors = os.pipe(), os.pipe()
+        with open(os.devnull) as nothing:
+            ended = self._begin(words, environment, nothing.fileno(), output[1], errors[1])
+        os.close(output[1])
+        os.close(errors[1])
+        with open(output[0]) as told, open(errors[0]) as complaints, ThreadPoolExecutor(1) as beside:
+            complaint = beside.submit(complaints.read)
+            said = told.read()
+            return subprocess.CompletedProcess(self.argv(*words), ended(), said, complaint.result())
 
     @property
     def calls(self) -> list[list[str]]:
         """All calls of engines so far."""
         file = self.bin / "calls"
-        return [json.loads(line) for line in file.read_text().splitlines()] if file.exists() else []
+        words = os.fsdecode(file.read_bytes()).split("\0")[:-1] if file.exists() else []
+        found = []
+        while words:
+            count = int(words[0])
+            found.append(words[1 : count + 1])
+            words = words[count + 1 :]
+        return found
 
     @property
     def ran(self) -> list[str]:
@@ -179,18 +214,24 @@ class Desk:
         os.write(ours, before)
         lines = keys.splitlines(keepends=True)
         out = theirs if output is None else output
-        with subprocess.Popen(
-            self.argv(*words), cwd=self.folder, env=self.environment, stdin=theirs, stdout=out, stderr=theirs
-        ) as process:
-            os.close(theirs)
-            told = b""
-            with contextlib.suppress(OSError):  # how a terminal says that nobody writes any more
-                while part := os.read(ours, 1000):
-                    told += part
-                    if told.endswith(b"[y/N] ") and lines:
-                        os.write(ours, lines.pop(0))
+        ended = self._begin(words, {}, theirs, out, theirs)
+        os.close(theirs)
+        told = b""
+        with contextlib.suppress(OSError):  # how a terminal says that nobody writes any more
+            while part := os.read(ours, 1000):
+                told += part
+                if told.endswith(b"[y/N] ") and lines:
+                    os.write(ours, lines.pop(0))
         os.close(ours)
-        return process.returncode, told
+        return ended(), told
+
+    def _begin(self, words: Sequence[str], environment: Mapping[str, str], *files: int) -> Callable[[], int]:
+        """Begins a call; gives what waits for its end and has its exit code."""
+        _, _, code, *arguments = self.argv(*words)
+        env = {**self.environment, **environment}
+        server = forks.server(env)
+        server.begin(code, arguments, str(self.folder), env, *files)
+        return server.end
 
 
 LOCKED = ["--security-opt", "no-new-privileges"]
