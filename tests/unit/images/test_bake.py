@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import errno
+import itertools
 import json
 import os
 import re
 import subprocess
 import sys
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -96,14 +98,15 @@ def test_committed_files_are_up_to_date(real: ImageSet) -> None:
 def test_people_can_read_it(real: ImageSet) -> None:
     """A target is found by its name and fits on a screen; a new distribution adds lines and changes none."""
     text = (ROOT / bake_file.NAME).read_text()
-    for image in real.images:
-        (block,) = re.findall(rf'^target "{image.target}" {{\n(?:.*\n)*?}}', text, re.MULTILINE)
-        assert len(block.splitlines()) <= 24
+    blocks = re.findall(r'^target "(.+)" {\n((?:.*\n)*?)}', text, re.MULTILINE)
+    lines = Counter({name: block.count("\n") + 2 for name, block in blocks})
+    assert len(lines) == len(blocks)
+    assert all(0 < lines[image.target] <= 24 for image in real.images)
     eight, nine = (set(whole(parse(synthetic.matrix(count * synthetic.IMAGES))).split("\n\n")) for count in (8, 9))
     changed = [block for block in eight - nine if ':latest"' not in block]  # the newest distribution has it
     assert all(block.startswith("group ") for block in changed)
-    lines = {line for block in nine for line in block.splitlines()}
-    assert all({*block.splitlines()} <= lines for block in changed)
+    there = {line for block in nine for line in block.splitlines()}
+    assert all({*block.splitlines()} <= there for block in changed)
 
 
 def test_there_is_nothing_to_evaluate_but_where_a_dependency_comes_from(real: ImageSet) -> None:
@@ -403,15 +406,19 @@ def test_broken_digests_fail(small_bake: Path) -> None:
         printed("alpha-base", file=small_bake, DIGESTS='{"alpha-core": ')
 
 
-@pytest.mark.parametrize("target", ["ros1-bookworm-core-torch-cu130", "ros1-bookworm-base-run-torch-cu130"])
-def test_an_excerpt_prints_as_the_whole(real: ImageSet, tmp_path: Path, target: str) -> None:
+def test_an_excerpt_prints_as_the_whole(real: ImageSet, tmp_path: Path) -> None:
     """With all that an image and its test stand on."""
-    image = real.image(target)
-    part = real.part_by_name[image.parts[0]].target
-    file = tmp_path / "excerpt.hcl"
-    file.write_text(bake_file.excerpt(real, (image.target, image.test_target, part)))
-    roots = (image.target, image.test_target, part, targets.CONTENTS)
-    assert printed(*roots, file=file) == printed(*roots)
+    images = [real.image(name) for name in ("ros1-bookworm-core-torch-cu130", "ros1-bookworm-base-run-torch-cu130")]
+    roots = [(image.target, image.test_target, real.part_by_name[image.parts[0]].target) for image in images]
+    whole = printed(*itertools.chain(*roots), targets.CONTENTS)
+    seen = set[str]()
+    for names in roots:
+        file = tmp_path / "excerpt.hcl"
+        file.write_text(bake_file.excerpt(real, names))
+        found = printed(*names, targets.CONTENTS, file=file)
+        assert {*names} <= found.keys() and found.items() <= whole.items()
+        seen |= found.keys()
+    assert seen == whole.keys(), "nothing is lacking"
 
 
 def test_an_excerpt_holds_little_else() -> None:
