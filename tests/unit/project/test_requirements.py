@@ -13,11 +13,13 @@ import sys
 import tarfile
 import tomllib
 import zipfile
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 from conftest import ROOT
+from stubs import executable
 
 from tests.bare import Bootstrap
 
@@ -188,8 +190,33 @@ def build_wheel(folder, settings=None, metadata=None):
 """
 
 
+@dataclass(frozen=True)
+class Pristine:
+    """A virtual environment as `python3 -m venv` makes it, which takes longer than all else here.
+
+    Attributes:
+        folder: where it has to be, and is not yet.
+        programs: a folder with a `python3` that makes it there, as a copy, and is the usual one otherwise.
+    """
+
+    folder: Path
+    programs: Path
+
+
+@pytest.fixture(scope="module")
+def environment(tmp_path_factory: pytest.TempPathFactory) -> Pristine:
+    place = tmp_path_factory.mktemp("environment")
+    made = Pristine(place / "installed", place / "programs")
+    subprocess.run(["python3", "-m", "venv", made.folder], check=True)
+    made.folder.rename(place / "pristine")
+    made.programs.mkdir()
+    copy = f'[ "$*" != "-m venv {made.folder}" ] || exec cp -a {place}/pristine {made.folder}'
+    executable(made.programs / "python3", f'{copy}\nexec {shutil.which("python3")} "$@"')
+    return made
+
+
 @pytest.fixture
-def install_in_ci(tmp_path: Path) -> Callable[[], subprocess.CompletedProcess[str]]:
+def install_in_ci(tmp_path: Path, environment: Pristine) -> Iterator[Callable[[], subprocess.CompletedProcess[str]]]:
     """Runs containerize/install.sh of a checkout whose wheel `backend` makes, with the packages that are in a folder."""
     root = tmp_path / "checkout"
     (root / "tools").mkdir(parents=True)
@@ -199,29 +226,34 @@ def install_in_ci(tmp_path: Path) -> Callable[[], subprocess.CompletedProcess[st
     (root / "pyproject.toml").write_text(f'{system}[project]\nname = "rosml"\nversion = "1.0"\n')
 
     def install() -> subprocess.CompletedProcess[str]:
-        environment = {name: value for name, value in os.environ.items() if not name.startswith(("PIP_", "UV_"))}
-        environment |= {"PIP_NO_INDEX": "1", "PIP_FIND_LINKS": str(tmp_path / "wheels"), "CI_JOB_TOKEN": "s3cret"}
-        argv = ["sh", str(root / "containerize/install.sh"), str(tmp_path / "installed")]
-        return subprocess.run(argv, env=environment, capture_output=True, text=True, check=False)
+        variables = {name: value for name, value in os.environ.items() if not name.startswith(("PIP_", "UV_"))}
+        variables |= {"PIP_NO_INDEX": "1", "PIP_FIND_LINKS": str(tmp_path / "wheels"), "CI_JOB_TOKEN": "s3cret"}
+        variables["PATH"] = f"{environment.programs}:{os.environ['PATH']}"
+        argv = ["sh", str(root / "containerize/install.sh"), str(environment.folder)]
+        return subprocess.run(argv, env=variables, capture_output=True, text=True, check=False)
 
-    return install
+    yield install
+    shutil.rmtree(environment.folder)
 
 
 def test_ci_installs_with_a_backend_of_the_right_hash_and_without_secrets(
-    install_in_ci: Callable[[], subprocess.CompletedProcess[str]], tmp_path: Path
+    install_in_ci: Callable[[], subprocess.CompletedProcess[str]], environment: Pristine, tmp_path: Path
 ) -> None:
     seen = tmp_path / "seen"
     digest = wheel(tmp_path / "wheels", "backend", code=BACKEND.format(seen=str(seen), what="right"))
     (tmp_path / "checkout/tools/requirements-build.txt").write_text(f"backend==1.0 --hash=sha256:{digest}\n")
     done = install_in_ci()
     assert done.returncode == 0, done.stderr
-    assert subprocess.check_output([tmp_path / "installed/bin/rosml"], text=True) == "it runs\n"
+    assert subprocess.check_output([environment.folder / "bin/rosml"], text=True) == "it runs\n"
     assert seen.read_text().startswith("right\n") and "s3cret" not in seen.read_text()
 
 
 @pytest.mark.parametrize("tampered", ["the backend", "what the backend needs", "a package without a wheel"])
 def test_ci_runs_nothing_that_has_another_hash(
-    install_in_ci: Callable[[], subprocess.CompletedProcess[str]], tmp_path: Path, tampered: str
+    install_in_ci: Callable[[], subprocess.CompletedProcess[str]],
+    environment: Pristine,
+    tmp_path: Path,
+    tampered: str,
 ) -> None:
     """An index that was taken over gives another backend for the same version, or one for a package of ours."""
     seen, wheels, needs = tmp_path / "seen", tmp_path / "wheels", "helper" if "needs" in tampered else ""
@@ -243,4 +275,5 @@ def test_ci_runs_nothing_that_has_another_hash(
     (tmp_path / "checkout/tools/requirements-app.txt").touch()
     done = install_in_ci()
     assert done.returncode != 0
-    assert not seen.exists() and not (tmp_path / "installed/bin/rosml").exists()
+    assert not seen.exists() and (environment.folder / "bin/pip").exists()
+    assert not (environment.folder / "bin/rosml").exists()
