@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import datetime
 import json
 import re
@@ -18,6 +19,7 @@ import yaml
 from conftest import ROOT, SMALL, changed, parse
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from mutations import LOADER
 from profiles import PROFILE, PROFILE_NAME
 
 from rosml.base.errors import RosmlError
@@ -31,6 +33,8 @@ from tests import synthetic
 Strategy = st.SearchStrategy[Any]
 
 REAL = (ROOT / "matrix.yaml").read_text(encoding="utf-8")
+DATA = {text: yaml.load(text, Loader=LOADER) for text in (SMALL, REAL)}
+"""Both matrices as data, which nobody changes."""
 
 pytestmark = [pytest.mark.timeout(3600)] if PROFILE_NAME == "thorough" else list[pytest.MarkDecorator]()
 
@@ -103,14 +107,14 @@ def paths(data: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
     return found
 
 
-PATHS = {text: st.sampled_from(paths(yaml.safe_load(text))[1:]) for text in (SMALL, REAL)}
+PATHS = {text: st.sampled_from(paths(data)[1:]) for text, data in DATA.items()}
 KINDS_OF_EDIT = st.sampled_from(["replace", "remove", "rename"])
 
 
 @PROFILE
 @given(on_a_matrix(lambda text: st.lists(st.tuples(PATHS[text], KINDS_OF_EDIT, VALUES), max_size=3)))
 def test_any_edit_of_the_data(edits: tuple[str, list[tuple[tuple[Any, ...], str, Any]]]) -> None:
-    data = yaml.safe_load(edits[0])
+    data = copy.deepcopy(DATA[edits[0]])
     for path, kind, value in edits[1]:
         owner = data
         try:
@@ -202,7 +206,7 @@ def test_any_lines_twice(copies: tuple[str, list[tuple[int, int, int]]]) -> None
 SECTIONS = ("architectures", "operating_systems", "components", "frameworks", "stacks", "distributions")
 FORECASTS = {
     "components": ("  components:\n", "{unpacked: 1, compressed: 1}"),
-    "stacks": ("  parts:\n", json.dumps(next(iter(yaml.safe_load(REAL)["disk"]["parts"].values())))),
+    "stacks": ("  parts:\n", json.dumps(next(iter(DATA[REAL]["disk"]["parts"].values())))),
 }
 ROWS = st.lists(st.tuples(st.sampled_from(SECTIONS), st.integers(0, 9), MANY, st.booleans()), max_size=2)
 
@@ -212,7 +216,7 @@ ROWS = st.lists(st.tuples(st.sampled_from(SECTIONS), st.integers(0, 9), MANY, st
 def test_any_number_of_rows(edits: tuple[str, list[tuple[str, int, int, bool]]]) -> None:
     """Rows like those that are there, under new names or all under the same."""
     text = edits[0]
-    data = yaml.safe_load(text)
+    data = DATA[text]
     for section, which, count, same in edits[1]:
         row = list(data[section].values())[which % len(data[section])]
         shown = yaml.safe_dump(row, default_flow_style=True, width=sys.maxsize).strip().removesuffix("\n...")
@@ -386,7 +390,7 @@ SIMPLE = st.none() | st.booleans() | st.integers(-2, 2) | st.sampled_from(["core
 @settings(PROFILE, max_examples=PROFILE.max_examples * 3 // 2)
 @given(on_a_matrix(PATHS.__getitem__), st.sampled_from(["replace", "remove", "rename", "add"]), SIMPLE)
 def test_schema_and_model_judge_alike(place: tuple[str, tuple[Any, ...]], kind: str, value: Any) -> None:
-    data, path = yaml.safe_load(place[0]), place[1]
+    data, path = copy.deepcopy(DATA[place[0]]), place[1]
     owner = data
     for step in path[:-1]:
         owner = owner[step]
