@@ -51,7 +51,7 @@ page: ## tests of the catalogue's page in a browser; installs Chromium where the
 	@$(SETUP) browser; .venv/bin/python -m tests.suite --phase page
 
 bench: ## our images beside those with RUN pip install: make bench TARGET=ros1-bookworm-base-torch-cu128
-	@$(SETUP) linters; $(SETUP) up; .venv/bin/python -m bench --target="$$TARGET"
+	@$(SETUP) linters; $(SETUP) up; .venv/bin/python -m bench image --target="$$TARGET"
 
 test-scanner: ## that trivy finds what it must, before a scan relies on it; building trivy takes 10 minutes, once
 	@$(SETUP) scanner --tests; .venv/bin/python -m pytest tests/e2e/test_scanner.py

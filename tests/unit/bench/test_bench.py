@@ -172,14 +172,14 @@ def test_a_lock_for_another_index(stage: Stage) -> None:
 
 @pytest.mark.parametrize("target", ["ros1-bookworm-base", "ros1-bookworm-bose-torch-cu128"])
 def test_wrong_targets(target: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert command.run(cli.main, arguments=[f"--target={target}"]) == 2
+    assert command.run(cli.main, arguments=["image", f"--target={target}"]) == 2
     assert target in capsys.readouterr().err
 
 
 def test_the_start_of_a_container(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     """It is measured beyond the engine's own, and reaches the engine."""
     monkeypatch.setattr(start, "ROUNDS", 1)
-    assert command.run(cli.main, arguments=["--start"]) == 0
+    assert command.run(cli.main, arguments=["start"]) == 0
     assert "longer than docker run (median of 1)" in capsys.readouterr().out
     monkeypatch.setattr(start, "ROSML", ("true",))
     with pytest.raises(RosmlError, match="run --rm ubuntu true failed"):
@@ -206,7 +206,7 @@ def test_joins_of_addons(
     local = services(tmp_path, registry)
     monkeypatch.setattr(Services, "load", lambda root: local)
     monkeypatch.setattr(addons, "measure", lambda *_: rows)
-    assert command.run(cli.main, arguments=["--addons"]) == 0
+    assert command.run(cli.main, arguments=["addons"]) == 0
     monkeypatch.setattr(addons, "BYTES", 1_000)
-    assert command.run(cli.main, arguments=["--addons"]) == 1
+    assert command.run(cli.main, arguments=["addons"]) == 1
     assert capsys.readouterr().err.count("and at most 1.0 kB") == 3

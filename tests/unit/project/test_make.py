@@ -18,7 +18,7 @@ CALLS = {
     "image TARGET=x": './rosml image -- "$TARGET"',
     "image TARGET=x PLATFORM=linux/arm64": './rosml image --platform "$PLATFORM" -- "$TARGET"',
     "unit COVERAGE=1": "python3 scripts/bootstrap.py linters; .venv/bin/python -m tests.suite --phase unit --coverage",
-    "bench TARGET=x": '.venv/bin/python -m bench --target="$TARGET"',
+    "bench TARGET=x": '.venv/bin/python -m bench image --target="$TARGET"',
     "test-all SHARD=2/3 PROOF=cuda": '--started "$started" --all --shard "$SHARD" --proof "cuda"',
     "clean": "python3 scripts/bootstrap.py clean",
 }
