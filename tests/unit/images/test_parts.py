@@ -60,7 +60,7 @@ class Stage:
 @pytest.fixture
 def stage(tmp_path: Path, registry: str, monkeypatch: pytest.MonkeyPatch) -> Stage:
     found = Stage(tmp_path, registry, parse(changed("cpu: [arm64]}", "cpu: [amd64, arm64]}")))
-    monkeypatch.setattr(contents, "attach", lambda *facts: found.listed.append(facts[3:5]))
+    monkeypatch.setattr(contents, "attach", lambda *facts: found.listed.extend(facts[3]))
     monkeypatch.setattr(Registry, "tag", lambda client, *move: found.tagged.append(move))
 
     def manifest(_client: Registry, _repository: str, digest: str) -> oci.Manifest:

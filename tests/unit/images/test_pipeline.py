@@ -1120,7 +1120,7 @@ def told(
         return None, {call.target: {"containerimage.digest": digest}}
 
     monkeypatch.setattr(buildx, "run_all", run_all)
-    monkeypatch.setattr(contents, "attach", lambda *facts: {facts[4]: "sha256:sbom"})
+    monkeypatch.setattr(contents, "attach", lambda *facts: {digest: "sha256:sbom" for _, digest in facts[3]})
     monkeypatch.setattr(
         base_images, "reference", lambda _services, systems, name, *_: f"base-of-{systems[name].python}"
     )
@@ -1144,10 +1144,11 @@ def told(
 def test_what_an_image_is_made_of_is_built_by_one_call(
     registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch, broken: bool
 ) -> None:
-    """If that fails, one after the other, so that each says why."""
+    """And listed by one call. If the build fails, one after the other, so that each says why."""
     image = next(image for image in image_set.images if len(image.parts) > 1 and image.parent == "alpha-base")
     calls: list[tuple[str, ...]] = []
     said: list[str] = []
+    described: list[int] = []
     run = registry.run(image_set, only=[image.target])
 
     def run_all(_services: Services, call: buildx.Bake) -> tuple[None, dict[str, dict[str, str]]]:
@@ -1164,7 +1165,12 @@ def test_what_an_image_is_made_of_is_built_by_one_call(
         return None, {target: {"containerimage.digest": digest} for target, digest in found.items()}
 
     monkeypatch.setattr(buildx, "run_all", run_all)
-    monkeypatch.setattr(contents, "attach", lambda *facts: {facts[4]: "sha256:sbom"})
+
+    def attach(*facts: Any) -> dict[str, str]:
+        described.append(len(facts[3]))
+        return {digest: "sha256:sbom" for _, digest in facts[3]}
+
+    monkeypatch.setattr(contents, "attach", attach)
     monkeypatch.setattr(
         base_images, "reference", lambda _services, systems, name, *_: f"base-of-{systems[name].python}"
     )
@@ -1180,6 +1186,7 @@ def test_what_an_image_is_made_of_is_built_by_one_call(
     separate = {(target,) for target in ({first, *parts, *others} if broken else others)}
     assert {*calls[1:]} == separate and len(calls[1:]) == len(separate)
     assert "a step failed\nnow one after the other" in said or not broken
+    assert described == [1] * len(separate) if broken else described == [1 + len(parts), *[1] * len(others)]
     assert all(run.state.made((target, architecture)) for target in {first, *parts, *others})
 
 
@@ -1226,7 +1233,7 @@ def test_a_part_is_assembled_anew_when_that_is_asked_for(
 
     monkeypatch.setattr(buildx, "run_all", run_all)
     monkeypatch.setattr(base_images, "assembler", lambda *_: base_images.Assembler(PINNED, ""))
-    monkeypatch.setattr(contents, "attach", lambda *facts: {facts[4]: "sha256:sbom"})
+    monkeypatch.setattr(contents, "attach", lambda *facts: {digest: "sha256:sbom" for _, digest in facts[3]})
     for force in (False, True):
         made = BuildKitMaker(registry.services, image_set, registry.place, lambda line: None, force)
         made.build_part(image_set.parts[0], "amd64")

@@ -60,7 +60,7 @@ def main(
     for item in wanted:
         results.append(found.publish(services, image_set, item, say, namespace, again, platform))
         with Registry(services.registry) as client:  # attaches the list of files that 'rosml join' compares
-            contents.attach(services, image_set, client, f"{namespace}/part", results[-1].digest, say)
+            contents.attach(services, image_set, client, [(f"{namespace}/part", results[-1].digest)], say)
         if not (as_json or markdown):
             done = results[-1]
             terminal.echo(f"{done.reference}  bytecode: {done.bytecode or 'none'}  {done.seconds:.0f} s")

@@ -1,18 +1,19 @@
-"""Attaches its list of files, its SBOM and its facts to a pushed image.
+"""Attaches their lists of files, SBOMs and facts to pushed images.
 
-The builder that built the image makes both: it has the layers already, so that nobody pulls an image to see its
+The builder that built an image makes them: it has the layers already, so that nobody pulls an image to see its
 content.
 """
 
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from rosml.base import files
 from rosml.base.errors import RosmlError
+from rosml.images.bake import bake_file, hcl
 from rosml.images.builds import base_images
-from rosml.images.builds.push import write_excerpt
 from rosml.images.image_set.model import ImageSet
 from rosml.images.join import facts, file_lists
 from rosml.images.join.layers import platform
@@ -46,41 +47,40 @@ def attach(
     services: Services,
     image_set: ImageSet,
     registry: Registry,
-    repository: str,
-    digest: str,
+    images: Sequence[tuple[str, str]],
     say: Callable[[str], None],
 ) -> dict[str, str]:
-    """Attaches a list of files, facts and an SBOM to a pushed image, for each of its platforms.
+    """Attaches a list of files, facts and an SBOM to pushed images, for each of their platforms.
 
-    The builder mounts the image and runs nothing of it, so no emulation is needed. If a manifest has a list of files or
-    facts, it keeps them. The same packages give an SBOM with the same digest.
+    One call of the builder lists them all. It mounts the images and runs nothing of them, so no emulation is needed. If a manifest
+    has a list of files or facts, it keeps them. The same packages give an SBOM with the same digest.
 
     Args:
         services: the builder.
-        image_set: names the operating system whose tools read the image.
-        registry: of the image.
-        repository: path of the image.
-        digest: of a manifest or an index.
+        image_set: names the operating system whose tools read the images.
+        registry: of the images.
+        images: the repository of each, and the digest of its manifest or index.
         say: prints a line of progress.
 
     Returns:
         Digests of the SBOMs' artifacts, by digest of the manifest.
 
     Raises:
-        RosmlError: the image is missing; the build failed; the registry refuses.
+        RosmlError: an image is missing; the build failed; the registry refuses.
     """
-    found = {}
-    for manifest in manifests(registry, repository, digest):
-        place = f"{repository}@{manifest.digest}"
-        say(f"list the packages and files of {place}")
-        said = _made(services, image_set, registry, repository, manifest)
+    listed = [(repository, item) for repository, digest in images for item in manifests(registry, repository, digest)]
+    for repository, manifest in listed:
+        say(f"list the packages and files of {repository}@{manifest.digest}")
+    sboms = {}
+    for (repository, manifest), listing in zip(listed, _listings(services, image_set, registry, listed), strict=True):
         for name, artifact, media_type in LISTS:
             if not registry.referrers(repository, manifest.digest, artifact):
-                registry.attach(repository, manifest.descriptor, artifact, said[name], media_type)
-        document = packages.cyclonedx(packages.read(said[PACKAGES]), f"{registry.host}/{place}")
+                registry.attach(repository, manifest.descriptor, artifact, listing[name], media_type)
+        image = f"{registry.host}/{repository}@{manifest.digest}"
+        document = packages.cyclonedx(packages.read(listing[PACKAGES]), image)
         kind = sbom.MEDIA_TYPE, document, sbom.MEDIA_TYPE, sbom.FORMAT
-        found[manifest.digest] = registry.attach(repository, manifest.descriptor, *kind)
-    return found
+        sboms[manifest.digest] = registry.attach(repository, manifest.descriptor, *kind)
+    return sboms
 
 
 def manifests(registry: Registry, repository: str, digest: str) -> list[Manifest]:
@@ -106,26 +106,40 @@ def _there(registry: Registry, repository: str, digest: str) -> Manifest:
     return found
 
 
-def _made(
-    services: Services, image_set: ImageSet, registry: Registry, repository: str, manifest: Manifest
-) -> dict[str, bytes]:
-    """The packages, the list of files and the facts of a manifest, by the name of their file."""
-    config = registry.config(repository, manifest)
+def _listings(
+    services: Services, image_set: ImageSet, registry: Registry, images: Sequence[tuple[str, Manifest]]
+) -> list[dict[str, bytes]]:
+    """The packages, the list of files and the facts of each image, by the name of their file."""
     os_name = image_set.matrix.default.assembler
     base = base_images.reference(services, image_set.matrix.operating_systems, os_name)
-    file = write_excerpt(services, image_set, TARGET)
+    variables = {names.os_variable(os_name): f"docker-image://{base}"}
+    targets = [f"{TARGET}-{manifest.digest.partition(':')[2][:12]}" for _, manifest in images]
+    file = services.state / "bake" / f"{targets[0]}.hcl"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    blocks = [hcl.block("target", target, {"inherits": [TARGET]}) for target in dict.fromkeys(targets)]
+    files.write(file, "\n".join([bake_file.excerpt(image_set, [TARGET]), *blocks]))
     (services.state / "tmp").mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=services.state / "tmp") as folder:
-        sets = (
-            f"{TARGET}.output={exported.output(Path(folder) / 'left.tar')}",
-            f"{TARGET}.platform={platform(config.facts)}",
-            f"{TARGET}.contexts.described=docker-image://{registry.host}/{repository}@{manifest.digest}",
-        )
-        variables = {names.os_variable(os_name): f"docker-image://{base}"}
-        short = manifest.digest.partition(":")[2][:12]
-        buildx.run(services, buildx.Bake(TARGET, f"{TARGET}-{short}", file, sets, variables, shares=buildx.IMAGES))
-        exported.unpack(Path(folder) / "left.tar", Path(folder) / "left", limits=exported.OURS)
-        found = {name: exported.read(Path(folder) / "left", name) for name in (PACKAGES, FILES, FACTS)}
-    if not file_lists.unpacked(found[FILES]):
-        raise RosmlError(f"the list of the files of {repository}@{manifest.digest} is empty", "run it again")
-    return found
+        sets = []
+        for target, (repository, manifest) in zip(targets, images, strict=True):
+            config = registry.config(repository, manifest)
+            sets += [
+                f"{target}.output={exported.output(Path(folder, f'{target}.tar'))}",
+                f"{target}.platform={platform(config.facts)}",
+                f"{target}.contexts.described=docker-image://{registry.host}/{repository}@{manifest.digest}",
+            ]
+        call = buildx.Bake(targets[0], targets[0], file, sets, variables, shares=buildx.IMAGES, beside=targets[1:])
+        buildx.run_all(services, call)
+        return [
+            _listing(Path(folder, target), f"{repository}@{manifest.digest}")
+            for target, (repository, manifest) in zip(targets, images, strict=True)
+        ]
+
+
+def _listing(folder: Path, image: str) -> dict[str, bytes]:
+    """The files that one build exported."""
+    exported.unpack(folder.with_name(f"{folder.name}.tar"), folder, limits=exported.OURS)
+    listing = {name: exported.read(folder, name) for name in (PACKAGES, FILES, FACTS)}
+    if not file_lists.unpacked(listing[FILES]):
+        raise RosmlError(f"the list of the files of {image} is empty", "run it again")
+    return listing

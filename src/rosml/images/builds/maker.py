@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -134,7 +135,8 @@ class Maker(Protocol):
         """
 
     def build_together(self, wanted: Sequence[Wanted]) -> None:
-        """Builds ROS images and parts that need nothing of each other, all at once. `build_part` and `build_image` then find them.
+        """Builds and describes ROS images and parts that need nothing of each other, all at once. `build_part` and `build_image` then find
+        them.
 
         If one of them cannot be built, `build_part` or `build_image` says so.
         """
@@ -193,6 +195,8 @@ class BuildKitMaker:
     _there: set[str] = field(default_factory=set)  # names of the parts and targets that the builder has
     _pushed: dict[tuple[str, str], tuple[str, str]] = field(default_factory=dict)
     """The base and the digest of what `build_together` made, by target and architecture."""
+    _sboms: dict[str, str] = field(default_factory=dict)
+    """Digests of the SBOMs of what `build_together` made, by digest of the manifest."""
 
     def build_part(self, part: Part, architecture: str) -> Made:
         """Builds a part from its lock."""
@@ -229,6 +233,11 @@ class BuildKitMaker:
             self.say(f"{error.message}\nnow one after the other")
             return
         self._pushed |= {key: (start, digests[call.target]) for key, (start, call) in calls.items()}
+        images = [
+            (self.place.path(repository_of(one.thing)), self._pushed[one.key][1]) for one in wanted if one.key in calls
+        ]
+        with suppress(RosmlError):  # `_describe` tries each alone, and says why it fails
+            self._sboms |= contents.attach(self.services, self.image_set, self.place.client, images, self.say)
 
     def _push(self, wanted: Wanted) -> tuple[str, str]:
         """Builds and pushes a part or an image, unless that was done together with others. Gives the reference of its base image and
@@ -368,8 +377,10 @@ class BuildKitMaker:
         self.services.require_builder("" if native else self._platform(architecture))
 
     def _describe(self, thing: Image | Part, digest: str) -> str:
-        where = self.place.path(repository_of(thing))
-        return contents.attach(self.services, self.image_set, self.place.client, where, digest, self.say)[digest]
+        if sbom := self._sboms.pop(digest, ""):
+            return sbom
+        image = self.place.path(repository_of(thing)), digest
+        return contents.attach(self.services, self.image_set, self.place.client, [image], self.say)[digest]
 
     def _changes_with(self, image: Image, packages: str) -> Path:
         """A folder that changes with the state of a distribution's package repositories, for the builder's cache."""
