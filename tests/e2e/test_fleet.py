@@ -80,15 +80,19 @@ def test_two_builders_build_two_shards_side_by_side(mini: Mini, services: Servic
             machines.append(
                 subprocess.Popen(machine.command(*arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE)
             )
+        built = list[str]()
         for process, shard in zip(machines, shards, strict=True):
             out, err = process.communicate(timeout=HANGS)
             assert process.returncode == 0, err.decode()
             done = {item["target"] for item in json.loads(out)["outcomes"] if item["state"] == "done"}
+            built += done
             (distribution,) = shard["distributions"]
             assert {f"{distribution}-core", f"{distribution}-base"} <= done
             assert not any(
                 name.startswith("other" if distribution == "ros1-bookworm" else "ros1-bookworm") for name in done
             )
+    assert len(built) == len({*built}), "work was done twice"
+    assert any(name.startswith("part-") for name in built), "both distributions have these parts"
     for step in ("join-images", "index", "promote"):
         assert mini.publish(step, "--plan", str(plan), "--serve", NATIVE).code == 0
     assert mini.tags() == {}, "nothing was tested"

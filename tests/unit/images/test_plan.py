@@ -45,7 +45,8 @@ def test_a_shard(small: ImageSet) -> None:
     parts = (1000 + 100) + (300 + 30) + (2000 + 200) + (1500 + 150)
     assert first.estimates.disk_mb == (100 + 2 * 10) + 3 * (20 + 2 * 2) + 2 * parts + disk.RESERVE_MB
     assert first.estimates.seconds == (100 + 3 * 20) // 10 + (1000 + 300 + 2000 + 1500) // 100 + 12 * 5 + 2 == 126
-    assert [shard.estimates.seconds for shard in shards] == [126, 79, 76, 44]
+    assert [shard.estimates.seconds for shard in shards] == [126, 79 - 10, 76, 44], "CUDA is built once"
+    assert [shard.elsewhere for shard in shards] == [(), ("cuda-cu1",), (), ()]
 
 
 def test_what_took_longer_the_last_time_counts_so(small: ImageSet) -> None:
@@ -104,6 +105,9 @@ def test_every_plan(big: ImageSet, number: int) -> None:
     built = [(target, shard.architecture) for shard in found for target in shard.targets]
     assert len(built) == len(set(built)), "an image is built twice"
     assert set(built) == wanted
+    parts = [(name, shard.architecture) for shard in found for name in shard.parts if name not in shard.elsewhere]
+    assert len(parts) == len(set(parts)), "a part is built twice"
+    assert set(parts) == {(name, shard.architecture) for shard in found for name in shard.parts}
     for shard in found:
         place = {target: index for index, target in enumerate(shard.targets)}
         for target in shard.targets:

@@ -189,6 +189,7 @@ class Call:
 
         image_set = self.image_set
         package_state: Mapping[str, str] = {}
+        elsewhere: frozenset[str] | None = None
         if self.plan_file:
             plan = plans.read_plan(self.plan_file, self.shard)
             self.date, self.registry = self.date or plan.date, self.registry or plan.registry
@@ -196,6 +197,7 @@ class Call:
             self.architectures = self.architectures or plan.architectures
             self.serve, self.force = self.serve or plan.serve, self.force or plan.force
             package_state = plan.package_state
+            elsewhere = next((frozenset(item.elsewhere) for item in plan.shards if item.name == self.shard), None)
         elif self.shard:
             raise click.UsageError("--shard needs a plan: add --plan FILE")
         self.registry = self.registry or options.registry_of_set(self.matrix)
@@ -230,6 +232,7 @@ class Call:
             package_state,
             whole=reading,
             all_tests=self.all_tests,
+            elsewhere=elsewhere,
         )
         found = survey(request)
         for remark in found.remarks:

@@ -122,7 +122,7 @@ def shard_rows(shards: Iterable[Shard]) -> list[tuple[str, ...]]:
     rows = []
     for shard in shards:
         takes = shard.estimates
-        counts = (str(len(shard.targets)), str(len(shard.parts)), f"{takes.seconds / 60:.0f}")
+        counts = (str(len(shard.targets)), str(len(shard.parts) - len(shard.elsewhere)), f"{takes.seconds / 60:.0f}")
         sizes = (f"{megabytes / 1000:.1f}" for megabytes in (takes.download_mb, takes.disk_mb))
         rows.append((shard.name, shard.runner, ", ".join(shard.distributions), *counts, *sizes))
     return rows

@@ -156,6 +156,11 @@ class Run:
             if time.monotonic() >= self.deadline:
                 self.outcomes.append(Outcome(step, *item.key, "waits", "the time of this run is over"))
                 continue
+            if step == "build":
+                self.state.look_again(item)
+                if step not in self.state.task(item, ahead=False).steps:
+                    self.say(f"{item.target} for {item.architecture} was built by another machine meanwhile")
+                    continue
             number += 1
             try:
                 self.do(step, item, f"({number} of {expected})", task.why, work)

@@ -1,13 +1,14 @@
 """Shards: which machine of a run builds which images, so that all machines finish early, at about the same time.
 
 A unit is a distribution on an architecture. Its ROS images build on one another, and its other images on one of those,
-so no unit waits for another. Units share parts and operating systems: a shard builds each of these once.
+so no unit waits for another. Units share parts and operating systems. A shard installs each operating system once. If several
+shards need a part, one of them builds it, and does so first; the others take it from the registry.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Annotated
 
@@ -53,7 +54,8 @@ class Shard(Fact):
         runner: label of the machines in CI.
         distributions: the distributions that it builds, in the order of the matrix.
         targets: bake targets in build order: for each distribution the ROS images from the lowest up, then the others.
-        parts: names of the parts that it builds.
+        parts: names of the parts that its images have.
+        elsewhere: names of those that another shard builds.
         estimates: what it takes.
     """
 
@@ -64,6 +66,7 @@ class Shard(Fact):
     distributions: tuple[str, ...]
     targets: Named
     parts: tuple[str, ...]
+    elsewhere: tuple[str, ...]
     estimates: Estimates
 
 
@@ -113,9 +116,9 @@ def deal(
     """
     units = _units(image_set, include, work)
     return tuple(
-        _shard(image_set, architecture, number, content)
+        shard
         for architecture, share in _shares(units, shards).items()
-        for number, content in enumerate(_dealt(units[architecture], share), 1)
+        for shard in _dealt(image_set, architecture, units[architecture], share)
     )
 
 
@@ -211,12 +214,12 @@ def _divided(megabytes: int, rate: int) -> int:
 # ---- Shards ----------------------------------------------------------------------------------------------------------
 
 
-def _seconds(units: Iterable[Unit]) -> int:
-    """Time of units on one machine, in seconds. Shared items count once."""
+def _seconds(units: Iterable[Unit], elsewhere: Collection[str] = ()) -> int:
+    """Time of units on one machine, in seconds. Shared items count once, parts that another machine builds not at all."""
     costs: Costs = {}
     for unit in units:
         costs |= unit.costs
-    return sum(costs.values())
+    return sum(cost for (kind, name), cost in costs.items() if kind != "part" or name not in elsewhere)
 
 
 def _shares(units: dict[str, list[Unit]], shards: int) -> dict[str, int]:
@@ -234,12 +237,14 @@ def _shares(units: dict[str, list[Unit]], shards: int) -> dict[str, int]:
     return shares
 
 
-def _dealt(units: list[Unit], share: int) -> list[list[Unit]]:
-    """The contents of an architecture's shards, longest first; within a shard in the order of the matrix."""
-    shards = _spread(units, share)
+def _dealt(image_set: ImageSet, architecture: str, units: list[Unit], share: int) -> list[Shard]:
+    """An architecture's shards, longest first; within a shard in the order of the matrix."""
     position = {unit.distribution: index for index, unit in enumerate(units)}
-    sort = [sorted(shard, key=lambda unit: position[unit.distribution]) for shard in shards]
-    return sorted(sort, key=lambda shard: (-_seconds(shard), position[shard[0].distribution]))
+    contents = [sorted(shard, key=lambda unit: position[unit.distribution]) for shard in _spread(units, share)]
+    contents = sorted(contents, key=lambda shard: (-_seconds(shard), position[shard[0].distribution]))
+    elsewhere = _elsewhere(contents)
+    dealt = sorted(zip(contents, elsewhere, strict=True), key=lambda shard: -_seconds(*shard))
+    return [_shard(image_set, architecture, number, *shard) for number, shard in enumerate(dealt, 1)]
 
 
 def _spread(units: list[Unit], share: int) -> list[list[Unit]]:
@@ -257,7 +262,28 @@ def _spread(units: list[Unit], share: int) -> list[list[Unit]]:
     return shards
 
 
-def _shard(image_set: ImageSet, architecture: str, number: int, units: list[Unit]) -> Shard:
+def _elsewhere(shards: Sequence[Sequence[Unit]]) -> list[set[str]]:
+    """For each shard the names of the parts that another one builds: the longest part goes to the shard that has least to build."""
+    needed: dict[str, list[int]] = {}
+    seconds = dict[str, int]()
+    for index, units in enumerate(shards):
+        parts = {name: cost for unit in units for (kind, name), cost in unit.costs.items() if kind == "part"}
+        seconds |= parts
+        for name in parts:
+            needed.setdefault(name, []).append(index)
+    loads, elsewhere = [0] * len(shards), [set[str]() for _ in shards]
+    for name in sorted(needed, key=lambda name: (-seconds[name], name)):
+        builder = min(needed[name], key=lambda index: loads[index])
+        loads[builder] += seconds[name]
+        for index in needed[name]:
+            if index != builder:
+                elsewhere[index].add(name)
+    return elsewhere
+
+
+def _shard(
+    image_set: ImageSet, architecture: str, number: int, units: Sequence[Unit], elsewhere: Collection[str]
+) -> Shard:
     images = [image for unit in units for image in unit.images]
     parts = _parts(images)
     systems = {image.os for image in images}
@@ -274,10 +300,11 @@ def _shard(image_set: ImageSet, architecture: str, number: int, units: list[Unit
         distributions=tuple(unit.distribution for unit in units),
         targets=tuple(image.target for image in images),
         parts=parts,
+        elsewhere=tuple(name for name in parts if name in elsewhere),
         estimates=Estimates(
             download_mb=sum(size.compressed for size in sizes),
             disk_mb=_disk_mb(image_set, images),
-            seconds=_seconds(units),
+            seconds=_seconds(units, elsewhere),
         ),
     )
 

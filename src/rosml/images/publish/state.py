@@ -116,6 +116,8 @@ class Request:
         whole: judge the ROS images and parts below images on all of their architectures.
         inputs: inputs of the image set's targets, if they were read before.
         all_tests: the requested images run all tests, also those that passed in others with the same parts.
+        elsewhere: names of parts that other machines of the run build, and that are built here only if they are missing at the end;
+            None if there are no other machines.
     """
 
     services: Services
@@ -131,6 +133,7 @@ class Request:
     whole: bool = False
     inputs: Inputs | None = None
     all_tests: bool = False
+    elsewhere: frozenset[str] | None = None
 
 
 @dataclass
@@ -269,6 +272,14 @@ class State:
             return Task(item)
         first = "it was not scanned by this policy" if steps[0] == "scan" else f"it was {self._untested(item)}"
         return Task(item, steps, (first,))
+
+    def look_again(self, item: Item) -> None:
+        """Reads the record of an item once more: another machine may have made it since."""
+        entry = self.records.read(*item.key)
+        if entry and entry != self.known.get(item.key):
+            self.known[item.key] = entry
+            if self.place.client.head(self.place.path(entry.repository), entry.digest):
+                self.present.add(item.key)
 
     def made(self, key: tuple[str, str]) -> bool:
         """Whether an item is in the registry and up to date."""

@@ -27,7 +27,7 @@ def build(run: Run) -> None:
     If ROS publishes new packages after the plan was made, the run rebuilds all components of that distribution from
     these, so that all packages of an image have one sync date.
     """
-    items = [item for item in run.state.items if item.kind != "joined"]
+    items = sorted((item for item in run.state.items if item.kind != "joined"), key=partial(_order, run))
     if run.whole:
         _build_together(run, items)
     for left in range(RESTARTS, -1, -1):
@@ -36,6 +36,14 @@ def build(run: Run) -> None:
             return
         # Items that waited for a postponed one may be ready now, so all items are tried again.
         run.outcomes[before:] = [outcome for outcome in run.outcomes[before:] if outcome.state != "waits"]
+
+
+def _order(run: Run, item: Item) -> int:
+    """If there are other machines, they wait for the parts that are built here, and this one for theirs."""
+    elsewhere = run.state.request.elsewhere
+    if elsewhere is None or not isinstance(item.thing, Part):
+        return 1
+    return 2 if item.thing.name in elsewhere else 0
 
 
 def _build_together(run: Run, items: Sequence[Item]) -> None:
