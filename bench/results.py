@@ -25,8 +25,14 @@ FOLDER = ROOT / "bench/results"
 PAGE = ROOT / "docs/performance.md"
 PLOTS = ROOT / "docs/images/performance"
 
+
+def _seconds(value: float) -> str:
+    """With two digits of what is short, since ratios matter."""
+    return f"{value:.2f} s" if value < 10 else duration(value)
+
+
 WRITTEN: dict[str, Callable[[float], str]] = {
-    "s": duration,
+    "s": _seconds,
     "B": lambda value: size(int(value)),
     "ratio": "{:.2f}".format,
     "": "{:,.0f}".format,
