@@ -10,9 +10,11 @@ Examples:
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import click
 
-from bench import addons, commands, fleet, results, second_image, start
+from bench import addons, commands, fleet, pull, results, second_image, start
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.images.image_set import load
@@ -95,6 +97,29 @@ def commands_(before: str) -> None:
       uv run python -m bench commands
     """
     _keep(commands.measure(before, _say))
+
+
+@main.command("pull", context_settings=HELP)
+@click.argument("images", nargs=-1, required=True, metavar="SIDE=REPOSITORY@DIGEST...")
+@click.option(
+    "--programs", type=click.Path(exists=True, path_type=Path), required=True, help="Has dockerd, containerd, runc."
+)
+@click.option("--storage", type=click.Path(exists=True, path_type=Path), default="/var/tmp", show_default=True)
+@click.option("--engine", "names", multiple=True, default=["docker"], type=click.Choice([*pull.ENGINES]))
+@click.option("--rate", "rates", multiple=True, default=["no limit"], type=click.Choice([*pull.RATES]))
+@click.option("--rounds", default=3, show_default=True)
+def pull_(
+    images: tuple[str, ...], programs: Path, storage: Path, names: tuple[str, ...], rates: tuple[str, ...], rounds: int
+) -> None:
+    """How long an empty engine takes to pull images that the local registry has; the usual one first.
+
+    \b
+    Examples:
+      uv run python -m bench pull --programs ~/engine usual=bench/usual@sha256:… ours=rosml/ros-torch@sha256:…
+    """
+    setting = pull.Setting(Services.load(ROOT), programs, storage, rounds, _say)
+    sides = {side: reference for side, _, reference in (image.partition("=") for image in images)}
+    _keep(pull.measure(setting, sides, names, rates))
 
 
 @main.command(context_settings=HELP)
