@@ -5,6 +5,7 @@ Examples:
   uv run python -m bench image             our second image beside one with RUN pip install (make bench)
   uv run python -m bench commands --before 624ef8e9
                                            what the commands take, here and at another commit
+  uv run python -m bench scale             a night of 2,000 images, simulated
   uv run python -m bench page              write docs/performance.md from the results that were saved
 """
 
@@ -14,7 +15,8 @@ from pathlib import Path
 
 import click
 
-from bench import addons, commands, fleet, pull, results, second_image, start
+from bench import addons, commands, fleet, pull, results, scale, second_image, start
+from bench.scale_night import Load
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.images.image_set import load
@@ -120,6 +122,25 @@ def pull_(
     setting = pull.Setting(Services.load(ROOT), programs, storage, rounds, _say)
     sides = {side: reference for side, _, reference in (image.partition("=") for image in images)}
     _keep(pull.measure(setting, sides, names, rates))
+
+
+@main.command("scale", context_settings=HELP)
+@click.option("--machines", default=Load.machines, show_default=True, help="How many machines there are for shards.")
+@click.option("--disk", default=Load.disk_mb // 1000, show_default=True, help="GB of disk of each machine.")
+@click.option("--held", default=Load.held, show_default=True, help="Share of pulls by clients with yesterday's image.")
+@click.option("--seed", default=Load.seed, show_default=True, help="Of all that is random.")
+def scale_(machines: int, disk: int, held: float, seed: int) -> None:
+    """Simulates a night of 2,000 images, 50,000 pulls and 10,000 apps.
+
+    \b
+    Examples:
+      uv run python -m bench scale
+      uv run python -m bench scale --machines 12 --disk 36
+    """
+    load = Load(machines=machines, disk_mb=1000 * disk, held=held, seed=seed)
+    command = f"python -m bench scale --machines {machines} --disk {disk} --held {held} --seed {seed}"
+    for result in scale.measure(load, command, _say):
+        _keep(result)
 
 
 @main.command(context_settings=HELP)
