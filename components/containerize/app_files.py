@@ -30,7 +30,7 @@ from typing import Any, Container, Sequence
 
 import contents
 import lacking
-from contents import STATUS, entries, status
+from contents import STATUS, entries, paths, status
 from facts import shown, write_app
 
 LEFT_OUT = re.compile(
@@ -199,12 +199,8 @@ def built_packages(install: Path) -> list[str]:
 
 def outside(environment: Path, built: Path) -> list[str]:
     """What the app's packages installed outside of the install space."""
-    before = entries(environment)
-    return [
-        path
-        for path, facts in sorted(entries(built).items())
-        if path not in before and belongs(path, facts) and not WORKING.fullmatch(path)
-    ]
+    new = {*paths(built)}.difference(paths(environment))
+    return [path for path in sorted(new) if not WORKING.fullmatch(path) and belongs(path, os.lstat(built / path))]
 
 
 def asked(runtime: Path, brought: Sequence[str]) -> set[str]:

@@ -19,7 +19,7 @@ import sys
 import xml.etree.ElementTree as ElementTree
 from email.parser import HeaderParser
 from pathlib import Path
-from typing import Any, Container, Iterable, Mapping, Sequence
+from typing import Any, Container, Iterable, Iterator, Mapping, Sequence
 
 PYTHON = re.compile(r"(?!docker-ros/ws/).*\.(dist-info/METADATA|egg-info/PKG-INFO|egg-info)")
 """What a package of Python says of itself. Those in the workspace are ROS packages."""
@@ -57,6 +57,19 @@ def entries(root: Path) -> Mapping[str, os.stat_result]:
                 if item.is_dir(follow_symlinks=False):
                     folders.append(f"{path}/")
     return found
+
+
+def paths(root: Path) -> Iterator[str]:
+    """The paths of `entries`, without what each is: to ask that takes most of its time."""
+    folders = [""]
+    while folders:
+        above = folders.pop()
+        with contextlib.suppress(OSError), os.scandir(os.path.join(root, above)) as items:
+            for item in items:
+                path = above + item.name
+                yield path
+                if item.is_dir(follow_symlinks=False):
+                    folders.append(f"{path}/")
 
 
 def files(roots: Sequence[Path]) -> dict[str, str]:

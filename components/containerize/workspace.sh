@@ -8,6 +8,7 @@ set -euo pipefail
 export WORKSPACE=${WORKSPACE:-/docker-ros/ws} COLCON_LOG_PATH=/tmp/log
 # At the place where the dev image has them: paths in the install space and in debug information are the same.
 mkdir -p "$WORKSPACE/src/$1"
+if sources=$(ls -A /run/sources/.) && [[ -z $sources ]]; then exit; fi # most workspaces import nothing
 cp -R --preserve=mode,links /run/sources/. "$WORKSPACE/src/$1"
 # shellcheck source=components/containerize/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
@@ -32,7 +33,8 @@ if [[ -e /usr/local/lib/rosml/bin/python3 ]]; then
   arguments=(--no-warn-unused-cli -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython{,3}_EXECUTABLE=/usr/bin/python3 "${arguments[@]}")
 fi
 own=()
-eval "own=(${COLCON_ARGS:-})"
+if [[ ${ROS_VERSION:-} == 1 ]]; then own=(--catkin-skip-building-tests); fi # test.sh builds them, if they are to run
+eval "own+=(${COLCON_ARGS:-})"
 limit_jobs "$(wc -l <<<"$listed")"
 metas_of "src/$1"
 colcon build --base-paths "src/$1" "${metas[@]}" --event-handlers console_cohesion+ "${workers[@]}" "${own[@]}" --cmake-args "${arguments[@]}" || {

@@ -151,7 +151,8 @@ def render(
             "context": str(inputs.empty),
             "dockerfile-inline": _dockerfile(target, inputs, target not in replaced),
             "platforms": list(names.platforms),
-            "contexts": base | {name: stages.get(name, f"target:{name}") for name in inputs.stages},
+            "contexts": base
+            | {name: stages.get(name, f"target:{name}") for name in _used(target, target not in replaced)},
             "args": {"SOURCE_DATE_EPOCH": str(inputs.time), **_variables(target, inputs)},
             "labels": {**_labels(inputs, names.app, target, replaced.get(target, ())), LOCK: lock},
             "tags": names.tags(target),
@@ -215,12 +216,12 @@ def _common(
         contexts: beside the scripts and folders.
     """
     values = inputs.values
-    steps = _steps(services, environment, names.platforms)
+    common = steps(services, environment, names.platforms)
     if values.parallel_jobs:  # as a secret: the result does not depend on it, so steps need not run again
-        steps["secret"].append("type=env,id=parallel-jobs,env=PARALLEL_JOBS")
+        common["secret"].append("type=env,id=parallel-jobs,env=PARALLEL_JOBS")
     folders = {name: str(path) for name, path in inputs.contexts.items()}
     return {
-        **steps,
+        **common,
         "context": str(inputs.empty),
         "dockerfile": str(SCRIPTS / "containerize/Dockerfile"),
         "contexts": {"scripts": str(SCRIPTS), **folders, **contexts},
@@ -248,7 +249,7 @@ def _adopted(
     onto = inputs.base.adopted
     if onto is None or BASE in known:
         return found
-    own = _steps(services, environment, every)
+    own = steps(services, environment, every)
     return adopted.base_targets(onto, BASE, own, inputs.empty, adopted.stage(services, onto))
 
 
@@ -292,7 +293,7 @@ def render_base(
         empty: a folder without files.
     """
     assert base.adopted
-    onto, own = base.adopted, _steps(services, environment, platforms)
+    onto, own = base.adopted, steps(services, environment, platforms)
     targets = adopted.base_targets(onto, BASE, own, empty, adopted.stage(services, onto))
     said = targets[BASE]["labels"] | {TITLE: f"{base.adopted.image.target} on {base.name}"}
     said |= {BASE_NAME: base.name, BASE_DIGEST: base.digest}
@@ -300,7 +301,7 @@ def render_base(
     return json.dumps(_literal({"target": targets}), indent=2) + "\n"
 
 
-def _steps(services: Services, environment: Iterable[str], platforms: Iterable[str]) -> dict[str, Any]:
+def steps(services: Services, environment: Iterable[str], platforms: Iterable[str]) -> dict[str, Any]:
     """The common fields of all targets with steps."""
     secrets = [f"type=env,id={name},env={item}" for name, item in _MIRRORS.items() if item in environment]
     if services.ca_bundle:
@@ -335,6 +336,18 @@ def _variables(target: str, inputs: Inputs) -> dict[str, str]:
     if target not in (DESK, "dev"):
         found["DEFAULT_CMD"] = values.command
     return {f"APP_{name}": value for name, value in found.items()}
+
+
+def _used(target: str, linked: bool) -> tuple[str, ...]:
+    """The stages that the Dockerfile of an image names: the builder makes all of its contexts, also those that no line names.
+
+    Args:
+        linked: as in `_dockerfile`.
+    """
+    if target == "dev":
+        return ("workspace",)
+    before = "slim-" if target == SLIM else ""
+    return (f"{before}app",) if linked else (f"{before}runtime", f"{before}app")
 
 
 def _dockerfile(target: str, inputs: Inputs, linked: bool) -> str:

@@ -671,6 +671,8 @@ def test_images_are_joined_after_the_report_is_read(
     assert report["contexts"]["base"] == f"docker-image://{local}/rosml/ros@{digest}"
     assert report["args"]["ROS_DISTRO"] == "jazzy"
     assert (run["name"], dev["name"]) == ("run", "dev")
+    assert run["contexts"].keys() == {"base", "app"}, "the builder makes all contexts, also those that no line names"
+    assert dev["contexts"].keys() == {"base", "workspace"}
     lines = run["dockerfile-inline"].splitlines()
     assert lines[:2] == ["FROM base", "COPY --link --from=app / /"]
     assert not [line for line in lines if line.startswith("RUN")]
@@ -794,6 +796,7 @@ def test_a_run_image_starts_from_its_packages_where_they_replace_some_of_the_bas
     built = app(repository, services, base_image="ros:jazzy", command="true").build()
     lines = calls[1]["dockerfile-inline"].splitlines()
     assert lines[:3] == ["FROM runtime", "COPY --link --from=app / /", "USER robot:1000"], "as the base image starts"
+    assert calls[1]["contexts"].keys() == {"base", "runtime", "app"}
     assert "libbar:amd64" in dict(built.summary())[""]
 
 

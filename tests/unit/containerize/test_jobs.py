@@ -135,6 +135,27 @@ def test_what_cmake_writes_names_the_systems_python(tmp_path: Path) -> None:
         assert says in (tmp_path / "ws/calls").read_text()
 
 
+def test_a_workspace_that_imports_nothing_calls_no_colcon(tmp_path: Path) -> None:
+    executable(tmp_path / "colcon", COLCON.format(line="Killed"))
+    script = workspace(tmp_path)
+    (tmp_path / "src/README").unlink()
+    env = {"PATH": f"{tmp_path}:{os.environ['PATH']}", "WORKSPACE": str(tmp_path / "ws")}
+    subprocess.run(["bash", "-c", script, "workspace.sh", "upstream"], env=env, check=True)
+    assert (tmp_path / "ws/src/upstream").is_dir() and not (tmp_path / "ws/calls").exists()
+
+
+@pytest.mark.parametrize(("version", "skips"), [("1", True), ("2", False)])
+def test_only_a_step_with_tests_compiles_them(version: str, skips: bool, tmp_path: Path) -> None:
+    """Those of catkin, which the step of the tests compiles by a target of their own."""
+    executable(tmp_path / "colcon", COLCON.format(line="Killed"))
+    script = workspace(tmp_path)
+    env = {"PATH": f"{tmp_path}:{os.environ['PATH']}", "WORKSPACE": str(tmp_path / "ws"), "ROS_VERSION": version}
+    env["COLCON_ARGS"] = "--executor sequential"
+    subprocess.run(["bash", "-c", script, "workspace.sh", "target"], env=env, capture_output=True, check=False)
+    built = (tmp_path / "ws/calls").read_text()
+    assert ("--catkin-skip-building-tests --executor sequential" in built) == skips and "--executor sequential" in built
+
+
 def workspace(folder: Path) -> str:
     """The script that builds packages, of folders of a test; sources are in one of them."""
     script = (STEPS / "workspace.sh").read_text()
@@ -147,4 +168,5 @@ def workspace(folder: Path) -> str:
         assert old in script
         script = script.replace(old, new)
     (folder / "src").mkdir()
+    (folder / "src/README").touch()
     return script
