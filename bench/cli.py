@@ -6,6 +6,7 @@ Examples:
   uv run python -m bench commands --before 624ef8e9
                                            what the commands take, here and at another commit
   uv run python -m bench scale             a night of 2,000 images, simulated
+  uv run python -m bench app               rosml containerize beside Dockerfiles that people write by hand
   uv run python -m bench page              write docs/performance.md from the results that were saved
 """
 
@@ -15,7 +16,7 @@ from pathlib import Path
 
 import click
 
-from bench import addons, commands, fleet, pull, results, scale, second_image, start
+from bench import addons, app, commands, fleet, pull, results, scale, second_image, start
 from bench.scale_night import Load
 from rosml import ROOT
 from rosml.base.errors import RosmlError
@@ -141,6 +142,17 @@ def scale_(machines: int, disk: int, held: float, seed: int) -> None:
     command = f"python -m bench scale --machines {machines} --disk {disk} --held {held} --seed {seed}"
     for result in scale.measure(load, command, _say):
         _keep(result)
+
+
+@main.command("app", context_settings=HELP)
+def app_() -> None:
+    """`rosml containerize` beside Dockerfiles that people write by hand.
+
+    \b
+    Examples:
+      uv run python -m bench app
+    """
+    _keep(app.measure(Services.load(ROOT), _say))
 
 
 @main.command(context_settings=HELP)
