@@ -33,7 +33,7 @@ def _seconds(value: float) -> str:
 
 WRITTEN: dict[str, Callable[[float], str]] = {
     "s": _seconds,
-    "B": lambda value: size(int(value)),
+    "B": lambda value: f"{value / 1e12:.2f} TB" if value >= 1e12 else size(int(value)),
     "ratio": "{:.2f}".format,
     "": "{:,.0f}".format,
 }

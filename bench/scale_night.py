@@ -27,6 +27,7 @@ from rosml.images.matrix import rules, source
 from rosml.images.matrix.model import Size
 from rosml.images.publish.prune import Pruner
 from rosml.images.publish.shards import Shard, Work, deal
+from rosml.images.publish.steps import join
 from rosml.machine.setup import builder_cache
 from rosml.registry import failures
 
@@ -319,7 +320,7 @@ class Night:
             if ("part", f"{name} {shard.architecture}") not in self.stored:
                 yield from self._part(name, shard.architecture, place)
         joined = [image for image in images if image.stack]
-        for image in sorted(joined, key=lambda image: image.carriers[:1] != (image.target,)):
+        for image in sorted(joined, key=join.order):
             yield from (self._usual if self.way == USUAL else self._joined)(image, shard.architecture, place)
         self.shards[shard.name] = self.now - began
 

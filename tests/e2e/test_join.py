@@ -189,7 +189,7 @@ def test_a_real_one_runs(
         images[f"part:{name}"] = client.head(f"{NAMESPACE}/part", name)
     for name, digest in images.items():
         repository = f"{NAMESPACE}/{name.partition(':')[0]}"
-        contents.attach(services, image_set, client, repository, digest, LOG.info)
+        contents.attach(services, image_set, client, [(repository, digest)], LOG.info)
         listed = regctl.regctl(services, "artifact", "list", f"{services.registry}/{repository}@{digest}")
         assert file_lists.ARTIFACT in listed, "other tools find the list as well"
     tag = f"{place}/joined:latest"

@@ -92,7 +92,7 @@ RUN --mount=type=bind,from=built,source=/in,target=/in /in/install.sh
     with Registry(services.registry) as registry:
         repository = f"{NAMESPACE}/ros"
         images = load.load(ROOT / "matrix.yaml")
-        contents.attach(services, images, registry, repository, registry.head(repository, name), lambda _: None)
+        contents.attach(services, images, registry, [(repository, registry.head(repository, name))], lambda _: None)
     return f"{place}:{name}"
 
 

@@ -93,10 +93,8 @@ def joined(services: Services, image_set: ImageSet, registry: Any, published: Ca
     config = json.dumps(configs[0]).encode()
     content = {**manifests[0], "layers": manifests[0]["layers"] + manifests[1]["layers"]}
     content["config"] = {**content["config"], "digest": registry.put_blob(repository, config), "size": len(config)}
-    made = {
-        part.digest: contents.attach(services, image_set, registry, part.repository, part.digest, LOG.info)[part.digest]
-        for part in parts
-    }
+    described = [(part.repository, part.digest) for part in parts]
+    made = contents.attach(services, image_set, registry, described, LOG.info)
     return Joined(parts, repository, put(registry, repository, "latest", content), sbom.Shelf(registry, made))
 
 

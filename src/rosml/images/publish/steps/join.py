@@ -14,15 +14,16 @@ from rosml.images.records.store import Entry
 
 
 def join(run: Run) -> None:
-    """Joins images. Images that run shared tests for others come first."""
-    items = [item for item in run.state.items if item.kind == "joined"]
-    run.each("join", sorted(items, key=_carries_nothing), partial(_join, run))
+    """Joins images, one stack after the other. In each, images that run shared tests for others come first."""
+    joined = [(item, item.thing) for item in run.state.items if isinstance(item.thing, Image) and item.kind == "joined"]
+    items = [item for item, _ in sorted(joined, key=lambda pair: order(pair[1]))]
+    run.each("join", items, partial(_join, run))
 
 
-def _carries_nothing(item: Item) -> bool:
-    """Whether an image runs no shared tests for others."""
-    assert isinstance(item.thing, Image)
-    return item.thing.carriers[:1] != (item.target,)
+def order(image: Image) -> tuple[str, bool]:
+    """Each image is tested as soon as it is joined. If the builder's disk is too small for all stacks, it fetches the parts of each
+    stack once."""
+    return image.stack or "", image.carriers[:1] != (image.target,)
 
 
 def _join(run: Run, item: Item, entry: Entry) -> Entry:
