@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """What an app adds to its base image: the files that its packages bring, and its install space.
 
-    app_files.py BASE RUNTIME ENVIRONMENT BUILT OUT LOCKED…
+    app_files.py BASE RUNTIME ENVIRONMENT WORKSPACE OUTSIDE OUT LOCKED…
 
-BASE is the base image, RUNTIME the same with the packages that the app needs to run. ENVIRONMENT is where the app was built, and
-BUILT the same after it: it holds the install space. OUT/root gets
-the files, OUT/app.json what is to be known of them. If the packages take away or replace what the base image has, OUT/root gets
+BASE is the base image, RUNTIME the same with the packages that the app needs to run. ENVIRONMENT is where the app was built. Of what is
+there afterwards, WORKSPACE has the workspace with the install space, and OUTSIDE what the packages installed elsewhere, at its place below
+each: BuildKit hashes all that a step mounts, and a whole image takes seconds. OUT/root gets the files, OUT/app.json what is to be known of them. If the packages take away or replace what the base image has, OUT/root gets
 the install space alone: the run image then starts from RUNTIME. Times and owners do not depend on when and where it was built.
 LOCKED are folders whose packages beyond BASE belong into a lock file, with their versions. OUT/packages.json and OUT/files.gz
 get the contents of the image, and OUT/facts.gz what decides whether the app can move to another base, if it can.
@@ -197,10 +197,10 @@ def built_packages(install: Path) -> list[str]:
     return sorted({path.name for path in found})
 
 
-def outside(environment: Path, built: Path) -> list[str]:
-    """What the app's packages installed outside of the install space."""
-    new = {*paths(built)}.difference(paths(environment))
-    return [path for path in sorted(new) if not WORKING.fullmatch(path) and belongs(path, os.lstat(built / path))]
+def outside(environment: Path, installed: Path) -> list[str]:
+    """What the app's packages installed outside of the workspace, and what was not there before."""
+    new = {*paths(installed)}.difference(paths(environment))
+    return [path for path in sorted(new) if not WORKING.fullmatch(path) and belongs(path, os.lstat(installed / path))]
 
 
 def asked(runtime: Path, brought: Sequence[str]) -> set[str]:
@@ -251,15 +251,16 @@ def required(metadata: Path) -> list[str]:
     return [line for line in wanted if ";" not in line]
 
 
-def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *locked: Path) -> None:
+def main(
+    base: Path, runtime: Path, environment: Path, workspace: Path, elsewhere: Path, out: Path, *locked: Path
+) -> None:
     root = out / "root"
     root.mkdir(parents=True)
     install = "docker-ros/ws/install"
-    for folder in ("docker-ros", "docker-ros/ws", install):
-        if os.path.lexists(built / folder):
-            require_folder(built / folder, Path(folder))
-    names = built_packages(built / install)
-    lacks = lacking.Lacking(runtime, built, names)
+    if os.path.lexists(workspace / install):
+        require_folder(workspace / install, Path(install))
+    names = built_packages(workspace / install)
+    lacks = lacking.Lacking(runtime, workspace, [environment, elsewhere], names)
     forgotten = lacks.forgotten()
     facts = {
         **packages(base, runtime, root),
@@ -267,20 +268,20 @@ def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *
         "lost": shown(sorted(lacks.lost)),
         "absent": shown(sorted(lacks.absent)),
         "forgotten": dict(zip(shown(forgotten), shown(forgotten.values()))),
-        "outside": shown(outside(environment, built)),
+        "outside": shown(outside(environment, elsewhere)),
         **versions(base, locked),
     }
 
     # Of a base image that is an app itself, what it has built stays there.
     there = {os.path.join(install, path): stats for path, stats in entries(base / install).items()}
-    for above, folders, names in os.walk(built / install):
+    for above, folders, names in os.walk(workspace / install):
         if "__pycache__" in folders:
             folders.remove("__pycache__")
         for name in [*folders, *names, "."]:
-            path = os.path.normpath(os.path.relpath(os.path.join(above, name), built))
-            known = path in there and same(path, base, built, there[path], os.lstat(built / path))
+            path = os.path.normpath(os.path.relpath(os.path.join(above, name), workspace))
+            known = path in there and same(path, base, workspace, there[path], os.lstat(workspace / path))
             if not known and not os.path.lexists(root / path):
-                copy(built, path, root)
+                copy(workspace, path, root)
 
     # Compiled by the time of a source it would hold when it was built, and be stale now. Pythons up to 3.10 write sets in the order
     # of PYTHONHASHSEED, which the Dockerfile sets.

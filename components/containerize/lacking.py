@@ -16,7 +16,7 @@ import sys
 import warnings
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
-from typing import Iterable, Iterator
+from typing import Iterable, Iterator, Sequence
 
 from elf import elf
 
@@ -159,15 +159,18 @@ class Lacking:
     """What is lost and what is absent, each in a sentence.
 
     Args:
-        runtime: the image without the app. built: where the app was built: it has the install space. packages: of the app.
+        runtime: the image without the app. workspace: a root with the workspace alone: it has the install space. around: roots with what
+            was there besides when the packages were built. packages: of the app.
     """
 
-    def __init__(self, runtime: Path, built: Path, packages: Iterable[str]) -> None:
-        self._root, self._install, self._packages = built, built / INSTALL, {*packages}
-        self._runtime = runtime
+    def __init__(self, runtime: Path, workspace: Path, around: Sequence[Path], packages: Iterable[str]) -> None:
+        self._root, self._install, self._packages = workspace, workspace / INSTALL, {*packages}
+        self._runtime, self._roots = runtime, (workspace, *around)
         self._of_image = Files().add(runtime)
-        self._image = copy.deepcopy(self._of_image).add(built, INSTALL)
-        self._before = Files().add(built)
+        self._image = copy.deepcopy(self._of_image).add(workspace, INSTALL)
+        self._before = Files()
+        for root in self._roots:
+            self._before.add(root)
         shells = (elf(runtime / name) for name in ("usr/bin/dash", "bin/dash", "usr/bin/bash", "bin/bash"))
         self._machine = next((found.machine for found in shells if found), None)
         self._seen: set[Path] = set()
@@ -180,6 +183,10 @@ class Lacking:
                     self._link(path)
                 elif path.is_file():
                     self._file(path)
+
+    def _place(self, path: Path) -> str:
+        """A path of one of the roots, from that root on."""
+        return next(str(path.relative_to(root)) for root in self._roots if root in path.parents)
 
     def _shown(self, path: Path) -> str:
         return str(path.relative_to(self._install))
@@ -236,7 +243,7 @@ class Lacking:
         else:
             place = program.lstrip("/")
             there = os.path.lexists((self._root if place.startswith(INSTALL) else self._runtime) / place)
-            before = place if os.path.lexists(self._root / place) else ""
+            before = place if any(os.path.lexists(root / place) for root in self._roots) else ""
         if program and not there:
             self._say(path, f"{program} to start", before)
 
@@ -338,7 +345,7 @@ class Lacking:
         if not self._image.has_module(name, beside):
             before = "its sources have it" if self._before.has_source(name) else ""
             if not before and first in self._before.modules and first not in self._image.modules:
-                before = str(min(self._before.modules[first]).relative_to(self._root))
+                before = min(self._place(folder) for folder in self._before.modules[first])
             what = f"the module {name}" + (f" for {entry}" if entry else "")
             self._say(path, what, before or ("nor is it in its sources" if entry else ""))
             return

@@ -5,6 +5,10 @@
 #   workspace.sh FOLDER   of $WORKSPACE/src: upstream, target, downstream
 set -euo pipefail
 
+# What the packages install outside of the workspace, for app_files.py.
+outside=/rosml-outside
+mkdir -p "$outside"
+started=$(mktemp)
 export WORKSPACE=${WORKSPACE:-/docker-ros/ws} COLCON_LOG_PATH=/tmp/log
 # At the place where the dev image has them: paths in the install space and in debug information are the same.
 mkdir -p "$WORKSPACE/src/$1"
@@ -53,3 +57,8 @@ colcon build --base-paths "src/$1" "${metas[@]}" --event-handlers console_cohesi
   fi
   exit "$code"
 }
+cd /
+find . -xdev \( -path ./docker-ros -o -path ./tmp -o -path ./var/tmp -o -path ".$outside" -o -path ./root/.ros -o -path ./root/.cache \) -prune \
+  -o ! -type d -cnewer "$started" -print0 | TAR_OPTIONS='' tar --create --null --no-recursion --files-from=- \
+  | TAR_OPTIONS='' tar --extract --directory="$outside"
+rm "$started"

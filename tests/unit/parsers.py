@@ -358,7 +358,7 @@ def installed(name: str) -> Callable[[bytes, Path], object]:
         file.write_bytes(document)
         file.chmod(0o755)
         (folder / "image").mkdir()
-        found = script("lacking").Lacking(folder / "image", folder, ["a"])
+        found = script("lacking").Lacking(folder / "image", folder, [], ["a"])
         link = script("link")
         link.INSTALL = folder / "docker-ros/ws/install"  # type: ignore[attr-defined]
         return found.lost, found.absent, found.imported(folder / "image"), [*link.modules(), *link.not_found()]

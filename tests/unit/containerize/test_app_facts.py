@@ -369,7 +369,7 @@ def test_an_app_that_replaces_packages_of_its_base_has_no_facts(
         {status: new, "usr/lib/new": "x", "var/lib/dpkg/info/libnew.list": "/usr/lib/new\n", **python, **brought},
     )
     built = put(tmp_path / "built", {status: new, "docker-ros/ws/install/setup.sh": "x"})
-    script.main(base, runtime, runtime, built, tmp_path / "out")
+    script.main(base, runtime, runtime, built, tmp_path / "nothing", tmp_path / "out")
     if version != "1.0":
         assert not (tmp_path / "out/facts.gz").exists()
         return

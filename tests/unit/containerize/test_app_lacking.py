@@ -90,7 +90,7 @@ def test_libraries_that_only_the_build_had_are_lost(script: ModuleType, tmp_path
         },
     )
     (built / f"{WS}/install/ni/share/model").symlink_to(f"/{WS}/src/target/model")
-    found = script.Lacking(runtime, built, ["ni"])
+    found = script.Lacking(runtime, built, [], ["ni"])
     assert sorted(found.lost) == [
         f"ni/lib/ni/node needs libanswer.so, which is in no image: {WS}/build/ni/libanswer.so",
         "ni/lib/ni/node needs libbuilt.so, which is in no image: usr/lib/libbuilt.so",
@@ -136,7 +136,7 @@ def test_modules_and_programs_that_only_the_build_had_are_lost(script: ModuleTyp
             "usr/lib/python3/dist-packages/testing_tool.py": "",
         },
     )
-    found = script.Lacking(runtime, built, ["ni"])
+    found = script.Lacking(runtime, built, [], ["ni"])
     below = site.removeprefix(f"{WS}/install/")
     assert sorted(found.lost) == [
         f"{below}/ni-1.0.egg-info/entry_points.txt needs the module ni.gone for old, which is in no image: nor is it in its sources",
@@ -158,7 +158,7 @@ def test_a_script_with_lines_of_windows(script: ModuleType, tmp_path: Path) -> N
     names |= {"share/ni/c.yaml": "a: 1\r\n", "share/ni/d.py": names["lib/ni/a.py"]}
     built = write(tmp_path / "built", {f"{WS}/install/ni/{name}": text for name, text in names.items()})
     (built / f"{WS}/install/ni/share/ni/d.py").chmod(0o644)
-    found = script.Lacking(write(tmp_path / "runtime", {"etc/x": ""}), built, ["ni"])
+    found = script.Lacking(write(tmp_path / "runtime", {"etc/x": ""}), built, [], ["ni"])
     assert found.lost == {
         "ni/lib/ni/a.py cannot start: its lines end with CR LF, as on Windows; dos2unix corrects them"
     }
@@ -168,7 +168,7 @@ def test_a_file_that_git_lfs_has_not_fetched(script: ModuleType, tmp_path: Path)
     pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 9\n"
     files = {f"{WS}/install/ni/share/ni/arm.stl": pointer, f"{WS}/install/ni/share/ni/about": f"# {pointer}"}
     files[f"{WS}/src/target/not_installed.stl"] = pointer
-    found = script.Lacking(write(tmp_path / "runtime", {"etc/x": ""}), write(tmp_path / "built", files), ["ni"])
+    found = script.Lacking(write(tmp_path / "runtime", {"etc/x": ""}), write(tmp_path / "built", files), [], ["ni"])
     assert found.lost == {
         "ni/share/ni/arm.stl is a pointer of Git LFS in the place of the file: git lfs pull fetches it"
     }
@@ -196,7 +196,7 @@ def test_files_that_a_launch_file_reads(script: ModuleType, tmp_path: Path) -> N
             f"{WS}/install/ni/lib/ni/make.py": "",
         },
     )
-    found = script.Lacking(write(tmp_path / "runtime", {"etc/x": ""}), built, ["ni"])
+    found = script.Lacking(write(tmp_path / "runtime", {"etc/x": ""}), built, [], ["ni"])
     assert sorted(found.lost) == [
         f"ni/share/ni/launch/all.launch needs {name} of ni, which is in no image: {source}/{name}"
         for name in ("config/a.yaml", "launch/part.launch", "urdf/ni.xacro")
@@ -226,7 +226,7 @@ def test_launch_files_and_programs_that_are_not_installed(script: ModuleType, tm
     (built / f"{WS}/install/top/share/top/launch/there.launch.py").chmod(0o644)
     for folder in (".", "some_folder", "broken"):
         (built / f"{WS}/src/target/{folder}/package.xml").chmod(0o644)
-    found = script.Lacking(write(tmp_path / "runtime", {"etc/x": ""}), built, ["ni", "top"])
+    found = script.Lacking(write(tmp_path / "runtime", {"etc/x": ""}), built, [], ["ni", "top"])
     assert found.forgotten() == {
         "top all.launch": f"{WS}/src/target/launch/all.launch",
         "ni talker.py": f"{WS}/src/target/some_folder/scripts/talker.py",
@@ -282,7 +282,7 @@ def test_scripts_that_nothing_starts_are_named(script: ModuleType, tmp_path: Pat
     runtime = write(tmp_path / "runtime", {"bin/sh": elf(), "usr/bin/env": elf(), "usr/bin/python3": elf()})
     scripts = {f"{WS}/install/ni/lib/ni/{name}": f"{line}\n" for name, line in lines.items()}
     built = write(tmp_path / "built", {"usr/bin/python3": elf(), "opt/venv/bin/python3": elf(), **scripts})
-    found = script.Lacking(runtime, built, ["ni"])
+    found = script.Lacking(runtime, built, [], ["ni"])
     assert found.lost == {
         "ni/lib/ni/venv.py needs /opt/venv/bin/python3 to start, which is in no image: opt/venv/bin/python3"
     }
@@ -336,7 +336,7 @@ def test_what_python_imports_of_the_base_image(script: ModuleType, tmp_path: Pat
         f"{install}/share/ni/later.py": "def now():\n    import cv2\n",
     }
     built, layer = write(tmp_path / "built", files), write(tmp_path / "layer", {f"{sites}/brought/__init__.py": ""})
-    found = script.Lacking(write(tmp_path / "runtime", runtime), built, ["ni"])
+    found = script.Lacking(write(tmp_path / "runtime", runtime), built, [], ["ni"])
     assert found.imported(layer) == {
         "torch": "ni/lib/ni/node",
         "numpy": "ni/lib/python3/dist-packages/ni/core.py",
