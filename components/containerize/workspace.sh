@@ -7,7 +7,7 @@ set -euo pipefail
 
 # What the packages install outside of the workspace, for app_files.py.
 outside=/rosml-outside
-mkdir -p "$outside"
+mkdir -p /docker-ros/ws "$outside"
 started=$(mktemp)
 export WORKSPACE=${WORKSPACE:-/docker-ros/ws} COLCON_LOG_PATH=/tmp/log
 # At the place where the dev image has them: paths in the install space and in debug information are the same.
