@@ -80,7 +80,7 @@ class Result:
 
     Attributes:
         name: as `python -m bench` has it.
-        command: what measures it.
+        command: what measures it; empty if somebody did by hand.
         sides: what is compared, the head of a column each.
         rows: what was measured.
         measured: the day.
@@ -153,7 +153,8 @@ def _section(result: Result) -> str:
     for row in result.rows:
         command = f"`{row.command}`" if row.command else ""
         lines.append([row.what, *row.cells, *[row.told_goal] * with_goal, *[command] * with_command])
-    text = f"\nMeasured by `{result.command}` on {result.measured}: {result.machine}.\n\n"
+    by = f"by `{result.command}`" if result.command else "by hand, one after the other,"
+    text = f"\nMeasured {by} on {result.measured}: {result.machine}.\n\n"
     text += "".join(f"| {' | '.join(cells)} |\n" for cells in lines)
     return f"{text}\n![{' and '.join(result.sides)} as bars](images/performance/{result.name}.svg)\n\n"
 
