@@ -275,14 +275,18 @@ def test_a_row_whose_packages_nobody_published_is_left_out(registry: Publisher, 
 
 
 def test_each_image_is_tested_as_soon_as_it_is_there(registry: Publisher, image_set: ImageSet) -> None:
-    """Those that test what others share come first, so that a run that ends early leaves whole images."""
+    """One stack after the other, whose parts the builder then fetches once. Those that test what others of their stack share come first,
+    so that a run that ends early leaves whole images."""
     run = registry.run(image_set)
     images(run)
     made = [(step, target) for step, target, _ in run.made]
     assert made[:4] == [("build", "alpha-core"), ("test", "alpha-core")] * 2, "on both architectures"
-    joins = [target for step, target in made if step == "join"]
-    carriers = [target for target in joins if image_set.by_target[target].carriers[0] == target]
-    assert joins[: len(carriers)] == carriers
+    joins = [image_set.by_target[target] for step, target in made if step == "join"]
+    for _, of_stack in itertools.groupby(joins, lambda image: image.stack):
+        carries = [image.carriers[0] == image.target for image in of_stack]
+        assert carries == sorted(carries, reverse=True)
+    stacks = [image.stack or "" for image in joins]
+    assert stacks == sorted(stacks) and len({*stacks}) > 1
     assert all(made[place + 1] == ("test", target) for place, (step, target) in enumerate(made) if step == "join")
     assert sorted(run.made) == sorted(place_of(registry).publish(image_set).made)
 
