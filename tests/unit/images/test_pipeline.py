@@ -291,6 +291,18 @@ def test_each_image_is_tested_as_soon_as_it_is_there(registry: Publisher, image_
     assert sorted(run.made) == sorted(place_of(registry).publish(image_set).made)
 
 
+def test_a_build_that_failed_on_another_machine_is_tried_here(registry: Publisher, image_set: ImageSet) -> None:
+    """A record without a digest says that nothing was made."""
+    run = registry.run(image_set)
+    item = next(item for item in run.state.items if item.kind == "part")
+    run.state.present.add(item.key)
+    failed = {"step": "build", "reason": "it broke"}
+    run.records.write(store.Entry(*item.key, repository=item.repository, failed=failed), {})
+    run.state.look_again(item)
+    assert run.state.known[item.key].failed and item.key not in run.state.present
+    assert run.state.reasons(item) == ["it was never made"]
+
+
 def test_a_test_that_fails_is_not_run_again_in_the_same_run(registry: Publisher, image_set: ImageSet) -> None:
     run = registry.run(image_set, poisoned={"alpha-core"})
     images(run)

@@ -278,7 +278,8 @@ class State:
         entry = self.records.read(*item.key)
         if entry and entry != self.known.get(item.key):
             self.known[item.key] = entry
-            if self.place.client.head(self.place.path(entry.repository), entry.digest):
+            self.present.discard(item.key)
+            if entry.digest and self.place.client.head(self.place.path(entry.repository), entry.digest):
                 self.present.add(item.key)
 
     def made(self, key: tuple[str, str]) -> bool:
