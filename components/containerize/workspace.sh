@@ -58,7 +58,9 @@ colcon build --base-paths "src/$1" "${metas[@]}" --event-handlers console_cohesi
   exit "$code"
 }
 cd /
-find . -xdev \( -path ./docker-ros -o -path ./tmp -o -path ./var/tmp -o -path ".$outside" -o -path ./root/.ros -o -path ./root/.cache \) -prune \
-  -o ! -type d -cnewer "$started" -print0 | TAR_OPTIONS='' tar --create --null --no-recursion --files-from=- \
+# What the build left running may change or remove files meanwhile: tar then ends with 1.
+find . -ignore_readdir_race -xdev \( -path ./docker-ros -o -path ./tmp -o -path ./var/tmp -o -path ".$outside" -o -path ./root/.ros \
+  -o -path ./root/.colcon -o -path ./root/.cache -o -path ./root/.ccache \) -prune -o ! -type d -cnewer "$started" -print0 \
+  | { TAR_OPTIONS='' tar --create --null --no-recursion --ignore-failed-read --files-from=- || (($? == 1)); } \
   | TAR_OPTIONS='' tar --extract --directory="$outside"
 rm "$started"
