@@ -28,7 +28,7 @@ from bench.results import Result, Row
 from rosml import ROOT
 from rosml.base import files
 from rosml.base.errors import RosmlError
-from rosml.containerize import app_bake_file
+from rosml.containerize.build import bake_file as app_bake_file
 from rosml.images.builds import base_images
 from rosml.images.builds.push import COMPRESSION
 from rosml.machine import buildx

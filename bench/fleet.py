@@ -23,7 +23,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.side_by_side import side_by_side
 from rosml.base.terminal import show, table
 from rosml.base.units import duration, size
-from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME
+from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME
 from rosml.containerize.rebase import image
 from rosml.containerize.rebase.fleet import Entry, Fleet
 from rosml.containerize.rebase.rebaser import Rebaser

@@ -1,7 +1,7 @@
-"""The library behind the commands: packages with one noun each and one direction of imports, which `lint-imports` holds.
+"""ROS images with machine learning, images of people's own packages, and containers of both.
 
-From the top: cli; apps, publish, catalogue; build, scan; join; records; machine, locks; registry, bake; images; matrix, run; base.
-Each imports from those below it alone. docs/architecture.md walks through them.
+The packages import in one direction, which `lint-imports` holds. From the top: `cli`; `containerize` and `delivery`; `images` and `run`;
+`machine`; `registry`; `base`. docs/architecture.md walks through them.
 """
 
 from __future__ import annotations

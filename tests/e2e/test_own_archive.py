@@ -14,7 +14,8 @@ from pathlib import Path
 import pytest
 
 from rosml import ROOT
-from rosml.containerize import ci_files, page
+from rosml.containerize.ci import files as ci_files
+from rosml.containerize.ci import inputs_page as page
 from rosml.images.bake import targets
 from rosml.images.builds import base_images
 from rosml.images.image_set import load

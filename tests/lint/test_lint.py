@@ -14,7 +14,7 @@ import pytest
 
 from rosml.containerize.init import contents
 from rosml.images.image_set import load, own_set
-from rosml.run import compose_file
+from rosml.run.exports import compose_file
 from tests.pages import blocks
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -9,8 +9,9 @@ from desks import BARE, OTHER, OURS
 
 from rosml.cli.run import run
 from rosml.cli.run.export import KINDS
-from rosml.run import export, plugins
 from rosml.run.context import Context, Engine, Host, Image, Person
+from rosml.run.exports import description as export
+from rosml.run.plugins import apply as plugins
 from rosml.run.words import split
 
 ME = Person(1234, 5678, "jo", "/home/jo/robot", "Europe/Berlin")

@@ -31,38 +31,30 @@ sys.path.insert(0, str(ROOT / "components/containerize"))  # where its scripts f
 
 from rosml.base import archives, untrusted, web
 from rosml.base.errors import RosmlError
-from rosml.containerize import (
-    app_base,
-    app_inputs,
-    ci_job,
-    contents,
-    desk,
-    junit,
-    lock,
-    names,
-    report,
-    repos_file,
-    rosdep_index,
-    tree,
-    versions,
-    workspace,
-)
-from rosml.containerize import (
-    store as sources_store,
-)
-from rosml.containerize.conditions import holds
-from rosml.containerize.delivery import archive, patch
-from rosml.containerize.delivery import engine as layers_of_engine
-from rosml.containerize.delivery import load as load_archive
+from rosml.containerize import inputs as app_inputs
+from rosml.containerize import lock, names
+from rosml.containerize.base_image import base as app_base
+from rosml.containerize.base_image import rosdep_index
+from rosml.containerize.build import attachments as contents
+from rosml.containerize.build import desk, junit, report
+from rosml.containerize.ci import job as ci_job
 from rosml.containerize.init import folder as init_folder
 from rosml.containerize.init import forge, packages
-from rosml.containerize.left_out import LeftOut
+from rosml.containerize.packages import workspace
+from rosml.containerize.packages.conditions import holds
+from rosml.containerize.packages.ignored import LeftOut
 from rosml.containerize.rebase import checks, fleet, image, trial
+from rosml.containerize.sources import repos_file, tree, versions
+from rosml.containerize.sources import store as sources_store
+from rosml.delivery import archive, patch
+from rosml.delivery import engine as layers_of_engine
+from rosml.delivery import load as load_archive
 from rosml.images.builds import adopted, apt_sources, base_images, package_state, release_file, structure_tests, sync
 from rosml.images.catalogue import read
 from rosml.images.image_set import labels, load, lock_file, restricted, system
 from rosml.images.image_set.apt_repository import AptRepository
-from rosml.images.join import facts, file_lists, told
+from rosml.images.join import facts, file_lists
+from rosml.images.join import label_claims as told
 from rosml.images.join.layers import Source
 from rosml.images.locks import index, resolve
 from rosml.images.matrix import source
@@ -76,23 +68,12 @@ from rosml.registry import answers, challenge, credentials, oci, references
 from rosml.registry.client import Registry
 from rosml.registry.documents import Descriptor
 from rosml.registry.place import Place
-from rosml.run import (
-    check,
-    compose,
-    compose_file,
-    consent,
-    defaults,
-    devcontainer,
-    engine,
-    export,
-    kubernetes,
-    paths,
-    places,
-    quadlet,
-    taken,
-    xauthority,
-)
+from rosml.run import check, consent, defaults, engine, paths
+from rosml.run import repeated_options as taken
 from rosml.run.context import Context, Engine, Host, Image, Person
+from rosml.run.exports import compose, compose_file, devcontainer, kubernetes, quadlet
+from rosml.run.exports import description as export
+from rosml.run.plugins import places, xauthority
 from rosml.run.words import split
 
 T = TypeVar("T")

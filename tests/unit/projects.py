@@ -8,7 +8,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-from rosml.containerize import ci_files, page
+from rosml.containerize.ci import files as ci_files
+from rosml.containerize.ci import inputs_page as page
 from rosml.images.bake import bake_file
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -14,7 +14,7 @@ import pytest
 from registry_stand_in import StandIn, standing_in
 
 from rosml.base.errors import RosmlError
-from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME, LOCK
+from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME, LOCK
 from rosml.containerize.lock import Image, Lock
 from rosml.containerize.rebase import image
 from rosml.containerize.rebase.rebaser import Plan, Rebased, Rebaser

@@ -58,9 +58,9 @@ SECTIONS = {
         "containerize": "containerize.containerize",
         "dev": "containerize.dev",
         "rebase": "containerize.rebase",
-        "save": "containerize.save",
-        "load": "containerize.load",
-        "delta": "containerize.delta",
+        "save": "delivery.save",
+        "load": "delivery.load",
+        "delta": "delivery.delta",
         "ci": "containerize.ci",
     },
     "Find and build base images": {

@@ -18,7 +18,8 @@ from pydantic import AfterValidator, ConfigDict, Field, StringConstraints, Valid
 from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.shapes import Shape
-from rosml.containerize import app_inputs, within
+from rosml.containerize import inputs as app_inputs
+from rosml.containerize import within
 
 SUFFIX = ".lock"
 

@@ -8,7 +8,7 @@ import shutil
 import subprocess
 
 from rosml.base.errors import RosmlError
-from rosml.containerize.app_inputs import Values
+from rosml.containerize.inputs import Values
 from rosml.images.builds.base_images import native_architecture
 from rosml.machine.services import NAMESPACE, Services
 from rosml.registry import references

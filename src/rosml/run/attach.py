@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterable, Sequence
 
 from rosml.base.errors import RosmlError
-from rosml.run import places
-from rosml.run.concerns import FOLDER, OURS, streams, targets
 from rosml.run.context import Container, Image, Person
-from rosml.run.sockets import WHOLE_NETWORK
+from rosml.run.plugins import places
+from rosml.run.plugins.concerns import FOLDER, OURS, streams, targets
+from rosml.run.plugins.sockets import WHOLE_NETWORK
 from rosml.run.words import Line
 
 HERE = "."

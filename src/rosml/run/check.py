@@ -7,9 +7,9 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from rosml.run import places
 from rosml.run.context import Context
-from rosml.run.places import ALONE, HOST, Place
+from rosml.run.plugins import places
+from rosml.run.plugins.places import ALONE, HOST, Place
 
 GOOD, ADVICE, PROBLEM = "good", "advice", "problem"
 """The states of a finding. Advice: something may fail, such as large messages. Problem: something will not work."""

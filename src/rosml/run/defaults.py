@@ -9,7 +9,8 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
-from rosml.run import paths, taken
+from rosml.run import paths
+from rosml.run import repeated_options as taken
 from rosml.run.words import Line, split
 
 PERSON = "rosml/run.toml"

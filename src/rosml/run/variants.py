@@ -8,8 +8,8 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from rosml.run import gpu
 from rosml.run.context import Context
+from rosml.run.plugins import gpu
 
 LABEL = "io.rosml.variants"
 """The label with the stacks, each with the oldest driver that it needs: `cpu cu130:580`."""

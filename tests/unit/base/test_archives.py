@@ -22,11 +22,11 @@ SOURCES = ROOT / "src/rosml"
 UNPACKING = {
     "base/archives.py": {"decompressobj", "ZstdDecompressor", "ZipFile"},  # each function there has a limit
     # Of archives that may be compressed. Each reads at most what its own limit allows.
-    "containerize/rosdep_index.py": {"tarfile.open"},
+    "containerize/base_image/rosdep_index.py": {"tarfile.open"},
     "images/builds/apt_sources.py": {"tarfile.open"},
     # Of archives that are not compressed.
-    "containerize/delivery/archive.py": {"tarfile.open"},
-    "containerize/delivery/patch.py": {"tarfile.open"},
+    "delivery/archive.py": {"tarfile.open"},
+    "delivery/patch.py": {"tarfile.open"},
     "images/publish/revision.py": {"tarfile.open"},  # git's
     "machine/exported.py": {"tarfile.open"},
 }

@@ -13,7 +13,7 @@ from stubs import buildx, calls, executable, services
 
 from bench import app
 from bench.app import CHANGED, COLD, GOALS, ONE, SAME, SEVERAL, SIDES, Pushed
-from rosml.containerize import app_bake_file
+from rosml.containerize.build import bake_file as app_bake_file
 from rosml.images.builds.push import COMPRESSION
 
 BAKE = """

@@ -15,8 +15,11 @@ from rebasing import BOTH, Place, moving
 
 from rosml.base.errors import RosmlError
 from rosml.cli.images import explain, join
-from rosml.containerize import addons, app_base, build, lock
-from rosml.containerize.app_base import AddOns, Base
+from rosml.containerize import lock
+from rosml.containerize.base_image import addons
+from rosml.containerize.base_image import base as app_base
+from rosml.containerize.base_image.base import AddOns, Base
+from rosml.containerize.build import app as build
 from rosml.images.join.joiner import Joiner
 from rosml.machine.services import Services
 from tests.e2e.parts import Tiny, part, ros, stack

@@ -18,8 +18,9 @@ from stubs import script_of_a_build
 
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
-from rosml.containerize import contents, workspace
-from rosml.containerize.sources import Repository
+from rosml.containerize.build import attachments as contents
+from rosml.containerize.packages import workspace
+from rosml.containerize.sources.fetch import Repository
 from rosml.images.join import facts, file_lists
 from rosml.images.scan.sbom import MEDIA_TYPE, Sbom
 from rosml.registry import oci

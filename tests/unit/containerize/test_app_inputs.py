@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from rosml.base.errors import RosmlError
-from rosml.containerize import app_inputs
+from rosml.containerize import inputs as app_inputs
 
 
 def test_the_command_line_wins_over_the_environment_and_that_over_the_file(tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ from test_apps import SLIM, app, calls, put, repository, services
 from test_report import APP
 
 from rosml.base.errors import RosmlError
-from rosml.containerize.build import unstarted
+from rosml.containerize.build.app import unstarted
 from rosml.images.builds.base_images import native_architecture
 from rosml.machine.services import Services
 

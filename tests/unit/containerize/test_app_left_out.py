@@ -12,8 +12,8 @@ import pytest
 
 from rosml import ROOT
 from rosml.base.errors import RosmlError
-from rosml.containerize import workspace
-from rosml.containerize.left_out import LeftOut
+from rosml.containerize.packages import workspace
+from rosml.containerize.packages.ignored import LeftOut
 
 
 def write(folder: Path, *names: str) -> None:

@@ -17,9 +17,9 @@ from registry_stand_in import StandIn
 from stubs import script_of_a_build
 
 from rosml.base.errors import RosmlError
-from rosml.containerize import rosdep_index
-from rosml.containerize.app_base import Base
-from rosml.containerize.rosdep_index import Finder
+from rosml.containerize.base_image import rosdep_index
+from rosml.containerize.base_image.base import Base
+from rosml.containerize.base_image.rosdep_index import Finder
 from rosml.machine.services import Services
 from rosml.registry import oci
 from rosml.registry.client import Registry

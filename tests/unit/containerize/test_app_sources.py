@@ -27,10 +27,11 @@ from stubs import executable
 from rosml.base import web
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
-from rosml.containerize import repos_file, sources
-from rosml.containerize.git import Failed, opened
 from rosml.containerize.lock import Pin
-from rosml.containerize.sources import Access, Repository, fetch
+from rosml.containerize.sources import fetch as sources
+from rosml.containerize.sources import repos_file
+from rosml.containerize.sources.fetch import Access, Repository, fetch
+from rosml.containerize.sources.git import Failed, opened
 
 NOBODY = Access()
 SECRET = "s3cret-canary"
@@ -544,7 +545,7 @@ def test_a_call_that_is_killed_is_finished_by_the_next(place: Place) -> None:
     )
     (programs / "git").chmod(0o755)
     code = (
-        "import sys; from pathlib import Path; from rosml.containerize.sources import Access, fetch;"
+        "import sys; from pathlib import Path; from rosml.containerize.sources.fetch import Access, fetch;"
         "fetch(*map(Path, sys.argv[1:]), Access(), local=True)"
     )
     command = [sys.executable, "-c", code, str(place.target), str(place.out), str(place.cache)]

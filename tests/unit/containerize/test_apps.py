@@ -31,21 +31,15 @@ from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.cli import main
 from rosml.cli.containerize import containerize
-from rosml.containerize import (
-    app_bake_file,
-    app_base,
-    app_inputs,
-    build,
-    desk,
-    junit,
-    lock,
-    manifest,
-    names,
-    rosdep_index,
-    sources,
-    stage_cache,
-    workspace,
-)
+from rosml.containerize import inputs as app_inputs
+from rosml.containerize import lock, names
+from rosml.containerize.base_image import base as app_base
+from rosml.containerize.base_image import rosdep_index
+from rosml.containerize.build import app as build
+from rosml.containerize.build import bake_file as app_bake_file
+from rosml.containerize.build import desk, junit, stage_cache
+from rosml.containerize.packages import manifest, workspace
+from rosml.containerize.sources import fetch as sources
 from rosml.images.builds import variables
 from rosml.images.builds.base_images import native_architecture
 from rosml.images.image_set import load

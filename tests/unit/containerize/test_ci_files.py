@@ -16,7 +16,8 @@ from conftest import ROOT
 
 from rosml.base.errors import RosmlError
 from rosml.base.programs import pinned_image
-from rosml.containerize import ci_files, ci_inputs
+from rosml.containerize.ci import files as ci_files
+from rosml.containerize.ci import inputs as ci_inputs
 from tests import act
 from tests.pages import blocks
 

@@ -17,8 +17,12 @@ from test_report import APP, DEPENDENCIES
 
 from rosml.base.errors import RosmlError
 from rosml.cli.containerize import ci as command
-from rosml.containerize import app_base, app_inputs, build, ci_inputs, ci_job
-from rosml.containerize.build import Built, Made
+from rosml.containerize import inputs as app_inputs
+from rosml.containerize.base_image import base as app_base
+from rosml.containerize.build import app as build
+from rosml.containerize.build.app import Built, Made
+from rosml.containerize.ci import inputs as ci_inputs
+from rosml.containerize.ci import job as ci_job
 from rosml.machine import buildx
 from rosml.machine.services import Services
 from rosml.registry import oci, references

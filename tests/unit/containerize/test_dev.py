@@ -23,10 +23,13 @@ from rosml.base.errors import RosmlError
 from rosml.cli import main
 from rosml.cli.containerize import containerize, dev
 from rosml.cli.run import container
-from rosml.containerize import app_bake_file, build, desk, workspace
-from rosml.containerize.app_inputs import TABLE, Values
-from rosml.containerize.left_out import LeftOut
-from rosml.run import concerns
+from rosml.containerize.build import app as build
+from rosml.containerize.build import bake_file as app_bake_file
+from rosml.containerize.build import desk
+from rosml.containerize.inputs import TABLE, Values
+from rosml.containerize.packages import workspace
+from rosml.containerize.packages.ignored import LeftOut
+from rosml.run.plugins import concerns
 
 COMMAND = app_bake_file.SCRIPTS / "containerize/desk_command.sh"
 

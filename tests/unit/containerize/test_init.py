@@ -23,15 +23,17 @@ from rosml.base.errors import RosmlError
 from rosml.cli import main
 from rosml.cli.containerize import init
 from rosml.cli.run import question
-from rosml.containerize import app_inputs, workspace
-from rosml.containerize.conditions import holds
+from rosml.containerize import inputs as app_inputs
 from rosml.containerize.init import contents, forge
-from rosml.containerize.left_out import LeftOut
+from rosml.containerize.packages import workspace
+from rosml.containerize.packages.conditions import holds
+from rosml.containerize.packages.ignored import LeftOut
 from rosml.images.builds import base_images
 from rosml.images.image_set import load
 from rosml.images.image_set.model import ImageSet
 from rosml.machine import git
-from rosml.run import defaults, gpu
+from rosml.run import defaults
+from rosml.run.plugins import gpu
 
 REGISTRY = ["--registry", "ghcr.io/me/rosml"]
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from rosml.containerize import junit
+from rosml.containerize.build import junit
 
 SUITE = """<testsuites><testsuite name="robot">
 <testcase name="good" classname="a"/><testcase name="later" classname="a"><skipped/></testcase>

@@ -32,7 +32,7 @@ from rebasing import (
 from stubs import script_of_a_build
 
 from rosml.base.errors import RosmlError
-from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME, LOCK, REPLACED
+from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME, LOCK, REPLACED
 from rosml.containerize.lock import Image, Lock
 from rosml.containerize.rebase import checks, image, variants
 from rosml.images.join import facts, file_lists

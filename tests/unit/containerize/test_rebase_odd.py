@@ -14,9 +14,9 @@ import pytest
 from rebasing import BASE_FACTS, BOTH, App, Place, changed, moving, package
 
 from rosml.base.errors import RosmlError
-from rosml.containerize.delivery.delta import for_platform
 from rosml.containerize.rebase import trial
 from rosml.containerize.rebase.image import as_buildkit
+from rosml.delivery.delta import for_platform
 from rosml.images.join import file_lists
 from rosml.images.join.transfer import Transfer
 from rosml.machine import exported

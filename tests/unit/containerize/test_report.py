@@ -11,7 +11,7 @@ import archives
 import pytest
 
 from rosml.base.errors import RosmlError
-from rosml.containerize import junit, report
+from rosml.containerize.build import junit, report
 from rosml.machine import exported
 
 APP: dict[str, Any] = {

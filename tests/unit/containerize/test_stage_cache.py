@@ -13,11 +13,11 @@ import pytest
 from registry_stand_in import StandIn
 
 from rosml.base.errors import RosmlError
-from rosml.containerize import junit
+from rosml.containerize.build import junit
+from rosml.containerize.build.outcome import Outcome
+from rosml.containerize.build.report import Answer
+from rosml.containerize.build.stage_cache import Cache, Keys, Report, form, keys
 from rosml.containerize.lock import Packages
-from rosml.containerize.outcome import Outcome
-from rosml.containerize.report import Answer
-from rosml.containerize.stage_cache import Cache, Keys, Report, form, keys
 from rosml.registry import oci
 from rosml.registry.client import Registry
 

@@ -17,9 +17,9 @@ from registry_stand_in import StandIn
 
 from rosml import ROOT
 from rosml.base.errors import RosmlError
-from rosml.containerize import adopt
-from rosml.containerize.app_base import Base
-from rosml.containerize.app_inputs import Values
+from rosml.containerize.base_image.base import Base
+from rosml.containerize.build import adopt
+from rosml.containerize.inputs import Values
 from rosml.images.builds import adopted
 from rosml.images.builds.adopted import Adopted, Sought
 from rosml.images.image_set import load

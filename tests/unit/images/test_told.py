@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import pytest
 
 from rosml.base.errors import RosmlError
-from rosml.images.join import told
+from rosml.images.join import label_claims as told
 from tests.e2e.parts import part, ros
 
 MANY = " ".join(f"p{number}" for number in range(100_000))

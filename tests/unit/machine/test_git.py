@@ -373,6 +373,6 @@ def test_another_users_repository_is_named_with_its_remedy(
 def test_nothing_else_calls_git() -> None:
     calls = [file for file in (ROOT / "src").rglob("*.py") if re.search(r'\[\s*"git"', file.read_text())]
     assert sorted(str(file.relative_to(ROOT / "src/rosml")) for file in calls) == [
-        "containerize/git.py",
+        "containerize/sources/git.py",
         "machine/git.py",
     ]

@@ -325,7 +325,7 @@ def test_messages_that_newcomers_meet_are_there_to_look_up() -> None:
     code = ROOT / "src/rosml"
     files = [
         *(code / "containerize/init").glob("*.py"),
-        code / "containerize/manifest.py",
+        code / "containerize/packages/manifest.py",
         code / "cli/containerize/init.py",
     ]
     messages = {message for file in files for message in told(file)} | {"waiting for a builder", "there is no image"}

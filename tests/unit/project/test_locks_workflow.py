@@ -16,7 +16,8 @@ from projects import copy_for_generator
 from uv_stand_in import fake_uv
 from workflows import load
 
-from rosml.containerize import ci_files, page
+from rosml.containerize.ci import files as ci_files
+from rosml.containerize.ci import inputs_page as page
 
 UPGRADE, PROPOSE = (load("locks")["jobs"][name] for name in ("upgrade", "propose"))
 GIT = {f"GIT_{who}_{what}": "a" for who in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}

@@ -17,7 +17,7 @@ from workflows import accepted, load, text
 
 from rosml.cli import main
 from rosml.cli.images import publish
-from rosml.containerize import ci_files
+from rosml.containerize.ci import files as ci_files
 
 NAMES = ("ci", "locks", "nightly", "proofs", "release")
 """Workflows of our own; test_ci_files.py is about the one that other repositories call."""

@@ -25,7 +25,7 @@ from stubs import executable, services
 
 from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
-from rosml.containerize import app_base
+from rosml.containerize.base_image import base as app_base
 from rosml.images.builds import contents, release_file
 from rosml.images.join import file_lists
 from rosml.machine.services import Services

@@ -19,10 +19,12 @@ from desks import BARE, DOCKER, LOCKED, OTHER, OURS, PODMAN, ROOTLESS, UID, Desk
 
 from rosml.base.errors import RosmlError
 from rosml.cli.run import run
-from rosml.run import concerns, engine, person, plugins
+from rosml.run import engine, person
 from rosml.run.context import Context, Engine, Image, Person
 from rosml.run.paths import bind, resolved
-from rosml.run.user import NAME
+from rosml.run.plugins import apply as plugins
+from rosml.run.plugins import concerns
+from rosml.run.plugins.user import NAME
 from rosml.run.words import split
 
 
@@ -480,7 +482,7 @@ def test_what_it_does_not_need_is_not_imported(desk: Desk) -> None:
         "importlib.metadata",
         "socket",
         "rosml.cli.images.publish",
-        "rosml.run.compose",
+        "rosml.run.exports.compose",
     }
 
 

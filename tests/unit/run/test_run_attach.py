@@ -16,10 +16,11 @@ from desks import OTHER, OURS, Desk
 
 from rosml.base.errors import RosmlError
 from rosml.cli.run import attach as cli
-from rosml.run import attach, xauthority
+from rosml.run import attach
 from rosml.run.context import Container, Image, Person
+from rosml.run.plugins import xauthority
+from rosml.run.plugins.xauthority import LOCAL, Entry
 from rosml.run.words import Line, split
-from rosml.run.xauthority import LOCAL, Entry
 
 FOLDER = "io.rosml.run.folder"
 ENTRYPOINT = ["/tini", "--", "/entrypoint.sh"]

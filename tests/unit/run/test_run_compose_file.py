@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rosml.base.errors import RosmlError
-from rosml.run import compose_file
+from rosml.run.exports import compose_file
 
 SERVICE = {"services": {"robot": {"image": "x", "command": ["a", "$$b"]}}}
 WHOLE: dict[str, Any] = {

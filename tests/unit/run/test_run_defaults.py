@@ -18,7 +18,7 @@ from test_run_attach import facts
 from rosml.base.errors import RosmlError
 from rosml.run import consent, defaults, host, paths, words
 from rosml.run.defaults import File, Files
-from rosml.run.plugins import OWN as OURS
+from rosml.run.plugins.apply import OWN as OURS
 from rosml.run.words import split
 from tests.pages import blocks
 

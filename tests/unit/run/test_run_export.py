@@ -20,8 +20,11 @@ from stubs import HOSTILE
 
 from rosml.base.errors import RosmlError
 from rosml.cli.run.export import KINDS
-from rosml.run import compose, devcontainer, export, plugins, words
+from rosml.run import words
 from rosml.run.context import Context, Host, Image
+from rosml.run.exports import compose, devcontainer
+from rosml.run.exports import description as export
+from rosml.run.plugins import apply as plugins
 from rosml.run.words import split
 
 QUIET = ("--no-tz", "--no-it", "--no-user")

@@ -12,8 +12,10 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from rosml.base.errors import RosmlError
-from rosml.run import export, kubernetes, words
+from rosml.run import words
 from rosml.run.context import Health
+from rosml.run.exports import description as export
+from rosml.run.exports import kubernetes
 
 RELEASES = ("1.30", "1.37")
 """Releases of Kubernetes whose schemas take the files."""

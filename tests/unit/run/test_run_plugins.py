@@ -22,11 +22,13 @@ from desks import BARE, DOCKER, OURS, PODMAN, Desk, plain
 from rosml.base.errors import RosmlError
 from rosml.cli.run import run
 from rosml.images.image_set import labels
-from rosml.run import chips, devices, gpu, host, plugins, sockets, xauthority
+from rosml.run import host
 from rosml.run.context import Address, Context, Engine, Host, Image, Person
 from rosml.run.plugin import Added, Plugin, in_order
+from rosml.run.plugins import apply as plugins
+from rosml.run.plugins import chips, devices, gpu, sockets, xauthority
+from rosml.run.plugins.xauthority import LOCAL, WILD, Entry
 from rosml.run.words import split
-from rosml.run.xauthority import LOCAL, WILD, Entry
 
 UID, GID = os.geteuid(), os.getegid()
 ME = Person(UID, GID, "me", "/home/me")

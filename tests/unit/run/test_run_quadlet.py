@@ -18,8 +18,10 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from rosml.base.errors import RosmlError
-from rosml.run import export, quadlet, words
+from rosml.run import words
 from rosml.run.context import Engine, Host
+from rosml.run.exports import description as export
+from rosml.run.exports import quadlet
 from tests.pages import blocks, commands
 
 QUIET = ("--no-tz", "--no-user")

@@ -16,8 +16,10 @@ from desks import OURS, Desk
 
 from rosml.base.errors import RosmlError
 from rosml.cli.run import run
-from rosml.run import check, host, places, plugins, ros
+from rosml.run import check, host
 from rosml.run.context import Address, Container, Context, Engine, Host, Image, Person
+from rosml.run.plugins import apply as plugins
+from rosml.run.plugins import places, ros
 from rosml.run.words import split
 
 OWN = [name for option in run.main.get_params(click.Context(run.main)) for name in option.opts if name.startswith("--")]

@@ -15,8 +15,8 @@ from profiles import PROFILE
 from rosml.base.errors import RosmlError
 from rosml.cli.run import run
 from rosml.cli.run.container import LINE
-from rosml.run import plugins
 from rosml.run.context import Context, Engine, Image, Person
+from rosml.run.plugins import apply as plugins
 from rosml.run.words import Given, Line, split, table
 
 OWN = ("--no-rm", "--dry-run", "--help")

@@ -15,7 +15,7 @@ from rosml.cli.checkout import Group
 from rosml.cli.command import say
 
 if TYPE_CHECKING:
-    from rosml.containerize.ci_job import Image, Job
+    from rosml.containerize.ci.job import Image, Job
 
 KEPT = "interrupted: the builder keeps finished steps; run the job again"
 """The message after Ctrl-C."""
@@ -33,7 +33,9 @@ def main() -> None:
 
 def _job() -> tuple[Job, dict[str, str], Path]:
     """The job, its inputs, and the folder of the packages."""
-    from rosml.containerize import app_inputs, ci_inputs, ci_job
+    from rosml.containerize import inputs as app_inputs
+    from rosml.containerize.ci import inputs as ci_inputs
+    from rosml.containerize.ci import job as ci_job
 
     what, given = ci_job.commit(os.environ), ci_inputs.given(os.environ)
     folder = (what.folder / given.get("build-context", ".")).resolve()
@@ -45,7 +47,7 @@ def _job() -> tuple[Job, dict[str, str], Path]:
 @main.command(alone=True)
 def login() -> None:
     """Logs in to the registry, with docker."""
-    from rosml.containerize import ci_inputs
+    from rosml.containerize.ci import inputs as ci_inputs
 
     given = ci_inputs.given(os.environ)
     registry, user = given.get("registry", ""), given.get("registry-user", "")
@@ -69,7 +71,8 @@ def login() -> None:
 @click.option("--out", required=True, type=click.Path(path_type=Path), help="folder for reports and images.json")
 def build(out: Path) -> None:
     """Builds the images of a commit, tests them and pushes them."""
-    from rosml.containerize import ci_inputs, ci_job
+    from rosml.containerize.ci import inputs as ci_inputs
+    from rosml.containerize.ci import job as ci_job
     from rosml.machine.services import Services
 
     job, given, folder = _job()
@@ -95,7 +98,7 @@ def build(out: Path) -> None:
 @click.argument("folder", type=click.Path(exists=True, file_okay=False, path_type=Path))
 def index(folder: Path) -> None:
     """Makes an index of the images that the jobs for one platform each left in FOLDER, and moves the tags to it."""
-    from rosml.containerize import ci_job
+    from rosml.containerize.ci import job as ci_job
     from rosml.registry.client import Registries
 
     job, _, _ = _job()
@@ -106,7 +109,7 @@ def index(folder: Path) -> None:
 
 
 def _done(images: list[Image]) -> None:
-    from rosml.containerize import ci_job
+    from rosml.containerize.ci import job as ci_job
 
     for name, value in ci_job.outputs(images).items():
         github.output(name, value)

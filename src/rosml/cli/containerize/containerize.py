@@ -16,7 +16,7 @@ from rosml.cli import checkout, options
 from rosml.cli.checkout import Command
 from rosml.cli.command import say
 from rosml.cli.options import Function
-from rosml.containerize import app_inputs
+from rosml.containerize import inputs as app_inputs
 
 if TYPE_CHECKING:
     from rosml.machine.services import Services
@@ -74,7 +74,8 @@ def main(folder: Path, lock: bool, as_json: bool, **given: str | bool | None) ->
     Example:
       rosml containerize --base-image ghcr.io/us/ros-torch:jazzy-base-cu130 --command "ros2 launch my_package all.launch.py"
     """
-    from rosml.containerize import build, manifest
+    from rosml.containerize.build import app as build
+    from rosml.containerize.packages import manifest
 
     folder = folder.resolve()
     said = {

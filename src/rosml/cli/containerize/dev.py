@@ -18,8 +18,8 @@ from rosml.cli.run import container, defaults, run, trust
 from rosml.run import words
 
 if TYPE_CHECKING:
-    from rosml.containerize.app_inputs import Values
-    from rosml.containerize.desk import Record
+    from rosml.containerize.build.desk import Record
+    from rosml.containerize.inputs import Values
     from rosml.run.context import Container, Context, Person
     from rosml.run.engine import Facts
     from rosml.run.plugin import Plugin
@@ -77,7 +77,8 @@ def _require_own(args: Sequence[str], own: Collection[str]) -> None:
     options = {word.partition("=")[0] for word in args if word.startswith("--")}
     if not {option for option in options.difference(own) if option[2:] not in words.table().names}:
         return
-    from rosml.containerize import app_inputs, desk  # only needed when something is wrong
+    from rosml.containerize import inputs as app_inputs  # only needed when something is wrong
+    from rosml.containerize.build import desk  # only needed when something is wrong
 
     inputs = {f"--{item.name}": item for item in app_inputs.TABLE if not item.gone}
     inputs |= {f"--no-{item.name}": item for item in app_inputs.TABLE if item.flag}
@@ -136,7 +137,7 @@ def main(context: click.Context, /, folder: str, base_image: str, addons: str, b
       rosml dev -- colcon test --packages-select my_package
       rosml dev -p 127.0.0.1:5678:5678 ~/my_robot
     """
-    from rosml.containerize import desk
+    from rosml.containerize.build import desk
     from rosml.run import engine, paths
     from rosml.run.person import person
 
@@ -184,7 +185,9 @@ def _values(folder: Path, options: Mapping[str, str]) -> Values:
     Raises:
         RosmlError: the folder has no packages, or an input is wrong (exit code 2).
     """
-    from rosml.containerize import app_inputs, desk, manifest
+    from rosml.containerize import inputs as app_inputs
+    from rosml.containerize.build import desk
+    from rosml.containerize.packages import manifest
 
     given = {name: value for name, value in options.items() if value}
     manifest.require(folder, given, os.environ)
@@ -193,7 +196,8 @@ def _values(folder: Path, options: Mapping[str, str]) -> Values:
 
 def _running(program: str, folder: str) -> Container | None:
     """The container of a folder in which a shell runs; None if there is none."""
-    from rosml.run import concerns, engine
+    from rosml.run import engine
+    from rosml.run.plugins import concerns
 
     found = [it for it in engine.containers(program, LABEL) if it.state == "running"]
     return next((it for it in found if it.labels.get(concerns.FOLDER) == folder), None)
@@ -226,7 +230,8 @@ def _image(program: str, folder: Path, values: Values, key: str, line: words.Lin
     """
     from rosml import STATE
     from rosml.cli.containerize import containerize
-    from rosml.containerize import build, desk
+    from rosml.containerize.build import app as build
+    from rosml.containerize.build import desk
     from rosml.run import engine
 
     file = desk.record_of(folder, STATE)
@@ -257,10 +262,11 @@ def _image(program: str, folder: Path, values: Values, key: str, line: words.Lin
 
 def _start(line: words.Line, caller: Person, facts: Facts, record: Record) -> None:
     """Starts a container, or shows how."""
-    from rosml.containerize import desk
-    from rosml.run import concerns, engine
+    from rosml.containerize.build import desk
+    from rosml.run import engine
     from rosml.run.context import Context
     from rosml.run.host import host
+    from rosml.run.plugins import concerns
 
     assert facts.image
     if not line.command and caller.terminal and not line.has("name") and not line.asks("no-name"):
@@ -276,7 +282,7 @@ def _start(line: words.Line, caller: Person, facts: Facts, record: Record) -> No
 
 def _plugin(record: Record) -> Plugin:
     """The plugin that mounts the workspace."""
-    from rosml.containerize import desk
+    from rosml.containerize.build import desk
     from rosml.run import paths
     from rosml.run.plugin import Plugin
 

@@ -101,13 +101,13 @@ def main(
     if not folder.is_dir():
         raise click.BadParameter(f"Directory '{folder}' does not exist.", param_hint="'[FOLDER]'")
     from rosml.cli.images import own_set
-    from rosml.containerize import app_inputs
+    from rosml.containerize import inputs as app_inputs
     from rosml.containerize.init import choices, contents, forge, packages
     from rosml.containerize.init import folder as folders
     from rosml.containerize.init.choices import Choice
     from rosml.images.image_set import load
-    from rosml.run import gpu as gpus
     from rosml.run.host import host
+    from rosml.run.plugins import gpu as gpus
 
     folder = folder.resolve()
     place, images_to = forge.place_of(registry), forge.place_of(push_to)
@@ -279,7 +279,7 @@ def _secrets(project: Project) -> Iterator[tuple[str, str]]:
 
 def _lacking(env: Mapping[str, str], wanted: Sequence[File], project: Project) -> Iterator[tuple[str, str]]:
     """What a `.env` that stays does not say."""
-    from rosml.containerize import app_inputs
+    from rosml.containerize import inputs as app_inputs
     from rosml.containerize.init import contents
 
     if any(file.path == app_inputs.FILE and file.there for file in wanted):

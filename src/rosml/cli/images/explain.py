@@ -64,7 +64,8 @@ def _with_addons(image_set: ImageSet, name: str, text: str) -> Explained:
     Raises:
         RosmlError: there is no such image (exit code 2), or a registry does not answer or refuses.
     """
-    from rosml.containerize import addons, app_base
+    from rosml.containerize.base_image import addons
+    from rosml.containerize.base_image import base as app_base
     from rosml.images.image_set import explain
     from rosml.images.image_set.explain import Explained
     from rosml.machine.services import Services

@@ -61,7 +61,8 @@ def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
     bake_files = bake_file.render(image_set, known.targets)
     if output:
         return {output: bake_files[bake_file.NAME]}
-    from rosml.containerize import ci_files, page
+    from rosml.containerize.ci import files as ci_files
+    from rosml.containerize.ci import inputs_page as page
     from rosml.images.catalogue import layers_picture, tags_page
     from rosml.images.catalogue.model import Published
     from rosml.images.matrix import schema

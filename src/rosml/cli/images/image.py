@@ -124,8 +124,9 @@ def _on(
     Raises:
         RosmlError: the image is missing or has ROS already, no ROS of the matrix fits it, or a step failed.
     """
-    from rosml.containerize import adopt, app_base
-    from rosml.containerize.app_inputs import Values
+    from rosml.containerize.base_image import base as app_base
+    from rosml.containerize.build import adopt
+    from rosml.containerize.inputs import Values
     from rosml.images.builds.push import COMPRESSION
     from rosml.registry import references
 

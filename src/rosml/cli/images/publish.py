@@ -85,7 +85,7 @@ def repositories(plan_file: Path, matrix: Path, as_json: bool) -> None:
       rosml publish repositories --plan plan.json
     """
     from rosml.base.errors import RosmlError
-    from rosml.containerize import rosdep_index
+    from rosml.containerize.base_image import rosdep_index
     from rosml.images.image_set import load as loading
     from rosml.images.publish.plan import read_plan
 
@@ -375,7 +375,7 @@ def rosdep(checkout: Path | None, as_json: bool, **options: Any) -> None:
     Example:
       rosml publish rosdep --registry ghcr.io/me/rosml
     """
-    from rosml.containerize import rosdep_index
+    from rosml.containerize.base_image import rosdep_index
 
     place = place_of(options["registry"], ROOT)
     with place.client as client, rosdep_index.checkout(checkout) as folder:

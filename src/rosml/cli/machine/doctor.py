@@ -115,8 +115,8 @@ def disk() -> Iterator[Finding]:
 def engine() -> Iterator[Finding]:
     """docker or podman, which start containers, and whether it can hand in the machine's GPUs."""
     from rosml.run import engine as engines
-    from rosml.run import gpu as gpus
     from rosml.run.host import host
+    from rosml.run.plugins import gpu as gpus
 
     try:
         program = engines.program(os.environ)
@@ -138,8 +138,8 @@ def engine() -> Iterator[Finding]:
 
 def gpu() -> Iterator[Finding]:
     """GPUs, their driver, and which images it runs."""
-    from rosml.run import gpu as gpus
     from rosml.run.host import host
+    from rosml.run.plugins import gpu as gpus
 
     here = host(os.environ)
     if not gpus.is_nvidia(here):
@@ -155,7 +155,7 @@ def gpu() -> Iterator[Finding]:
 
 def _stacks(driver: str) -> list[str]:
     """The stacks with CUDA that a driver runs, the newest CUDA first."""
-    from rosml.run.gpu import numbers
+    from rosml.run.plugins.gpu import numbers
 
     matrix, has = _matrix(), numbers(driver)
     fit = [

@@ -11,8 +11,9 @@ import click
 from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli.run.container import printing
-from rosml.run import check, engine, places
+from rosml.run import check, engine
 from rosml.run.context import Context
+from rosml.run.plugins import places
 
 COLOURS = {check.GOOD: "green", check.ADVICE: "yellow", check.PROBLEM: "red"}
 

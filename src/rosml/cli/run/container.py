@@ -164,9 +164,9 @@ def enter(program: str, line: words.Line, caller: Person, container: Container) 
         terminal.echo(f"{container.name} is {container.state}: {program} start {container.name} comes first", err=True)
 
     def begin() -> None:
-        from rosml.run import sockets
         from rosml.run.context import is_here
         from rosml.run.host import host, write
+        from rosml.run.plugins import sockets
 
         machine = host(os.environ)
         here = is_here(engine.about(program), machine)
@@ -187,8 +187,9 @@ def enter_folder(line: words.Line, command: str) -> None:
     Raises:
         RosmlError: the folder has no container or several, or it cannot be entered.
     """
-    from rosml.run import attach, concerns, engine
+    from rosml.run import attach, engine
     from rosml.run.person import person
+    from rosml.run.plugins import concerns
 
     program, caller = engine.program(os.environ), person(os.environ)
     found = engine.containers(program, concerns.FOLDER)

@@ -10,11 +10,12 @@ from pathlib import Path
 from rosml.base import terminal
 from rosml.cli import command
 from rosml.cli.run import container
-from rosml.run import compose, compose_file, devcontainer, export, kubernetes, quadlet
 from rosml.run.context import Context
 from rosml.run.defaults import shown
-from rosml.run.export import Call
-from rosml.run.plugins import Plan
+from rosml.run.exports import compose, compose_file, devcontainer, kubernetes, quadlet
+from rosml.run.exports import description as export
+from rosml.run.exports.description import Call
+from rosml.run.plugins.apply import Plan
 
 
 @dataclass(frozen=True)

@@ -14,10 +14,11 @@ from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.cli.run import container, defaults, trust
-from rosml.run import plugins, words
+from rosml.run import words
 from rosml.run.context import Context, Person
 from rosml.run.defaults import HERE, Files
 from rosml.run.plugin import Plugin
+from rosml.run.plugins import apply as plugins
 
 if TYPE_CHECKING:
     from rosml.run import engine
@@ -189,8 +190,9 @@ def start(program: str, line: words.Line, caller: Person, files: Files) -> None:
         RosmlError: there is no such image, or another container has the name, or the image has no workspace, or a file of
             defaults wants what is not allowed.
     """
-    from rosml.run import attach, concerns, engine
+    from rosml.run import attach, engine
     from rosml.run.host import host
+    from rosml.run.plugins import concerns
 
     if line.asks("verbose"):
         for text in files.said(line):
@@ -325,7 +327,7 @@ def exported(program: str, line: words.Line, caller: Person, files: Files, kind:
             something else.
     """
     from rosml.cli.run import export
-    from rosml.run import gpu
+    from rosml.run.plugins import gpu
 
     if other := next((x for x in ("check", "dry-run", "json") if line.asks(x)), ""):
         raise RosmlError(f"--export does not go with --{other}", "leave out one of them", exit_code=2)

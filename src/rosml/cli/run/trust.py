@@ -9,7 +9,7 @@ from rosml import IN_CHECKOUT, STATE
 from rosml.cli import command
 from rosml.cli.run import container, question
 from rosml.run.context import Context
-from rosml.run.user import needs_trust
+from rosml.run.plugins.user import needs_trust
 
 OPTION = "trust"
 """The option that trusts the image's repository."""

@@ -12,16 +12,16 @@ from dataclasses import dataclass, field, replace
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, unknown
-from rosml.containerize import app_inputs
+from rosml.containerize import inputs as app_inputs
 from rosml.containerize.init import contents, spoken
 from rosml.containerize.init.packages import Found
-from rosml.containerize.manifest import Package
+from rosml.containerize.packages.manifest import Package
 from rosml.images.image_set import explain, missing
 from rosml.images.image_set.expand import FLOATING
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix import names, rules
 from rosml.images.matrix.model import Matrix
-from rosml.run.gpu import numbers
+from rosml.run.plugins.gpu import numbers
 
 DEBIAN = "noetic"
 """The distribution whose name conditions in package.xml compare with if ROS 1 is Debian's own (docs/containerize.md, rosdep)."""

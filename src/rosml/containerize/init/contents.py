@@ -9,8 +9,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
-from rosml.containerize import app_inputs, left_out
+from rosml.containerize import inputs as app_inputs
 from rosml.containerize.init.packages import PIP
+from rosml.containerize.packages import ignored as left_out
 from rosml.images.matrix.model import Distribution, Matrix
 from rosml.run import defaults
 

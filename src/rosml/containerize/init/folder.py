@@ -11,7 +11,7 @@ from pathlib import Path
 
 from rosml.base import files
 from rosml.base.errors import RosmlError
-from rosml.containerize import app_inputs
+from rosml.containerize import inputs as app_inputs
 from rosml.containerize.init.contents import DOCKERFILE, GITLAB
 
 LARGEST = 256 << 10

@@ -10,7 +10,7 @@ from pathlib import Path
 from rosml import IN_CHECKOUT, ROOT
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, unknown
-from rosml.containerize import ci_inputs
+from rosml.containerize.ci import inputs as ci_inputs
 from rosml.containerize.init import spoken
 from rosml.containerize.init.choices import Ask, Choice
 from rosml.containerize.init.contents import FORGES, GITLAB

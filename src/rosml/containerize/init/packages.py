@@ -10,9 +10,10 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from rosml.base import files
-from rosml.containerize import manifest, within, workspace
-from rosml.containerize.left_out import LeftOut
-from rosml.containerize.manifest import Package
+from rosml.containerize import within
+from rosml.containerize.packages import manifest, workspace
+from rosml.containerize.packages.ignored import LeftOut
+from rosml.containerize.packages.manifest import Package
 
 LARGEST = 1 << 20
 """The most bytes that are read of a source file."""

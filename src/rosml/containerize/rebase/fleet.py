@@ -20,7 +20,7 @@ from pydantic import Field
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError, some
 from rosml.base.side_by_side import side_by_side
-from rosml.containerize.app_bake_file import BASE_NAME
+from rosml.containerize.build.bake_file import BASE_NAME
 from rosml.containerize.rebase import image
 from rosml.containerize.rebase.rebaser import Plan, Rebased, Rebaser
 from rosml.containerize.rebase.trial import Pair

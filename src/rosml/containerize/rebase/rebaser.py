@@ -13,13 +13,16 @@ from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import SHOWN, listed, some
-from rosml.containerize import addons, app_base, lock
-from rosml.containerize.app_bake_file import BASE_DIGEST, BASE_NAME, LOCK
-from rosml.containerize.app_base import Base
+from rosml.containerize import lock
+from rosml.containerize.base_image import addons
+from rosml.containerize.base_image import base as app_base
+from rosml.containerize.base_image.base import Base
+from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME, LOCK
 from rosml.containerize.names import SLIM
-from rosml.containerize.rebase import checks, contents, image
+from rosml.containerize.rebase import attached as contents
+from rosml.containerize.rebase import checks, image
+from rosml.containerize.rebase.attached import Contents, Known
 from rosml.containerize.rebase.checks import Judgement, Verdict
-from rosml.containerize.rebase.contents import Contents, Known
 from rosml.containerize.rebase.trial import Pair
 from rosml.images.image_set.labels import ADDONS, APP, GPU, PREFIX, TITLE
 from rosml.images.join.layers import Joined, Source, as_source, join, platform

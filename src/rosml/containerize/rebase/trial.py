@@ -15,7 +15,7 @@ from rosml.base import files, terminal, untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.base.problems import SHOWN
-from rosml.containerize.app_bake_file import SCRIPTS
+from rosml.containerize.build.bake_file import SCRIPTS
 from rosml.containerize.rebase.image import AGAIN
 from rosml.machine import buildx, exported
 from rosml.machine.services import Services

@@ -9,7 +9,7 @@ import re
 from collections.abc import Sequence
 
 from rosml.base.errors import RosmlError
-from rosml.containerize.app_bake_file import BASE_NAME
+from rosml.containerize.build.bake_file import BASE_NAME
 from rosml.containerize.rebase.image import VARIANTS
 from rosml.containerize.rebase.rebaser import Plan, Rebaser
 from rosml.images.image_set.labels import ADDONS, PREFIX

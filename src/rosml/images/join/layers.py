@@ -15,7 +15,7 @@ from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.image_set import labels, restricted
-from rosml.images.join import told
+from rosml.images.join import label_claims as told
 from rosml.images.matrix import names
 from rosml.images.matrix.model import ANY_PYTHON
 from rosml.images.matrix.rules import Brought

@@ -1,0 +1,1 @@
+"""Commands that save images for machines without a registry, and load them there."""

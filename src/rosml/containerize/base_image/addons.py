@@ -1,0 +1,304 @@
+"""Add-ons on the base image of an app: `containerize --addons onnx` joins their parts to it in the build."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+
+from rosml import MATRIX
+from rosml.base.errors import RosmlError
+from rosml.containerize import lock
+from rosml.containerize.base_image.base import AddOns, Base
+from rosml.images.builds.base_images import native_architecture
+from rosml.images.image_set import addons as choice
+from rosml.images.image_set import labels
+from rosml.images.image_set.load import without_locks
+from rosml.images.image_set.model import PARTS
+from rosml.images.join import label_claims as told
+from rosml.images.join.joiner import Joiner
+from rosml.images.join.layers import Source
+from rosml.images.join.transfer import Transfer
+from rosml.images.matrix import extends, names, rules
+from rosml.images.matrix.model import ANY_PYTHON, NAME, Matrix
+from rosml.images.matrix.validate import validate
+from rosml.machine.services import NAMESPACE, Services
+from rosml.registry import references
+from rosml.registry.client import Registries
+
+_STACK, _PYTHON, _FRAMEWORK = (labels.PREFIX + name for name in ("stack", "python", "framework"))
+_DISTRIBUTION, _COMPONENT = (labels.PREFIX + name for name in ("distribution", "component"))
+
+OTHER_BASE = "name another base image"
+"""The remedy for a base image with damaged labels."""
+
+
+def named(text: str) -> list[str]:
+    """The names of add-ons in a text, separated by commas or blanks.
+
+    Raises:
+        RosmlError: one is no name (exit code 2).
+    """
+    wanted = list(dict.fromkeys(re.findall(r"[^,\s]+", text)))
+    if wrong := next((name for name in wanted if len(name) > told.LONGEST or not re.fullmatch(NAME, name)), ""):
+        raise RosmlError(f"addons: {wrong[:60]!r} is no name", "name add-ons such as onnx", exit_code=2)
+    return wanted
+
+
+def onto(
+    base: Base,
+    text: str,
+    services: Services,
+    platforms: Sequence[str],
+    locked: Mapping[str, str] | None = None,
+) -> Base:
+    """A base image with add-ons.
+
+    Args:
+        text: names of add-ons, separated by commas or blanks; with a stack if the base image has none: `onnx-cpu`.
+        locked: digests of parts, by their names with a tag; None for the present ones.
+
+    Raises:
+        RosmlError: the base image is none of rosml's, there is no such add-on, or it does not fit (exit code 2); a registry does not
+            answer or refuses.
+    """
+    wanted = named(text)
+    if not wanted:
+        return base
+    _require_ours(base)
+    with Registries(services.ca_bundle) as registries, Transfer(registries) as transfer:
+        parts = _Search(transfer, services, base, locked).parts(wanted)
+        if not parts:  # the base image has them
+            return base
+        every = dict.fromkeys([*platforms, f"linux/{native_architecture()}"])  # some steps run on the builder's own
+        with Joiner(registries, unlisted=_by_join(base, parts)) as joiner:
+            joined = joiner.check(_in_full(base), list(parts.values()), [*every])
+    first = next(iter(joined.values()))
+    order = [source.name for _, source in first.layers if source.name in parts.values()]
+    by_reference = {reference: name for name, reference in parts.items()}
+    known = dict(item.partition("=")[::2] for item in first.environment)
+    return replace(
+        base,
+        addons=AddOns(
+            parts={by_reference[reference]: reference for reference in dict.fromkeys(order)},
+            environment=_changed(base.environment, known),
+            labels=_changed(base.labels, first.labels),
+        ),
+    )
+
+
+def kept(transfer: Transfer, app: Mapping[str, str], base: Base, services: Services, stack: str = "") -> dict[str, str]:
+    """The parts that an app's add-ons need on another base image, as `AddOns.parts`; none if that has all of them.
+
+    Args:
+        app: the labels of the app's image.
+        stack: the stack of the add-ons, if the base image has none; the app's own if empty.
+
+    Raises:
+        RosmlError: an add-on is not there for the base image (exit code 2), or a registry does not answer or refuses.
+    """
+    told.require(app, "the app", "build it again")
+    there = base.labels.get(labels.ADDONS, "").split()
+    end = "" if base.labels.get(_STACK) else f"-{stack or app.get(_STACK, '')}"
+    own = [f"{name}{end}" for name in app.get(labels.ADDONS, "").split() if name not in there]
+    if own:
+        _require_ours(base)
+    return _Search(transfer, services, base, None, "name another --base; or build the app again: ").parts(own)
+
+
+def _require_ours(base: Base) -> None:
+    """Checks that a base image is one of rosml's in a registry, or was built on one.
+
+    Raises:
+        RosmlError: it is not (exit code 2).
+    """
+    if base.local:
+        text = f"{base.name} is in Docker alone, and add-ons go onto images in a registry"
+        raise RosmlError(text, "push it, and name it with its registry", exit_code=2)
+    if base.adopted or not base.labels.get(_PYTHON):
+        ours = base.adopted.image.tags[0] if base.adopted else "an image of rosml, or one that was built on it"
+        raise RosmlError(
+            f"{base.name} is none of rosml's images, so it can have no add-on", f"take {ours}", exit_code=2
+        )
+    told.require(base.labels, base.name, OTHER_BASE)
+
+
+def _in_full(base: Base) -> str:
+    """A base image's name for messages, with its digest."""
+    return f"{base.name.partition('@')[0]}@{base.digest}"
+
+
+def _changed(old: Mapping[str, str], new: Mapping[str, str]) -> dict[str, str]:
+    return {name: value for name, value in new.items() if old.get(name) != value}
+
+
+def repository(base: Base) -> str:
+    """The repository of parts beside a base image: for an app, beside its own base image.
+
+    Raises:
+        RosmlError: the app's label about that is damaged (exit code 2).
+    """
+    label = f"{labels.OCI}base.name"
+    name = base.labels.get(label, "") if base.labels.get(labels.APP) else ""
+    try:
+        where = references.parse(name or base.repository)
+    except RosmlError:
+        text = f"{base.name}: its label {label} is damaged: {name[:60]!r}"
+        raise RosmlError(text, OTHER_BASE, exit_code=2) from None
+    return f"{where.host}/{where.repository.rpartition('/')[0]}/{PARTS}".replace("//", "/")
+
+
+def _by_join(base: Base, parts: Iterable[str]) -> str:
+    """How an image of somebody's own gets add-ons if it has no list of its files."""
+    target = f"{base.name.partition('@')[0]}-with-addons"
+    command = f"rosml join {base.name} {' '.join(parts)} --tag {target} --allow-unlisted"
+    own = "take the app's run image, built without --no-sbom" if base.labels.get(labels.APP) else ""
+    ways = own or "add them in its Dockerfile (docs/addons.md)"
+    return f"{ways}; or join them without the list, and take the result as base image: {command}"
+
+
+@dataclass(frozen=True)
+class _Search:
+    """Finds the parts of add-ons for a base image.
+
+    Attributes:
+        transfer: reads images.
+        services: name the local registry.
+        base: the base image.
+        locked: digests of parts, by their names with a tag; None for the present ones.
+        before: what stands before a remedy that names other add-ons or another base image.
+    """
+
+    transfer: Transfer
+    services: Services
+    base: Base
+    locked: Mapping[str, str] | None
+    before: str = ""
+
+    def parts(self, wanted: Iterable[str]) -> dict[str, str]:
+        """References of all parts that the base image lacks for add-ons, by digest.
+
+        Raises:
+            RosmlError: one is not there (exit code 2), or a registry does not answer or refuses.
+        """
+        there, has = (self.base.labels.get(label, "").split() for label in (labels.PARTS, labels.ADDONS))
+        end = f"-{self.base.labels.get(_STACK, '')}"
+        found: dict[str, str] = {}
+        for name in wanted:
+            if name.removesuffix(end) in has:
+                continue
+            main = self._main(name)
+            stack, said = main.labels.get(_STACK, ""), main.labels.get(labels.ADDONS, "")
+            if len(addons := labels.combinations(said)) != 1:
+                text = f"{main.name} is no add-on: its label {labels.ADDONS} does not name it"
+                raise RosmlError(text, "name an add-on, such as onnx", exit_code=2)
+            for kind in (kind for kinds in addons.values() for kind in kinds if kind not in there):
+                python = ANY_PYTHON if labels.any_python(said, kind) else self.base.labels[_PYTHON]
+                tag = f"{repository(self.base)}:{names.part_name(kind, stack, python)}"
+                found[tag] = self._pinned(name, tag)
+        return found
+
+    def _main(self, name: str) -> Source:
+        """The main part of an add-on: the last of its own parts, or one of its name if rosml does not have it."""
+        stack, python = self.base.labels.get(_STACK, ""), f"py{self.base.labels[_PYTHON].replace('.', '')}"
+        matrix = _matrix()
+        wanted = choice.read(matrix, name)
+        called = name
+        if wanted.addon:
+            called = "-".join(filter(None, (matrix.addons[wanted.addon].parts[-1], wanted.stack)))
+            self._require_system(wanted)
+        called = f"{called}-{stack}" if stack and not name.endswith(f"-{stack}") else called
+        tags = [f"{repository(self.base)}:{tag}" for tag in (f"{called}-{python}", called)]
+        for tag in tags:
+            if manifest := self.transfer.manifest(references.parse(tag)):
+                return _of_its_name(self.transfer.one(tag, manifest))
+        raise self._missing(name, f"there is no add-on {name}: neither {tags[0]} nor {tags[1]}")
+
+    def _pinned(self, name: str, tag: str) -> str:
+        """A part's reference by digest.
+
+        Args:
+            name: the add-on that it is for.
+        """
+        where = references.parse(tag)
+        digest = self.locked.get(tag, "") if self.locked else ""
+        if digest and not self.transfer.manifest(where._replace(reference=digest)):
+            raise RosmlError(f"there is no {tag} with the digest {digest} of the lock file", lock.RENEW, exit_code=2)
+        if not digest:
+            found = self.transfer.manifest(where)
+            if found is None:
+                raise self._missing(name, f"there is no {tag}, which {name} needs")
+            digest = found.digest
+        return f"{tag.rpartition(':')[0]}@{digest}"
+
+    def _onto(self) -> choice.Onto:
+        said = (self.base.labels.get(label, "") for label in (_DISTRIBUTION, _COMPONENT, _FRAMEWORK, _STACK))
+        return choice.Onto(self.base.name, *said)
+
+    def _require_system(self, wanted: choice.Wanted) -> None:
+        """Checks that an add-on works on the base image's operating system: a part for any Python does not say that.
+
+        Raises:
+            RosmlError: it does not (exit code 2).
+        """
+        matrix, onto = _matrix(), self._onto()
+        stack = wanted.stack or onto.stack
+        if onto.known(matrix) and (reason := rules.system_reason(matrix, onto.distribution, stack, wanted.addon)):
+            raise RosmlError(reason, f"{self.before}{choice.instead(matrix, onto, wanted.addon)}", exit_code=2)
+
+    def _missing(self, name: str, text: str) -> RosmlError:
+        """The error about a part that is not there: a rule forbids it, or nobody has published it there."""
+        matrix, onto = _matrix(), self._onto()
+        wanted = choice.read(matrix, name)
+        if refused := choice.refused(matrix, onto, name):
+            if wanted.addon:
+                return RosmlError(refused.message, f"{self.before}{refused.remedy}", exit_code=2)
+            return RosmlError(text, f"{refused.message}; {refused.remedy}; or publish its parts there", exit_code=2)
+        stack = wanted.stack or onto.stack
+        place, _, _ = repository(self.base).rpartition(f"/{PARTS}")
+        host, _, namespace = place.partition("/")
+        if not onto.known(matrix):
+            return RosmlError(text, f"publish it there; '{PAGE}' has more", exit_code=2)
+        there = self.base.labels.get(labels.PARTS, "").split()
+        parts = choice.parts(matrix, onto.distribution, wanted.addon, stack, there)
+        if host == self.services.registry and namespace:
+            option = f" --namespace {namespace}" if namespace != NAMESPACE else ""
+            return RosmlError(text, f"build it: rosml part {' '.join(parts)}{option}", exit_code=2)
+        if self.transfer.registries(host).tags(f"{namespace}/{PARTS}".lstrip("/")):
+            tests = (it for it in without_locks(MATRIX).images if it.addons == (wanted.addon,))
+            target = next((it.target for it in tests if {*parts} <= {*it.parts}), onto.distribution)
+            platforms = self.transfer.platforms(_in_full(self.base))
+            served = [f"--serve {key}" for key, facts in matrix.architectures.items() if facts.platform in platforms]
+            command = " ".join(["rosml publish all --registry", place, "--only", target, *served])
+            return RosmlError(text, f"publish it there, if that registry is yours: {command}", exit_code=2)
+        every = " ".join(f"<registry>/{PARTS}:{part}" for part in parts)
+        own = self.base.name.partition("@")[0]
+        unlisted = "" if self.base.labels.get(labels.APP) else " --allow-unlisted"
+        remedy = (
+            f"join them from the registry of rosml's images: rosml join {own} {every} --tag {own}-with-addons{unlisted}"
+        )
+        return RosmlError(f"{text}; no parts are beside this image", f"{remedy}; {PAGE} has more", exit_code=2)
+
+
+def _of_its_name(part: Source) -> Source:
+    """A part that is what its tag says.
+
+    Raises:
+        RosmlError: its labels are damaged, or say otherwise (exit code 2).
+    """
+    told.require(part.labels, part.name)
+    said = [part.labels.get(labels.PREFIX + name, "") for name in ("part", "stack", "python")]
+    if names.part_name(*said) != part.name.rpartition(":")[2]:
+        text = f"{part.name} is no such part: its labels say {' '.join(filter(None, said)) or 'nothing'}"
+        raise RosmlError(text, "publish it again", exit_code=2)
+    return part
+
+
+PAGE = "docs/addons.md"
+
+
+@cache
+def _matrix() -> Matrix:
+    """The matrix of this rosml, or of its set. It is read once: a fleet asks for every app."""
+    return validate(extends.read(MATRIX))

@@ -1,0 +1,100 @@
+"""Attaches the contents of an app's images to them in a registry: an SBOM, the list of their files, and facts.
+
+With an image's name, you can read its packages without pulling it, and `rosml join` can see whether a part has the same files.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+from urllib.parse import quote
+
+from rosml.containerize.sources.fetch import Repository
+from rosml.images.builds.contents import FACTS, FILES, LISTS, PACKAGES, manifests
+from rosml.images.join.layers import platform
+from rosml.images.scan import packages
+from rosml.images.scan.sbom import FORMAT, MEDIA_TYPE
+from rosml.registry.client import Registry
+
+KINDS = (PACKAGES, FILES, FACTS)
+
+COMMIT = "io.rosml.commit"
+"""The property of a ROS package with the commit of its repository."""
+
+
+def sbom(data: bytes, reference: str, sources: Mapping[str, Repository]) -> bytes:
+    """An SBOM in CycloneDX 1.5. The same packages give the same bytes.
+
+    Args:
+        data: the packages of the image, from `PACKAGES`.
+        reference: the image, by its digest.
+        sources: upstream repositories of ROS packages, by the package's name.
+
+    Raises:
+        RosmlError: the data is damaged.
+    """
+    return packages.cyclonedx(packages.read(data), reference, lambda name: _origin(sources.get(name)))
+
+
+def _origin(source: Repository | None) -> dict[str, Any]:
+    """The origin of a ROS package, for an SBOM."""
+    if not source:
+        return {}
+    properties = [{"name": COMMIT, "value": source.commit}]
+    url = _public(source.url)
+    references = [{"type": "vcs", "url": url, "comment": source.version}] if url else []
+    return {"properties": properties} | ({"externalReferences": references} if references else {})
+
+
+def _public(url: str) -> str:
+    """The URL of a repository in CycloneDX's form; empty if it is of this machine."""
+    if "://" in url:
+        return "" if url.startswith("file:") else quote(url, safe=":/?#[]@!$&'()*+,;=~%")
+    host, colon, path = url.partition(":")
+    return f"ssh://{host}/{quote(path.lstrip('/'))}" if colon and not url.startswith("/") else ""
+
+
+def attach(
+    registry: Registry,
+    repository: str,
+    digest: str,
+    load: Callable[[str, str], bytes],
+    sources: Mapping[str, Repository],
+    linked: bool = True,
+) -> None:
+    """Attaches an SBOM, a list of files and facts to an image, for each of its platforms. Those that it has already stay.
+
+    Args:
+        digest: the digest of the image, or of an index.
+        load: reads the contents that a build reported: from a platform, and a kind of `KINDS`.
+        sources: as in `sbom`.
+        linked: the app is one layer on its base image. If not, there are no facts.
+
+    Raises:
+        RosmlError: the registry does not answer or refuses.
+    """
+    for manifest in manifests(registry, repository, digest):
+        missing = [
+            item
+            for item in LISTS
+            if (linked or item[0] != FACTS) and not registry.referrers(repository, manifest.digest, item[1])
+        ]
+        has_sbom = _has_sbom(registry, repository, manifest.digest)
+        if has_sbom and not missing:
+            continue
+        name = platform(registry.config(repository, manifest).facts)
+        subject = manifest.descriptor
+        for kind, artifact, media_type in missing:
+            registry.attach(repository, subject, artifact, load(name, kind), media_type)
+        if not has_sbom:
+            data = sbom(load(name, PACKAGES), f"{registry.host}/{repository}@{manifest.digest}", sources)
+            registry.attach(repository, subject, MEDIA_TYPE, data, MEDIA_TYPE, FORMAT)
+
+
+def _has_sbom(registry: Registry, repository: str, digest: str) -> bool:
+    """Whether our SBOM is attached; others may attach theirs."""
+    for entry in registry.referrers(repository, digest, MEDIA_TYPE):
+        manifest = registry.manifest(repository, entry["digest"])
+        if manifest and manifest.annotations.items() >= FORMAT.items():
+            return True
+    return False

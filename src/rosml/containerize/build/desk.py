@@ -1,0 +1,180 @@
+"""What `rosml dev` keeps: a folder of the workspace with what is built there, and a file that says from what its image was made."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+import tempfile
+from dataclasses import asdict, replace
+from pathlib import Path
+
+from pydantic import ConfigDict, ValidationError
+
+from rosml import __version__
+from rosml.base import files, untrusted
+from rosml.base.errors import RosmlError
+from rosml.base.shapes import Shape
+from rosml.containerize import inputs as app_inputs
+from rosml.containerize import lock
+from rosml.containerize.build import bake_file as app_bake_file
+from rosml.containerize.build import stage_cache
+from rosml.containerize.inputs import Values
+from rosml.containerize.packages import workspace
+from rosml.containerize.packages.ignored import LeftOut
+from rosml.containerize.sources import repos_file
+
+KEPT = ".rosml/dev"
+"""The folder with what is built, in the folder of the packages. In a container it is the workspace."""
+
+MARKS = ("COLCON_IGNORE", "CATKIN_IGNORE")
+"""Files that keep colcon and catkin from looking for packages there."""
+
+POINTS = ("src/target", "src/upstream")
+"""The folders of the workspace on which sources are mounted. Without them, the engine would make them, for root."""
+
+UNUSED = (
+    "platform",
+    "push",
+    "target",
+    "enable-push-as-latest",
+    "enable-slim",
+    "slim-base-image",
+    "slim-image-name",
+    "slim-image-tag",
+    "image-name",
+    "image-tag",
+    "dev-image-name",
+    "dev-image-tag",
+    "command",
+    "downstream-workspace",
+    "tests",
+)
+"""Inputs of `rosml containerize` that say nothing of the image: `values` sets them."""
+
+
+class Record(Shape):
+    """An image for `rosml dev`.
+
+    Attributes:
+        key: the digest of its inputs.
+        image: its name, as in `build.Desk`.
+        id: its id in the engine.
+        upstream: the folder with the imported repositories; empty if there are none.
+    """
+
+    model_config = ConfigDict(strict=True, extra="forbid")
+
+    key: str
+    image: str
+    id: str
+    upstream: str
+
+
+def name(folder: Path) -> str:
+    """The name of a folder's image. Two folders of one name have two."""
+    slug = re.sub("[^a-z0-9]+", "-", folder.name.lower()).strip("-") or "workspace"
+    return f"rosml-dev/{slug[:40].strip('-')}-{hashlib.sha256(os.fsencode(folder)).hexdigest()[:8]}"
+
+
+def values(said: Values, folder: Path) -> Values:
+    """The inputs of the image, from those of `rosml containerize`: it is for this machine alone, and has no app."""
+    own = {"platform": "", "push": False, "target": "dev", "enable_push_as_latest": False, "enable_slim": False}
+    names = {"image_name": name(folder), "image_tag": "latest", "dev_image_name": "", "dev_image_tag": ""}
+    return replace(said, **own, **names, command="", downstream_workspace="", tests=False)  # type: ignore[arg-type]
+
+
+def record_of(folder: Path, state: Path) -> Path:
+    """The file with the record of a folder. It is not in the folder: that may be a stranger's, and the file names an image to start."""
+    return state / "desk" / f"{name(folder).rpartition('/')[2]}.json"
+
+
+def read(file: Path) -> Record | None:
+    """The record in a file; None if there is none, or if another release of rosml wrote it."""
+    try:
+        return Record.model_validate(untrusted.json_value(file.read_bytes()))
+    except (OSError, ValueError, ValidationError):
+        return None
+
+
+def write(file: Path, record: Record) -> None:
+    """Writes a record.
+
+    Raises:
+        RosmlError: the file cannot be written.
+    """
+    file.parent.mkdir(parents=True, exist_ok=True)
+    files.write(file, record.model_dump_json() + "\n")
+
+
+def key(folder: Path, said: Values) -> str:
+    """The digest of all inputs of the image that are on this machine. The base image and upstream branches may move: they are
+    looked up only if the image is made.
+
+    Raises:
+        RosmlError: an input cannot be read, or is wrong (exit code 2).
+    """
+    left = LeftOut(folder)
+    read_files = [*workspace.manifests(folder, left=left)]
+    read_files += repos_file.found(folder) if said.enable_recursive_vcs_import else [folder / said.vcs_import_file]
+    read_files.append(lock.place(folder, said.lock_file, renew=False))
+    secret = {name.replace("-", "_") for name in app_inputs.SECRET}
+    facts: list[object] = [__version__, sorted(item for item in asdict(said).items() if item[0] not in secret)]
+    for path in read_files:
+        content = files.regular(path, app_inputs.LARGEST_TEXT) or b""
+        facts.append([os.path.relpath(path, folder), hashlib.sha256(content).hexdigest()])
+    with tempfile.TemporaryDirectory() as scratch:
+        requests = Path(scratch, "requests")
+        workspace.write_requests(said, folder, Path(scratch, "none"), {}, requests)
+        facts.append(stage_cache.tree(requests))
+    if additional := workspace.additional_files(said.additional_files_dir, folder):
+        facts.append(stage_cache.tree(additional))
+    scripts = [app_bake_file.SCRIPTS / part for part in ("containerize", "build", "ros")]
+    facts += [stage_cache.tree(folder, {"__pycache__"}) for folder in scripts]
+    return hashlib.sha256(json.dumps(facts).encode("utf-8", "surrogateescape")).hexdigest()
+
+
+def require_yours(folder: Path, uid: int) -> None:
+    """Checks that a user can keep files in a folder, and that these will be theirs.
+
+    Args:
+        uid: the user who calls.
+
+    Raises:
+        RosmlError: the folder, or what was kept in it, belongs to somebody else.
+    """
+    owner = folder.stat().st_uid
+    if uid == 0 and owner != 0:
+        text = f"{folder} belongs to the user {owner}, and you are root: what is built there would be root's"
+        raise RosmlError(text, "call it as that user, without sudo", exit_code=2)
+    if not os.access(folder, os.W_OK | os.X_OK):
+        text = f"{folder} belongs to the user {owner}, and you cannot write there"
+        raise RosmlError(text, "copy it to a folder of yours, or let its owner give it to you", exit_code=2)
+    for path in _kept(folder):
+        if path.is_symlink() or (path.exists() and not path.is_dir()):
+            raise RosmlError(f"{path} is no folder, and rosml dev keeps files there", "move it away", exit_code=2)
+        if path.exists() and path.stat().st_uid != uid:
+            text = f"{path} belongs to the user {path.stat().st_uid}, and builds run as you"
+            raise RosmlError(text, f"remove it: sudo rm -rf '{folder / KEPT}'", exit_code=2)
+
+
+def _kept(folder: Path) -> list[Path]:
+    """The folders that rosml makes itself, from the outermost on."""
+    inside = [folder / KEPT / place for place in ("src", *POINTS)]
+    return [(folder / KEPT).parent, folder / KEPT, *inside]
+
+
+def prepare(folder: Path) -> None:
+    """Makes the folder for what is built. git and builds leave it out.
+
+    Raises:
+        OSError: it cannot be made.
+    """
+    for path in _kept(folder):
+        path.mkdir(exist_ok=True)
+    kept = folder / KEPT
+    for mark in MARKS:
+        if not (kept / mark).is_file() or (kept / mark).is_symlink():
+            files.write(kept / mark, "", within=folder)
+    files.write(kept / ".gitignore", "*\n", within=folder)

@@ -1,0 +1,1 @@
+"""`rosml containerize` in CI: its inputs, the files of the forges, and the job."""

@@ -1,0 +1,171 @@
+"""Writes the table of inputs into the files of `rosml containerize` for CI, between markers."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable, Iterable, Iterator
+
+from rosml.base.errors import RosmlError
+from rosml.containerize.ci.inputs import SECRET, SETTINGS, Setting
+
+ACTION = "containerize/action.yml"
+INDEX = "containerize/index/action.yml"
+WORKFLOW = ".github/workflows/containerize.yml"
+GITLAB = "containerize/gitlab.yml"
+FILES = (ACTION, INDEX, WORKFLOW, GITLAB)
+
+_DECIDED = ("enable-checkout", "enable-singlearch-push")
+"""Inputs of the action that callers of the workflow cannot set."""
+
+NOT_OF_GITLAB = (*_DECIDED, "enable-checkout-lfs", "enable-checkout-submodules")
+"""Inputs that GitLab, or its jobs for one platform each, decide."""
+
+_OTHER_STEPS = (
+    "registry",
+    "registry-user",
+    "registry-password",
+    "enable-checkout",
+    "enable-checkout-lfs",
+    "enable-checkout-submodules",
+)
+"""Inputs of the action that the command does not need."""
+
+_INDEX = (
+    "target",
+    "platform",
+    "image-name",
+    "image-tag",
+    "dev-image-name",
+    "dev-image-tag",
+    "slim-image-name",
+    "slim-image-tag",
+    "push",
+    "enable-push-as-latest",
+    "registry",
+    "registry-user",
+    "registry-password",
+    "build-context",
+)
+"""Inputs of the job that moves the tags."""
+
+_BLOCK = re.compile(
+    r"^(?P<indent> *)# (?P<name>\w+): written by rosml generate\n(?:.*\n)*?(?P=indent)# /(?P=name)\n", re.MULTILINE
+)
+
+
+def render(path: str, text: str) -> str:
+    """The new content of a file.
+
+    Args:
+        path: one of the files above.
+        text: its present content.
+
+    Raises:
+        RosmlError: markers are missing.
+    """
+    blocks = _blocks()[path]
+    found: set[str] = set()
+
+    def block(match: re.Match[str]) -> str:
+        name = match["name"]
+        if name not in blocks:
+            return match[0]
+        found.add(name)
+        lines = [f"# {name}: written by rosml generate", *blocks[name], f"# /{name}"]
+        return "".join(f"{match['indent']}{line}\n" for line in lines)
+
+    rendered = _BLOCK.sub(block, text)
+    if missing := sorted(blocks.keys() - found):
+        raise RosmlError(
+            f"{path}: the marker '# {missing[0]}: written by rosml generate' is missing",
+            f"put it back, and '# /{missing[0]}' after it",
+        )
+    return rendered
+
+
+def _blocks() -> dict[str, dict[str, Iterable[str]]]:
+    """The lines of each block, by file."""
+    index = [setting for setting in SETTINGS if setting.input.name in _INDEX]
+    called = [setting for setting in SETTINGS if setting.input.name not in _DECIDED]
+    gitlab = [setting for setting in SETTINGS if setting.input.name not in NOT_OF_GITLAB]
+    secret = [setting for setting in called if setting.input.name in SECRET]
+    return {
+        ACTION: {"inputs": _inputs(SETTINGS, _of_github), "environment": _environment(SETTINGS)},
+        INDEX: {"inputs": _inputs(index, _of_github), "environment": _environment(index)},
+        WORKFLOW: {
+            "inputs": _inputs([it for it in called if it not in secret], _of_workflow, "type: string"),
+            "secrets": [
+                line
+                for setting in secret
+                for line in (f"{setting.input.name}:", f"  description: {json.dumps(_help(setting, _of_github))}")
+            ],
+            "values": _passed(called),
+            "names": _passed(index),
+        },
+        GITLAB: {"inputs": _inputs(gitlab, _of_gitlab), "environment": _variables(gitlab)},
+    }
+
+
+def _of_github(setting: Setting) -> tuple[str, str]:
+    """The default in the action, and its words in the description."""
+    if setting.server:
+        return "", f"the job's token for {setting.server[1]}"
+    return setting.github, "" if setting.github else setting.input.default
+
+
+def _of_workflow(setting: Setting) -> tuple[str, str]:
+    """The default in the workflow: that of the action, but each platform has a machine here."""
+    return ("amd64,arm64", "") if setting.input.name == "platform" else _of_github(setting)
+
+
+def _of_gitlab(setting: Setting) -> tuple[str, str]:
+    """No default, so that variables of the pipeline count."""
+    return "", setting.gitlab or setting.input.default
+
+
+Default = Callable[[Setting], tuple[str, str]]
+
+
+def _inputs(settings: Iterable[Setting], default: Default, *more: str) -> Iterator[str]:
+    """Declarations of inputs."""
+    for setting in settings:
+        yield f"{setting.input.name}:"
+        yield f"  description: {json.dumps(_help(setting, default))}"
+        yield from (f"  {line}" for line in more)
+        yield f"  default: {json.dumps(default(setting)[0])}"
+
+
+def _help(setting: Setting, default: Default) -> str:
+    """The help of an input, with its default, unless that has its own line."""
+    item, (value, told) = setting.input, default(setting)
+    if item.gone:
+        return f"not used: {item.gone}"
+    text = item.help.partition("; ")[0] if value or told or item.name in SECRET else item.help
+    return f"{text} [{told}]" if told else text
+
+
+def _environment(settings: Iterable[Setting]) -> Iterator[str]:
+    """Variables of a step of an action, from its inputs."""
+    for setting in settings:
+        if setting.input.name not in _OTHER_STEPS:
+            token = f" || {setting.token}" if setting.token else ""
+            yield f"{setting.input.variable}: ${{{{ inputs.{setting.input.name}{token} }}}}"
+
+
+def _passed(settings: Iterable[Setting]) -> Iterator[str]:
+    """The inputs that the workflow passes to an action, except for the platform, which is the job's."""
+    for name in (setting.input.name for setting in settings):
+        if name != "platform":
+            yield f"{name}: ${{{{ {'secrets' if name in SECRET else 'inputs'}.{name} }}}}"
+
+
+def _variables(settings: Iterable[Setting]) -> Iterator[str]:
+    """Variables of a job of GitLab. GitLab does not expand the command's variables: the run image's shell does."""
+    for setting in settings:
+        name, value = f"INPUT_{setting.input.variable}", f"$[[ inputs.{setting.input.name} ]]"
+        if setting.input.name == "command":
+            yield from (f"{name}:", f"  value: {value}", "  expand: false")
+        else:
+            yield f"{name}: {value}"
+    yield from (f"DEFAULT_{it.input.variable}: {json.dumps(it.gitlab)}" for it in settings if it.gitlab)

@@ -1,0 +1,1 @@
+"""Upstream sources: the repositories that `.repos` files name, fetched at exact commits."""

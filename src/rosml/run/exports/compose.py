@@ -1,0 +1,263 @@
+"""Writes a call as a file for `docker compose`: https://github.com/compose-spec/compose-spec."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import reduce
+from typing import Any
+
+from rosml.base.errors import RosmlError
+from rosml.run.context import Context
+from rosml.run.exports import yaml_text
+from rosml.run.exports.description import (
+    COUNT,
+    Call,
+    Option,
+    fields,
+    file,
+    gpus,
+    lasting,
+    merged,
+    nested,
+    placed,
+    volume,
+)
+
+SAME = (
+    *("annotation", "cpus", "domainname", "expose", "hostname", "ipc", "isolation", "pid", "platform"),
+    *("restart", "runtime", "tmpfs", "user", "uts", "cap-add", "cap-drop", "cgroup-parent", "cpu-count", "cpu-percent"),
+    *("cpu-period", "cpu-quota", "cpu-rt-period", "cpu-rt-runtime", "cpu-shares", "dns", "dns-opt", "dns-search"),
+    *("group-add", "init", "mac-address", "oom-kill-disable", "oom-score-adj", "pids-limit", "privileged", "read-only"),
+    *("security-opt", "shm-size", "stop-signal", "storage-opt", "tty", "use-api-socket"),
+)
+"""Options with the same name in compose, with `_` for `-`."""
+
+NAMES = {
+    **{name: name.replace("-", "_") for name in SAME},
+    "add-host": "extra_hosts",
+    "annotation": "annotations",
+    "cgroupns": "cgroup",
+    "cpuset-cpus": "cpuset",
+    "device": "devices",
+    "device-cgroup-rule": "device_cgroup_rules",
+    "entrypoint": "entrypoint",
+    "env": "environment",
+    "health-cmd": "healthcheck.test",
+    "health-interval": "healthcheck.interval",
+    "health-retries": "healthcheck.retries",
+    "health-start-interval": "healthcheck.start_interval",
+    "health-start-period": "healthcheck.start_period",
+    "health-timeout": "healthcheck.timeout",
+    "interactive": "stdin_open",
+    "label": "labels",
+    "link": "external_links",
+    "log-driver": "logging.driver",
+    "log-opt": "logging.options",
+    "memory": "mem_limit",
+    "memory-reservation": "deploy.resources.reservations.memory",
+    "memory-swap": "memswap_limit",
+    "memory-swappiness": "mem_swappiness",
+    "name": "container_name",
+    "no-healthcheck": "healthcheck.disable",
+    "publish": "ports",
+    "pull": "pull_policy",
+    "sysctl": "sysctls",
+    "userns": "userns_mode",
+    "workdir": "working_dir",
+}
+"""Compose's names of options; a point leads into a nested field."""
+
+LISTS = (
+    *("add-host", "cap-add", "cap-drop", "device", "device-cgroup-rule", "dns", "dns-opt", "dns-search", "expose"),
+    *("group-add", "link", "publish", "security-opt", "tmpfs"),
+)
+"""Options that compose takes several times."""
+
+PAIRS = ("annotation", "env", "label", "log-opt", "storage-opt", "sysctl")
+"""Options with a name and a value."""
+
+SWITCHES = (
+    *("init", "interactive", "no-healthcheck", "oom-kill-disable", "privileged", "read-only", "tty", "use-api-socket"),
+)
+
+TAKEN = {"cgroupns": ("host", "private"), "pull": ("always", "missing", "never")}
+"""The values that compose takes; podman has others."""
+
+MOUNT = {
+    "type": "type",
+    "source": "source",
+    "target": "target",
+    "readonly": "read_only",
+    "bind-propagation": "bind.propagation",
+    "volume-nocopy": "volume.nocopy",
+    "volume-subpath": "volume.subpath",
+    "tmpfs-size": "tmpfs.size",
+    "tmpfs-mode": "tmpfs.mode",
+}
+"""Compose's names of the fields of `--mount`."""
+
+
+def portable(context: Context) -> Context:
+    """The context of a file of compose, which has no word for podman's entry in /etc/passwd.
+
+    Raises:
+        RosmlError: as in `lasting`.
+    """
+    found = lasting(context)
+    return replace(found, engine=replace(found.engine, passwd=False))
+
+
+def text(call: Call) -> str:
+    """The file.
+
+    Raises:
+        RosmlError: an option has no counterpart.
+    """
+    return yaml_text.text(escaped(content(call)))
+
+
+def content(call: Call) -> dict[str, Any]:
+    """The content of the file, in which compose still reads `$` as the beginning of a variable.
+
+    Raises:
+        RosmlError: an option has no counterpart.
+    """
+    service: Any = reduce(merged, (_part(option, call) for option in call.options), {"image": call.image})
+    if "entrypoint" in service:
+        service["entrypoint"] = [service["entrypoint"]]  # the engines take one word
+    if call.command:
+        service["command"] = [*call.command]
+    networks = {name: {"name": name, "external": True} for name in service.get("networks", ())}
+    volumes = {name: {"name": name} for name in map(_volume_of, service.get("volumes", ())) if name}
+    others = {"networks": networks, "volumes": volumes}
+    return {"services": {call.name: service}, **{key: found for key, found in others.items() if found}}
+
+
+# ---- An option -------------------------------------------------------------------------------------------------------
+
+
+def _part(option: Option, call: Call) -> dict[str, Any]:
+    """The fields that an option adds to a service.
+
+    Raises:
+        RosmlError: the option has no counterpart.
+    """
+    name, value = option.name, option.value or ""
+    if name in MADE:
+        return MADE[name](option, call)
+    if name not in NAMES or value not in TAKEN.get(name, (value,)):
+        raise _without(option, f"--{name}" if name not in NAMES else f"--{name}={value}")
+    found: Any = value
+    if name in SWITCHES:
+        found = option.is_on
+    elif name in LISTS:
+        found = [value]
+    elif name in PAIRS:
+        key, equals, said = value.partition("=")
+        found = {
+            key: None if name == "env" and not equals else said
+        }  # None: from the environment of the user who starts it
+    return nested(NAMES[name], found)
+
+
+def _without(option: Option, what: str) -> RosmlError:
+    return RosmlError(f"{what} has no counterpart in a file of compose", f"leave out --{option.name}", exit_code=2)
+
+
+def _network(option: Option, call: Call) -> dict[str, Any]:
+    value = option.value or ""
+    if "=" in value:
+        raise _without(option, f"--network {value}")
+    if value in ("bridge", "default", "host", "none") or ":" in value:
+        return {"network_mode": value}
+    return {"networks": {value: {}}}
+
+
+def _volume(option: Option, call: Call) -> dict[str, Any]:
+    return {"volumes": [volume(option, call, ".")]}
+
+
+def _mount(option: Option, call: Call) -> dict[str, Any]:
+    """A mount. The engines refuse a missing folder; compose would make it."""
+    mount: dict[str, Any] = {"type": "volume"}
+    for key, value in fields(option):
+        if key not in MOUNT:
+            raise _without(option, f"{key} of --mount")
+        found: Any = value
+        if key in ("readonly", "volume-nocopy"):
+            found = Option(key, value or None).is_on
+        elif key == "tmpfs-mode":
+            found = _octal(value)
+        mount = merged(mount, nested(MOUNT[key], found))
+    if mount["type"] == "bind":
+        mount = merged(mount, {"bind": {"create_host_path": False}})
+        mount["source"] = placed(mount.get("source", ""), call, ".")
+    return {"volumes": [mount]}
+
+
+def _octal(mode: str) -> int | str:
+    """A mode. The engines read it with the base 8, compose with the base 10."""
+    return int(mode, 8) if re.fullmatch("[0-7]{1,9}", mode) else mode
+
+
+def _gpus(option: Option, call: Call) -> dict[str, Any]:
+    """GPUs: `all`, `2`, `device=0`, `"device=0,1"`, or other fields."""
+    found = gpus(option)
+    device: dict[str, Any] = {
+        "driver": found.driver or "nvidia",
+        "capabilities": [*dict.fromkeys(("gpu", *found.capabilities))],
+    }
+    if found.count:
+        device["count"] = int(found.count) if COUNT.fullmatch(found.count) else found.count
+    if found.ids:
+        device["device_ids"] = [*found.ids]
+    return nested("deploy.resources.reservations.devices", [device])
+
+
+def _ulimit(option: Option, call: Call) -> dict[str, Any]:
+    name, _, limits = (option.value or "").partition("=")
+    soft, colon, hard = limits.partition(":")
+    return {"ulimits": {name: {"soft": _number(soft), "hard": _number(hard)} if colon else _number(soft)}}
+
+
+def _number(found: str) -> int | str:
+    return int(found) if NUMBER.fullmatch(found) else found
+
+
+NUMBER = re.compile("-?[0-9]{1,18}")
+"""Values that become numbers. All others stay text."""
+
+
+MADE: Mapping[str, Callable[[Option, Call], dict[str, Any]]] = {
+    "env-file": lambda option, call: {"env_file": [{"path": file(option, call, "."), "format": "raw"}]},
+    "gpus": _gpus,
+    "label-file": lambda option, call: {"label_file": [file(option, call, ".")]},
+    "mount": _mount,
+    "network": _network,
+    "stop-timeout": lambda option, call: {"stop_grace_period": f"{option.value}s"},
+    "ulimit": _ulimit,
+    "volume": _volume,
+    "volumes-from": lambda option, call: {"volumes_from": [f"container:{option.value}"]},
+}
+"""Options with a form of their own in compose."""
+
+# ---- The file --------------------------------------------------------------------------------------------------------
+
+
+def _volume_of(mount: str | Mapping[str, Any]) -> str:
+    """The name of a mounted volume; empty if it is a folder, or has no name."""
+    if not isinstance(mount, str):
+        return str(mount.get("source", "")) if mount["type"] == "volume" else ""
+    source, colon, _ = mount.partition(":")
+    return source if colon and "/" not in source and source != "." else ""
+
+
+def escaped(found: Any) -> Any:
+    """The same with each `$` twice: compose takes one for a variable."""
+    if isinstance(found, dict):
+        return {key: escaped(value) for key, value in found.items()}
+    if isinstance(found, list):
+        return [*map(escaped, found)]
+    return found.replace("$", "$$") if isinstance(found, str) else found

@@ -1,0 +1,289 @@
+"""Adds a service to a file of compose. Everything that is there stays as it is, byte for byte."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from rosml.base import files, untrusted
+from rosml.base.errors import RosmlError
+from rosml.run.exports import compose, yaml_text
+from rosml.run.exports.description import Call
+
+SECTIONS = ("services", "networks", "volumes")
+"""The parts of a file to which something is added."""
+
+LARGEST = 256 << 10
+"""The most characters of a file. It is read several times, to make sure that nothing else changes."""
+
+BY_HAND = "add the service by hand: without --add, it is printed"
+"""The remedy for a file that is written in an unusual way."""
+
+
+@dataclass(frozen=True)
+class Edit:
+    """An addition.
+
+    Attributes:
+        line: the number of the line before which it stands.
+        text: what is added.
+        event, replaced: where its own events stand among those of the file, and how many they replace.
+        events: its own events.
+    """
+
+    line: int
+    text: str
+    event: int
+    replaced: int
+    events: Sequence[Any]
+
+
+def add(file: Path, call: Call) -> str:
+    """Adds the service of a call to a file, at once. Returns what was done, for the user.
+
+    Raises:
+        RosmlError: the file is missing, a link, or no file of compose; it has something else by one of the names, or is written
+            so that nothing can be added; or the call has no counterpart in compose.
+    """
+    before = _read(file)
+    after = added(before, compose.escaped(compose.content(call)), str(file))
+    if after == before:
+        return f"{file}: has the service {call.name} already"
+    files.write(file, after)
+    return f"{file}: added the service {call.name}"
+
+
+def _read(file: Path) -> str:
+    """The text of a file, with its own ends of lines.
+
+    Raises:
+        RosmlError: it is missing, a link or no file, too large, or no text.
+    """
+    found = files.regular(file, untrusted.SIZE)
+    if found is None:
+        raise RosmlError(
+            f"{file}: there is no such file", f"make it: rosml run --export compose … >{file}", exit_code=2
+        )
+    try:
+        return found.decode()
+    except UnicodeDecodeError:
+        raise RosmlError(f"{file}: it is no text in UTF-8", "write it in UTF-8", exit_code=2) from None
+
+
+def added(text: str, content: Mapping[str, Mapping[str, Any]], what: str) -> str:
+    """A text of compose with more content; the same text if it has all of that.
+
+    Args:
+        content: for each of `SECTIONS`, if it has something, names and what they mean.
+        what: the text's name in messages.
+
+    Raises:
+        RosmlError: as in `add`.
+    """
+    if len(text) > LARGEST:
+        raise RosmlError(f"{what}: has more than {LARGEST >> 10} kB", BY_HAND, exit_code=2)
+    events, newline = _events(text, what), "\r\n" if "\r\n" in text else "\n"
+    if not events:
+        return (
+            text + (newline if text and text[-1] not in "\r\n" else "") + yaml_text.text(content).replace("\n", newline)
+        )
+    edits = [
+        edit for name in SECTIONS if content.get(name) for edit in _section(text, events, name, content[name], what)
+    ]
+    lines = text.splitlines(keepends=True)
+    if any(edit.line == len(lines) for edit in edits) and lines[-1][-1] not in "\r\n":
+        lines[-1] += newline
+    edits.sort(key=lambda edit: (edit.line, edit.event))  # what ends at the same line: the inner one first
+    for edit in reversed(edits):
+        lines.insert(edit.line, edit.text.replace("\n", newline))
+    after = "".join(lines)
+    if [*map(_signature, _events(after, what))] != _expected(events, edits):
+        raise RosmlError(f"{what}: the addition would change what is there", BY_HAND, exit_code=2)
+    return after
+
+
+def _expected(events: Sequence[Any], edits: Sequence[Edit]) -> list[tuple[Any, ...]]:
+    """The events that a text must have once all is added.
+
+    Args:
+        edits: in their order.
+    """
+    found = [*map(_signature, events)]
+    for edit in reversed(edits):
+        found[edit.event : edit.event + edit.replaced] = map(_signature, edit.events)
+    return found
+
+
+# ---- Events ----------------------------------------------------------------------------------------------------------
+
+
+def _events(text: str, what: str) -> list[Any]:
+    """The events of a text; none if it is empty.
+
+    Raises:
+        RosmlError: it is no YAML, has several documents, or is no mapping with a line for each key.
+    """
+    try:
+        found = [*untrusted.yaml_events(text)]
+        untrusted.yaml_node(text)
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        why = (
+            f"line {mark.line + 1}: {getattr(error, 'problem', '')}"
+            if mark
+            else "it has a character that YAML does not allow"
+        )
+        raise RosmlError(f"{what} is no YAML: {why}", "correct it", exit_code=2) from None
+    starts = [event for event in found if isinstance(event, yaml.DocumentStartEvent)]
+    if not starts:
+        return []
+    top = found[2]
+    odd = any(isinstance(event, yaml.DocumentEndEvent) and event.explicit for event in found)
+    if len(starts) > 1 or odd or not isinstance(top, yaml.MappingStartEvent) or top.flow_style:
+        raise RosmlError(f"{what}: it is no file of compose with a line for each key", BY_HAND, exit_code=2)
+    return found
+
+
+def _signature(event: Any) -> tuple[Any, ...]:
+    """All that an event says, without its place."""
+    fields = ("anchor", "tag", "implicit", "value", "style", "flow_style", "explicit", "version", "tags")
+    return (type(event).__name__, *(getattr(event, name, None) for name in fields))
+
+
+def _children(events: Sequence[Any], start: int) -> Iterator[tuple[int, int, int]]:
+    """The pairs of a mapping that starts at an event: where the key is, where the value is, where it has ended."""
+    place = start + 1
+    while not isinstance(events[place], yaml.MappingEndEvent):
+        value = _end(events, place)
+        after = _end(events, value)
+        yield place, value, after
+        place = after
+
+
+def _end(events: Sequence[Any], start: int) -> int:
+    """The event after a value."""
+    depth = 0
+    for place in range(start, len(events)):
+        depth += isinstance(events[place], yaml.CollectionStartEvent) - isinstance(
+            events[place], yaml.CollectionEndEvent
+        )
+        if depth == 0:
+            return place + 1
+    return len(events)
+
+
+def _pairs(events: Sequence[Any], start: int) -> dict[str, tuple[int, int]]:
+    """The pairs of a mapping by their keys: where the value is, and where it has ended."""
+    return {getattr(events[key], "value", ""): (value, after) for key, value, after in _children(events, start)}
+
+
+# ---- A part ----------------------------------------------------------------------------------------------------------
+
+
+def _section(text: str, events: Sequence[Any], name: str, wanted: Mapping[str, Any], what: str) -> list[Edit]:
+    """The additions to a part.
+
+    Raises:
+        RosmlError: as in `add`.
+    """
+    found = _pairs(events, 2).get(name)
+    if found is None:
+        return [_at_the_end(text, events, {name: wanted})]
+    value, after = found
+    start = events[value]
+    if isinstance(start, yaml.ScalarEvent) and not (start.value or start.style or start.anchor or start.tag):
+        return [_below(start, value, wanted)]
+    there = _pairs(events, value) if isinstance(start, yaml.MappingStartEvent) else {}
+    for key in [key for key in wanted if key in there]:
+        if not _same(text, name, key, wanted[key]):
+            kind = name.removesuffix("s")
+            remedy = "--name gives the service another name" if name == "services" else f"rename that {kind}"
+            raise RosmlError(f"{what} has a {kind} {key} already, with other content", remedy, exit_code=2)
+    missing = {key: value for key, value in wanted.items() if key not in there}
+    if not missing:
+        return []
+    if not isinstance(start, yaml.MappingStartEvent) or start.flow_style:
+        raise RosmlError(f"{what}: {name} has no line for each key", BY_HAND, exit_code=2)
+    if start.anchor:
+        why = f"{what}: {name} has the anchor {start.anchor}, so the addition may be elsewhere as well"
+        raise RosmlError(why, BY_HAND, exit_code=2)
+    return [_last(text, events, value, after, missing)]
+
+
+def _at_the_end(text: str, events: Sequence[Any], content: Mapping[str, Any]) -> Edit:
+    """An addition to the whole file."""
+    column = events[3].start_mark.column if len(events) > 6 else 0
+    inner = _inner(content)
+    end = _end(events, 2) - 1
+    return Edit(len(text.splitlines()), _indented(content, column), end, 0, inner)
+
+
+def _below(start: Any, value: int, content: Mapping[str, Any]) -> Edit:
+    """An addition to a part that is empty."""
+    return Edit(
+        start.end_mark.line + 1,
+        _indented(content, 2),
+        value,
+        1,
+        [*untrusted.yaml_events(yaml_text.text(content))][2:-2],
+    )
+
+
+def _last(text: str, events: Sequence[Any], start: int, after: int, content: Mapping[str, Any]) -> Edit:
+    """An addition behind the last of a part, and behind the comments that belong to that."""
+    column = events[start + 1].start_mark.column
+    line = max(_line_after(event) for event in events[start + 1 : after - 1])
+    lines = text.splitlines()
+    for number in range(line, len(lines)):
+        comment = re.match(r"( *)#", lines[number])
+        if comment and len(comment[1]) > column:
+            line = number + 1
+        elif lines[number].strip():
+            break
+    return Edit(line, _indented(content, column), after - 1, 0, _inner(content))
+
+
+def _line_after(event: Any) -> int:
+    """The line after an event; 0 for the end of a mapping or list with a line for each item, which is told too late."""
+    mark: Any = event.end_mark
+    if isinstance(event, yaml.CollectionEndEvent) and getattr(event.start_mark, "index", 0) == mark.index:
+        return 0
+    return int(mark.line + (1 if mark.column else 0))
+
+
+def _inner(content: Mapping[str, Any]) -> list[Any]:
+    """The events of keys and values, without those of the mapping that has them."""
+    return [*untrusted.yaml_events(yaml_text.text(content))][3:-3]
+
+
+def _indented(content: Mapping[str, Any], column: int) -> str:
+    return "".join(f"{' ' * column}{line}" for line in yaml_text.text(content).splitlines(keepends=True))
+
+
+def _same(text: str, section: str, key: str, wanted: Any) -> bool:
+    """Whether a part has the wanted content by a name."""
+    top = untrusted.yaml_node(text)
+    there = _value(_value(top, section), key)
+    return there is not None and _alike(there, untrusted.yaml_node(yaml_text.text(wanted)))
+
+
+def _value(node: Any, key: str) -> Any:
+    return next((value for found, value in node.value if found.value == key), None)
+
+
+def _alike(first: Any, second: Any) -> bool:
+    """Whether two nodes mean the same; the order of keys does not count."""
+    if first.tag != second.tag:
+        return False
+    if isinstance(first, yaml.ScalarNode):
+        return bool(first.value == second.value)
+    if len(first.value) != len(second.value):
+        return False
+    if isinstance(first, yaml.SequenceNode):
+        return all(map(_alike, first.value, second.value))
+    return all((other := _value(second, key.value)) is not None and _alike(value, other) for key, value in first.value)

@@ -1,0 +1,291 @@
+"""A call without its passing parts, for files from which other programs start it."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from rosml.base.errors import RosmlError
+from rosml.run import attach
+from rosml.run.context import Context, Engine, Image
+from rosml.run.plugins import concerns, sockets
+from rosml.run.words import Given, Line, split
+
+OF_A_CALL = ("attach", "detach", "detach-keys", "quiet", "replace", "rm", "rmi", "sig-proxy")
+"""Options about how a single call waits and cleans up. Programs that start the file have their own."""
+
+SYNONYMS = {"net": "network", "dns-option": "dns-opt"}
+"""Options with two names."""
+
+FIELDS = {"src": "source", "dst": "target", "destination": "target", "ro": "readonly"}
+"""Fields of `--mount` with several names."""
+
+NAMED = ("annotation", "env", "label")
+"""Options whose value has a name."""
+
+X11 = ("-v", "/tmp/.X11-unix:/tmp/.X11-unix", "-e", "DISPLAY", "-e", "QT_X11_NO_MITSHM=1")
+"""Options for windows that last as long as a file: the sockets of all displays, and the DISPLAY of the user who starts it."""
+
+
+@dataclass(frozen=True)
+class Option:
+    """An option of the engine.
+
+    Attributes:
+        name: its long name.
+        value: its value; None if it is a switch.
+    """
+
+    name: str
+    value: str | None = None
+
+    @property
+    def is_on(self) -> bool:
+        """Whether a switch is on."""
+        return self.value is None or self.value.lower() in ("1", "t", "true")
+
+
+@dataclass(frozen=True)
+class Call:
+    """A call: the one description from which all files are written.
+
+    Attributes:
+        name: its name for people: that of --name, or from the folder.
+        options: the engine's options. If two set the same thing, the last one counts.
+        folder: the current folder.
+        place: the folder for which the file is; paths in it are relative there.
+        engine: the engine that would run it.
+        about: the engine's facts about the image.
+    """
+
+    name: str
+    options: tuple[Option, ...]
+    image: str
+    command: tuple[str, ...]
+    folder: str
+    place: str
+    engine: Engine = field(default_factory=Engine)
+    about: Image = field(default_factory=Image)
+
+    def values(self, name: str) -> list[str]:
+        """The values of an option, in their order."""
+        return [option.value or "" for option in self.options if option.name == name]
+
+
+def lasting(context: Context) -> Context:
+    """The context as on a terminal, without the parts of a session: the cookie of X11, and the socket of ssh's agent.
+
+    Raises:
+        RosmlError: the user asks for ssh's agent.
+    """
+    line = context.line
+    if line.asks("ssh-agent"):
+        text = "--ssh-agent does not go with --export: the agent's socket has another path in each session"
+        raise RosmlError(text, "leave it out; editors pass your agent themselves", exit_code=2)
+    windows = X11 if _has_windows(context) else ()
+    kept = preceded(replace(line, own=(*line.own, "--no-name", "--no-x11")), *windows)
+    return replace(context, line=kept, person=replace(context.person, terminal=True, reads=True))
+
+
+def sessionless(context: Context, kind: str) -> Context:
+    """The context of a service, which starts before anybody logs in: no terminal, no windows, no sockets of a session.
+
+    Args:
+        kind: the kind of file, for messages.
+
+    Raises:
+        RosmlError: the user asks for one of these sockets.
+    """
+    if asked := next((name for name in ("ssh-agent", "sound", "wayland") if context.line.asks(name)), ""):
+        text = f"--{asked} does not go with --export {kind}: its socket is there while you are logged in"
+        raise RosmlError(text, "leave it out, or mount a socket that lasts with -v", exit_code=2)
+    own = (*context.line.own, "--no-name", "--no-x11", "--no-it")
+    return replace(context, line=replace(context.line, own=own))
+
+
+def lacking_command(call: Call) -> list[tuple[str, str]]:
+    """A warning if a service would start a shell, which ends at once because it has no terminal; with its remedy."""
+    if call.command or call.values("entrypoint") or not attach.is_shell(call.about.command):
+        return []
+    text = f"no command is written, and {call.image} starts {call.about.command[0]!a}, which ends at once without a terminal"
+    return [(text, "write the command after the image, such as ros2 launch PACKAGE FILE")]
+
+
+def preceded(line: Line, *words: str) -> Line:
+    """The line with more options of the engine before the typed ones."""
+    return replace(line, engine=(*split([*words, line.image], ()).engine, *line.engine))
+
+
+def _has_windows(context: Context) -> bool:
+    """Whether X11 shows windows of this machine. A display of `ssh -X` is gone when the file is used."""
+    line, host = context.line, context.host
+    named = sockets.DISPLAY.fullmatch(host.environment.get("DISPLAY", ""))
+    if line.asks("no-x11") or line.sets("DISPLAY") or not context.is_here or not named:
+        return False
+    return named["machine"] in ("", "unix") and host.has(f"/tmp/.X11-unix/X{named['number']}")
+
+
+def call(context: Context, argv: Sequence[str], place: str = "") -> Call:
+    """The call.
+
+    Args:
+        argv: the engine's command, from the plugins.
+        place: the folder for which the file is; by default the current one.
+
+    Raises:
+        RosmlError: a word of the command is no text, or the engines refuse a name.
+    """
+    odd = next((word for word in argv if not _is_text(word)), None)
+    if odd is not None:
+        raise RosmlError(f"--export: {odd!a} is no text", "write it in UTF-8", exit_code=2)
+    line = split(argv[2:], ())
+    options = [Option(SYNONYMS.get(name, name), value) for given in line.engine for name, value in _pairs(given)]
+    kept = tuple(option for option in options if option.name not in OF_A_CALL)
+    folder = context.person.folder
+    seen = replace(context.person, terminal=True)
+    named = _named(kept)
+    name = named or concerns.name_of(Line((), (), line.image, ()), seen) or "container"
+    return Call(name, kept, line.image, line.command, folder, place or folder, context.engine, context.image)
+
+
+def _named(options: Sequence[Option]) -> str:
+    """The value of --name; empty if there is none. The engines look at names before they start anything, so we do as well.
+
+    Raises:
+        RosmlError: it is none, or a variable or a label has no name.
+    """
+    name = ""
+    for option in options:
+        value = option.value or ""
+        if option.name == "name":
+            name = value
+            if concerns.as_name(value) != value or not value:
+                text, remedy = (
+                    f"--name {value!a} is no name of a container",
+                    "write letters, digits, and then also _ . -",
+                )
+                raise RosmlError(text, remedy, exit_code=2)
+        elif option.name in NAMED and not value.partition("=")[0]:
+            raise RosmlError(f"--{option.name} {value!a} has no name", f"write --{option.name} NAME=VALUE", exit_code=2)
+    return name
+
+
+def _is_text(word: str) -> bool:
+    try:
+        word.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+def _pairs(given: Given) -> list[tuple[str, str | None]]:
+    """The options in a word, such as `-itv`, each with its value; only the last one can have a value."""
+    *switches, last = given.names
+    return [*((name, None) for name in switches), (last, given.value)]
+
+
+def fields(option: Option) -> list[tuple[str, str]]:
+    """The fields of a value such as `type=bind,source=/a,target=/b`; a switch among them has an empty value.
+
+    Raises:
+        RosmlError: its quotes do not close.
+    """
+    import csv  # few values have any
+
+    try:
+        (found,) = csv.reader([option.value or ""], strict=True)
+    except (csv.Error, ValueError):
+        raise RosmlError(
+            f"--{option.name}={option.value}: its quotes do not close", 'write one " at each end', exit_code=2
+        ) from None
+    return [(FIELDS.get(key, key), value) for key, _, value in (field.partition("=") for field in found)]
+
+
+def placed(path: str, call: Call, start: str) -> str:
+    """A path. If it lies in the folder of the file, it begins with `start` instead, so that the file works elsewhere."""
+    if call.place == "/" or not f"{path}/".startswith(f"{call.place}/"):
+        return path
+    return start + path[len(call.place) :]
+
+
+def file(option: Option, call: Call, start: str) -> str:
+    """The value of an option that is a file of this machine; a relative path begins at the current folder."""
+    return placed(os.path.normpath(os.path.join(call.folder, option.value or "")), call, start)
+
+
+def volume(option: Option, call: Call, start: str) -> str:
+    """The value of `-v`, with its folder as `placed` has it. Without a colon it is a place in the container."""
+    source, colon, rest = (option.value or "").partition(":")
+    return placed(source, call, start) + colon + rest if colon else source
+
+
+# ---- GPUs ------------------------------------------------------------------------------------------------------------
+
+CERTAIN = """for certain GPUs: --gpus '"device=0,1"'"""
+"""The remedy for GPUs that are not clear."""
+
+COUNT = re.compile("[0-9]{1,18}")
+"""A number of GPUs, or of a GPU."""
+
+
+@dataclass(frozen=True)
+class Gpus:
+    """The GPUs of `--gpus`.
+
+    Attributes:
+        count: `all`, a number, or another text, which the engine refuses; empty if there are ids.
+        ids: the wanted ones.
+        driver: empty if none is named.
+        capabilities: those that are named.
+    """
+
+    count: str
+    ids: tuple[str, ...]
+    driver: str
+    capabilities: tuple[str, ...]
+
+
+def gpus(option: Option) -> Gpus:
+    """GPUs, from `all`, `2`, `device=0`, `"device=0,1"`, or more fields.
+
+    Raises:
+        RosmlError: it has other fields, or several numbers. Docker takes the last number of `0,1`, which nobody means.
+    """
+    found: dict[str, str] = {}
+    for key, value in fields(option):
+        name, said = ("count", value or key) if key in ("all", "count") or COUNT.fullmatch(key) else (key, value)
+        if name not in ("count", "device", "driver", "capabilities"):
+            remedy = f"leave out {name}: write all, a number, or device= with ids"
+            raise RosmlError(f"{name} of --gpus has no counterpart in such a file", remedy, exit_code=2)
+        if name in found:
+            text = f"--gpus {option.value} says {name} twice"
+            raise RosmlError(text, CERTAIN, exit_code=2)
+        found[name] = said
+    ids = tuple(filter(None, found.get("device", "").split(",")))
+    if ids and "count" in found:
+        text = f"--gpus {option.value} says both how many and which"
+        raise RosmlError(text, CERTAIN, exit_code=2)
+    count = found.get("count", "" if ids else "1")
+    return Gpus(count, ids, found.get("driver", ""), tuple(filter(None, found.get("capabilities", "").split(","))))
+
+
+# ---- Content ---------------------------------------------------------------------------------------------------------
+
+
+def nested(path: str, found: Any) -> dict[str, Any]:
+    """`a.b` and what is in it, as `{a: {b: …}}`."""
+    first, _, rest = path.partition(".")
+    return {first: nested(rest, found) if rest else found}
+
+
+def merged(first: Any, second: Any) -> Any:
+    """Both; of two texts, numbers or switches the second one."""
+    if isinstance(first, dict) and isinstance(second, dict):
+        both = {key: merged(first[key], second[key]) for key in first if key in second}
+        return {**first, **second, **both}
+    if isinstance(first, list) and isinstance(second, list):
+        return [*first, *(item for item in second if item not in first)]
+    return second

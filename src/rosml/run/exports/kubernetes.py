@@ -1,0 +1,467 @@
+"""Writes a call as a Deployment of Kubernetes: https://kubernetes.io/docs/reference/kubernetes-api/workload-resources/.
+
+The cluster's machines are others than this one: its GPUs, devices and displays do not count, and a cluster runs containers as root
+does. Kubernetes reads `$(…)` in variables and commands, so each `$` of them is written twice.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import reduce
+from typing import Any
+
+from rosml.base.errors import RosmlError
+from rosml.run import trust
+from rosml.run.context import Context, Engine
+from rosml.run.exports import yaml_text
+from rosml.run.exports.description import COUNT, Call, Option, fields, gpus, merged, nested, preceded, sessionless
+from rosml.run.plugins.concerns import FOLDER
+from rosml.run.plugins.gpu import DRIVER, is_theirs, numbers
+
+KIND = "kubernetes"
+"""The name of this kind of file."""
+
+NAME_LABEL = "app.kubernetes.io/name"
+"""The label by which the Deployment finds its containers."""
+
+GPU = "nvidia.com/gpu"
+"""The name of a GPU among a machine's resources."""
+
+DROPPED = ("interactive", "name", "tty")
+"""Options that have no meaning, or that are said elsewhere in the file."""
+
+VARIABLE = re.compile("[A-Za-z_.-][A-Za-z0-9_.-]*")
+"""The names of variables that all releases take."""
+
+LABEL = re.compile(r"(?=.{1,317}\Z)([a-z0-9]([a-z0-9.-]*[a-z0-9])?/)?[A-Za-z0-9]([A-Za-z0-9_.-]{0,61}[A-Za-z0-9])?")
+"""The names of labels and annotations."""
+
+LABEL_VALUE = re.compile("([A-Za-z0-9]([A-Za-z0-9_.-]{0,61}[A-Za-z0-9])?)?")
+SIZE = re.compile(r"([0-9]{1,15}(?:\.[0-9]{1,3})?)([bkmgt]?)b?", re.IGNORECASE)
+"""A size of memory, as the engines read it: `512m`, `1.5g`."""
+
+PORT = re.compile(
+    r"(?:(?P<ip>[0-9.]+|\[[0-9A-Fa-f:]+\]):)?(?P<host>[0-9]{1,5}):(?P<inside>[0-9]{1,5})(?:/(?P<kind>tcp|udp|sctp))?"
+)
+"""The values of -p with one port on each side."""
+
+PULLS = {"always": "Always", "missing": "IfNotPresent", "never": "Never"}
+DEFAULTS = {"ipc": ("private",), "network": ("bridge", "default"), "restart": ("always", "unless-stopped")}
+"""Values that say what a cluster does by itself."""
+
+HOST = {"ipc": "hostIPC", "network": "hostNetwork", "pid": "hostPID"}
+"""Fields for what containers share with their machine."""
+
+
+def cluster(context: Context) -> Context:
+    """The context of a machine of a cluster.
+
+    Raises:
+        RosmlError: as in `sessionless`.
+    """
+    engine, line = Engine("docker", machine=f"a cluster, not {context.host.name}"), context.line
+    if numbers(context.image.labels.get(DRIVER, "")) and not line.asks("no-gpu") and not is_theirs(line):
+        line = preceded(line, "--gpus", "1")  # the image was made for one
+    return sessionless(replace(context, engine=engine, line=line), KIND)
+
+
+def text(call: Call) -> str:
+    """The file.
+
+    Raises:
+        RosmlError: an option has no counterpart.
+    """
+    found, lines = (
+        content(call),
+        [f"{call.name} in a cluster. Written by rosml run --export kubernetes; kubectl apply -f FILE"],
+    )
+    limits = found["spec"]["template"]["spec"]["containers"][0].get("resources", {}).get("limits", {})
+    if numbers(call.about.labels.get(DRIVER, "")):
+        said = "--no-gpu leaves it out" if GPU in limits else "--gpus 1 asks for it"
+        lines.append(f"The image was made for a GPU of NVIDIA's: {said}")
+    if not _digests(call):
+        lines.append("The image has no digest of a registry here, so its tag decides what runs")
+    return "".join(f"# {line}.\n" for line in lines) + yaml_text.text(found)
+
+
+def content(call: Call) -> dict[str, Any]:
+    """The content of the file.
+
+    Raises:
+        RosmlError: an option has no counterpart.
+    """
+    name = _dns(call.name)
+    pod: Any = reduce(merged, (_part(option, call) for option in call.options), {"container": {}})
+    container = {"name": name, "image": _image(call), **pod.pop("container")}
+    annotations, labels = pod.pop("annotations", {}), {NAME_LABEL: name, **pod.pop("labels", {})}
+    if entrypoint := call.values("entrypoint"):
+        container |= _entry(entrypoint[-1], call)
+    elif call.command:
+        container["args"] = [*map(_escaped, call.command)]
+    if "env" in container:
+        container["env"] = [{"name": key, "value": _escaped(value)} for key, value in container["env"].items()]
+    container |= _probe(call)
+    mounts = container.pop("mounts", [])
+    if mounts:
+        container["volumeMounts"] = [{"name": f"volume-{n}", **mount} for n, (mount, _) in enumerate(mounts)]
+        pod["volumes"] = [{"name": f"volume-{n}", **source} for n, (_, source) in enumerate(mounts)]
+    _check(container, pod)
+    metadata = {"labels": labels, **({"annotations": annotations} if annotations else {})}
+    return {
+        "apiVersion": "apps/v1",
+        "kind": "Deployment",
+        "metadata": {"name": name, "labels": {NAME_LABEL: name}},
+        "spec": {
+            "strategy": {"type": "Recreate"},  # two at a time would want the same GPU, ports and names of nodes
+            "selector": {"matchLabels": {NAME_LABEL: name}},
+            "template": {"metadata": metadata, "spec": {"containers": [container], **pod}},
+        },
+    }
+
+
+# ---- The whole -------------------------------------------------------------------------------------------------------
+
+
+def _dns(name: str) -> str:
+    """A name as Kubernetes takes it: small letters, digits and `-`, at most 63."""
+    return re.sub("[^a-z0-9]+", "-", name.lower()).strip("-")[:63].strip("-") or "container"
+
+
+def _digests(call: Call) -> list[str]:
+    """The image's digests in the repository from which it came; the one over all architectures comes first."""
+    wanted = trust.repository(call.image, call.about.id, podman=False)
+    named = [known.partition("@") for known in call.about.digests]
+    found = [digest for name, _, digest in named if trust.repository(name, "", podman=False) == wanted]
+    return sorted(found, key=lambda digest: digest == call.about.digest)
+
+
+def _image(call: Call) -> str:
+    """The image, with its digest if that is known."""
+    if trust.repository(call.image, call.about.id, podman=False).startswith("sha256:"):
+        text = f"{call.image!a} is no name of an image that a cluster can pull"
+        raise RosmlError(text, trust.PUSHED, exit_code=2)
+    found = _digests(call)
+    return call.image if "@" in call.image or not found else f"{call.image}@{found[0]}"
+
+
+def _entry(entrypoint: str, call: Call) -> dict[str, Any]:
+    """The command in the place of the image's entrypoint."""
+    words = [*([entrypoint] if entrypoint else []), *call.command]
+    if not words:
+        text = "--entrypoint '' leaves a cluster nothing to start"
+        raise RosmlError(text, "write the command after the image", exit_code=2)
+    return {"command": [*map(_escaped, words)]}
+
+
+def _escaped(found: str) -> str:
+    """A text of which Kubernetes reads each `$$` as one `$`."""
+    return found.replace("$", "$$")
+
+
+def _check(container: Mapping[str, Any], pod: Mapping[str, Any]) -> None:
+    """Raises RosmlError if a cluster refuses what an engine takes."""
+    safety = container.get("securityContext", {})
+    strong = safety.get("privileged") or "SYS_ADMIN" in safety.get("capabilities", {}).get("add", [])
+    if strong and safety.get("allowPrivilegeEscalation") is False:
+        text = "a cluster refuses no-new-privileges together with --privileged or SYS_ADMIN"
+        remedy = "--security-opt no-new-privileges=false, or --trust if the image makes users"
+        raise RosmlError(text, remedy, exit_code=2)
+    if pod.get("hostNetwork") and "hostname" in pod:
+        text = "--hostname does not go with this machine's network in a cluster: the name is the machine's"
+        raise RosmlError(text, "leave out --hostname", exit_code=2)
+
+
+# ---- The image's health ----------------------------------------------------------------------------------------------
+
+
+def _probe(call: Call) -> dict[str, Any]:
+    """The probe that starts the container again, from --health-cmd or the image's HEALTHCHECK, with the engines' defaults."""
+    typed, image = (call.values("health-cmd") or [""])[-1], call.about.health
+    if call.values("no-healthcheck") or typed == "none" or not (typed or image.command):
+        return {}
+    command = ("/bin/sh", "-c", typed) if typed else image.command
+
+    def seconds(name: str, found: float, default: int) -> int:
+        said = (call.values(f"health-{name}") or [""])[-1]
+        return max(1, -int(-(_seconds(name, said) if said else found) // 1)) if said or found else default
+
+    probe = {
+        "exec": {"command": [*command]},
+        "periodSeconds": seconds("interval", image.interval, 30),
+        "timeoutSeconds": seconds("timeout", image.timeout, 30),
+        "failureThreshold": _number("health-retries", call) or image.retries or 3,
+    }
+    if start := seconds("start-period", image.start_period, 0):
+        probe["initialDelaySeconds"] = start
+    return {"livenessProbe": probe}
+
+
+def _seconds(name: str, said: str) -> float:
+    """A duration such as `1m30s`."""
+    parts = re.findall(r"([0-9]{1,9}(?:\.[0-9]{1,9})?)(ms|s|m|h)", said)
+    if not parts or "".join(map("".join, parts)) != said:
+        raise RosmlError(f"--health-{name}={said} is no duration", "write it such as 1m30s", exit_code=2)
+    return sum(float(number) * {"ms": 0.001, "s": 1, "m": 60, "h": 3600}[unit] for number, unit in parts)
+
+
+def _number(name: str, call: Call) -> int:
+    """The value of an option that is a number; 0 if it is not written."""
+    found = (call.values(name) or ["0"])[-1]
+    if not COUNT.fullmatch(found):
+        raise _without(f"--{name}={found}", f"write --{name}=NUMBER")
+    return int(found)
+
+
+# ---- An option -------------------------------------------------------------------------------------------------------
+
+
+def _without(what: str, remedy: str) -> RosmlError:
+    return RosmlError(f"{what} has no counterpart in a file of Kubernetes", remedy, exit_code=2)
+
+
+def _part(option: Option, call: Call) -> dict[str, Any]:
+    """The fields that an option adds to a pod, and below `container` those of its container.
+
+    Raises:
+        RosmlError: the option has no counterpart.
+    """
+    name, value = option.name, option.value or ""
+    if name in DROPPED or name in ("entrypoint", "no-healthcheck") or name in HEALTH or value in DEFAULTS.get(name, ()):
+        return {}
+    if name in HOST and value == "host":
+        policy = {"dnsPolicy": "ClusterFirstWithHostNet"} if name == "network" else {}
+        return {HOST[name]: True, **policy}
+    if name not in MADE:
+        remedy = REMEDIES.get(name, f"leave out --{name}")
+        raise _without(f"--{name}={value}" if name in (*HOST, *DEFAULTS) else f"--{name}", remedy)
+    return MADE[name](option, call)
+
+
+REMEDIES = {"env-file": "write -e NAME=VALUE, or leave it out and add a ConfigMap or a Secret to the file"}
+"""Remedies other than to leave an option out."""
+
+HEALTH = ("health-cmd", "health-interval", "health-retries", "health-start-period", "health-timeout")
+
+
+def _env(option: Option, call: Call) -> dict[str, Any]:
+    name, equals, value = (option.value or "").partition("=")
+    if not equals:
+        raise _without(f"-e {name} without a value", f"write -e {name}=VALUE: a cluster has no variables of yours")
+    if not VARIABLE.fullmatch(name):
+        raise _without(f"the variable {name!a}", "name it with letters, digits and _")
+    return {"container": {"env": {name: value}}}
+
+
+def _label(option: Option, call: Call) -> dict[str, Any]:
+    key, _, value = (option.value or "").partition("=")
+    if key == FOLDER:
+        return {}  # of this machine
+    if not LABEL.fullmatch(key) or (option.name == "label" and not LABEL_VALUE.fullmatch(value)) or key == NAME_LABEL:
+        raise _without(f"--{option.name} {option.value!a}", f"leave out --{option.name}; --annotation takes any value")
+    return {f"{option.name}s": {key: value}}
+
+
+def _user(option: Option, call: Call) -> dict[str, Any]:
+    ids = re.fullmatch(r"([0-9]{1,10})(?::([0-9]{1,10}))?", option.value or "")
+    if not ids:
+        raise _without(f"--user {option.value}", "write numbers: --user UID:GID")
+    group = {"runAsGroup": int(ids[2])} if ids[2] else {}
+    return _safety({"runAsUser": int(ids[1]), **group})
+
+
+def _safety(found: Mapping[str, Any]) -> dict[str, Any]:
+    return {"container": {"securityContext": {**found}}}
+
+
+def _security(option: Option, call: Call) -> dict[str, Any]:
+    key, _, value = (option.value or "").replace(":", "=", 1).partition("=")
+    if key == "no-new-privileges" and value in ("", "true", "false"):
+        return _safety({"allowPrivilegeEscalation": False}) if value != "false" else {}
+    profiles = {"seccomp": "seccompProfile", "apparmor": "appArmorProfile"}
+    if key in profiles and value == "unconfined":
+        return _safety({profiles[key]: {"type": "Unconfined"}})
+    raise _without(f"--security-opt {option.value}", "leave out --security-opt, and write securityContext by hand")
+
+
+def _capability(option: Option, call: Call) -> dict[str, Any]:
+    name = (option.value or "").upper().removeprefix("CAP_")
+    if not re.fullmatch("[A-Z][A-Z_]*", name):
+        raise _without(f"--{option.name} {option.value!a}", "write a name such as SYS_NICE")
+    return _safety({"capabilities": {option.name.removeprefix("cap-"): [name]}})
+
+
+def _group(option: Option, call: Call) -> dict[str, Any]:
+    if not COUNT.fullmatch(option.value or ""):
+        raise _without(f"--group-add {option.value}", "write the group's number")
+    return {"securityContext": {"supplementalGroups": [int(option.value or "")]}}
+
+
+def _sysctl(option: Option, call: Call) -> dict[str, Any]:
+    name, equals, value = (option.value or "").partition("=")
+    if not equals:
+        raise _without(f"--sysctl {option.value}", "write --sysctl NAME=VALUE")
+    return {"securityContext": {"sysctls": [{"name": name, "value": value}]}}
+
+
+def _size(option: Option, said: str) -> str:
+    """A size of memory in Kubernetes' words."""
+    found = SIZE.fullmatch(said)
+    if not found or not float(found[1]):
+        raise _without(f"--{option.name}={said}", "write a size such as 512m")
+    unit = found[2].upper()
+    return found[1] + (f"{unit}i" if unit not in ("", "B") else "")
+
+
+def _gpus(option: Option, call: Call) -> dict[str, Any]:
+    found = gpus(option)
+    if found.ids or found.driver not in ("", "nvidia") or found.capabilities:
+        raise _without(f"--gpus {option.value}", "write --gpus NUMBER: the cluster chooses which")
+    if not COUNT.fullmatch(found.count) or int(found.count) == 0:
+        raise _without(f"--gpus {option.value}", "write --gpus NUMBER: a cluster counts GPUs")
+    return _limit(GPU, str(int(found.count)))
+
+
+def _limit(name: str, value: str, kind: str = "limits") -> dict[str, Any]:
+    return {"container": nested(f"resources.{kind}", {name: value})}
+
+
+def _cpus(option: Option, call: Call) -> dict[str, Any]:
+    if not re.fullmatch(r"[0-9]{1,4}(\.[0-9]{1,3})?", option.value or "") or not float(option.value or ""):
+        raise _without(f"--cpus={option.value}", "write a number such as 1.5")
+    return _limit("cpu", option.value or "")
+
+
+def _device(option: Option, call: Call) -> dict[str, Any]:
+    remedy = "a device plugin of the cluster, or --privileged -v /dev:/dev; GPUs are --gpus NUMBER"
+    raise _without(f"--device {option.value}", remedy)
+
+
+def _port(option: Option, call: Call) -> dict[str, Any]:
+    found = PORT.fullmatch(option.value or "")
+    if not found or not all(0 < int(found[side]) < 2**16 for side in ("host", "inside")):
+        raise _without(f"-p {option.value}", "write -p PORT:PORT, the machine's and the container's")
+    port: dict[str, Any] = {"containerPort": int(found["inside"]), "hostPort": int(found["host"])}
+    port["protocol"] = (found["kind"] or "tcp").upper()
+    if found["ip"]:
+        port["hostIP"] = found["ip"].strip("[]")
+    return {"container": {"ports": [port]}}
+
+
+def _volume(option: Option, call: Call) -> dict[str, Any]:
+    source, colon, rest = (option.value or "").partition(":")
+    target, _, mode = rest.partition(":")
+    if not colon or not source.startswith("/"):
+        raise _without(f"-v {option.value}", "mount a folder of the machine: -v /FOLDER:/WHERE")
+    if not {*filter(None, mode.split(","))} <= {"ro", "rw"}:
+        raise _without(f"{mode} of -v {option.value}", "write ro, or leave it out")
+    return _mounted(target, {"hostPath": {"path": source}}, "ro" in mode.split(","))
+
+
+def _mounted(target: str, source: Mapping[str, Any], read_only: bool = False) -> dict[str, Any]:
+    """A mount of a source. A cluster refuses a colon in its path, and a way up in that of the machine."""
+    path = source.get("hostPath", {}).get("path", "/")
+    if not target.startswith("/") or ":" in target or ".." in path.split("/") or not path.startswith("/"):
+        raise _without(f"the mount of {path} at {target!a}", "write whole paths, without a colon and ..")
+    mount = {"mountPath": target, **({"readOnly": True} if read_only else {})}
+    return {"container": {"mounts": [(mount, {**source})]}}
+
+
+def _memory(option: Option, target: str, size: str) -> dict[str, Any]:
+    limit = {"sizeLimit": _size(option, size)} if size else {}
+    return _mounted(target, {"emptyDir": {"medium": "Memory", **limit}})
+
+
+def _mount(option: Option, call: Call) -> dict[str, Any]:
+    found = dict(fields(option))
+    kind, target, source = found.pop("type", "volume"), found.pop("target", ""), found.pop("source", "")
+    switch = found.pop("readonly", "false")
+    size = found.pop("tmpfs-size", "") if kind == "tmpfs" else ""
+    if kind not in ("bind", "tmpfs") or found or (kind == "tmpfs" and source):
+        raise _without(f"--mount {option.value}", "mount a folder of the machine: -v /FOLDER:/WHERE")
+    if kind == "tmpfs":
+        return _memory(option, target, size)
+    return _mounted(target, {"hostPath": {"path": source}}, Option("", switch or None).is_on)
+
+
+def _tmpfs(option: Option, call: Call) -> dict[str, Any]:
+    target, _, said = (option.value or "").partition(":")
+    found = [part for part in said.split(",") if part not in ("", "rw")]
+    if any(not part.startswith("size=") for part in found):
+        raise _without(f"{said} of --tmpfs", "write size=, or leave it out")
+    return _memory(option, target, found[-1].removeprefix("size=") if found else "")
+
+
+def _host_name(option: Option, call: Call) -> dict[str, Any]:
+    if _dns(option.value or "") != option.value:
+        raise _without(f"--hostname {option.value!a}", "write small letters, digits and -")
+    return {"hostname": option.value}
+
+
+def _host(option: Option, call: Call) -> dict[str, Any]:
+    name, _, address = re.sub("=", ":", option.value or "", count=1).partition(":")
+    address = address.strip("[]")
+    if not re.fullmatch("[0-9A-Fa-f:.]+", address):
+        raise _without(f"--add-host {option.value}", "write --add-host NAME:ADDRESS")
+    return {"hostAliases": [{"ip": address, "hostnames": [name]}]}
+
+
+def _platform(option: Option, call: Call) -> dict[str, Any]:
+    system, _, architecture = (option.value or "").partition("/")
+    if system != "linux" or "/" in architecture:
+        raise _without(f"--platform {option.value}", "write linux/amd64 or linux/arm64")
+    return {"nodeSelector": {"kubernetes.io/arch": architecture}}
+
+
+def _runtime(option: Option, call: Call) -> dict[str, Any]:
+    if _dns(option.value or "") != option.value:
+        raise _without(f"--runtime {option.value!a}", "write the name of a RuntimeClass of the cluster")
+    return {"runtimeClassName": option.value}
+
+
+def _switch(option: Option, call: Call) -> dict[str, Any]:
+    fields = {"privileged": "privileged", "read-only": "readOnlyRootFilesystem"}
+    if option.name == "init" and option.is_on:
+        raise _without("--init", "leave out --init; images of ours reap their processes")
+    return _safety({fields[option.name]: option.is_on}) if option.name in fields else {}
+
+
+def _pull(option: Option, call: Call) -> dict[str, Any]:
+    if option.value not in PULLS:
+        raise _without(f"--pull={option.value}", f"write one of {', '.join(PULLS)}")
+    return {"container": {"imagePullPolicy": PULLS[option.value]}}
+
+
+MADE: Mapping[str, Callable[[Option, Call], dict[str, Any]]] = {
+    "add-host": _host,
+    "annotation": _label,
+    "cap-add": _capability,
+    "cap-drop": _capability,
+    "cpus": _cpus,
+    "device": _device,
+    "env": _env,
+    "gpus": _gpus,
+    "group-add": _group,
+    "hostname": _host_name,
+    "init": _switch,
+    "label": _label,
+    "memory": lambda option, call: _limit("memory", _size(option, option.value or "")),
+    "memory-reservation": lambda option, call: _limit("memory", _size(option, option.value or ""), "requests"),
+    "mount": _mount,
+    "platform": _platform,
+    "privileged": _switch,
+    "publish": _port,
+    "pull": _pull,
+    "read-only": _switch,
+    "runtime": _runtime,
+    "security-opt": _security,
+    "shm-size": lambda option, call: _memory(option, "/dev/shm", option.value or ""),
+    "stop-timeout": lambda option, call: {"terminationGracePeriodSeconds": _number("stop-timeout", call)},
+    "sysctl": _sysctl,
+    "tmpfs": _tmpfs,
+    "user": _user,
+    "volume": _volume,
+    "workdir": lambda option, call: {"container": {"workingDir": option.value or ""}},
+}
+"""The options that a pod has."""

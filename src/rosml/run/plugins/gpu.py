@@ -1,0 +1,134 @@
+"""GPUs: finds them by this machine's device files, and makes the engine's options."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed
+from rosml.run.context import Context, Engine, Host
+from rosml.run.plugin import NOTHING, Added, Plugin
+from rosml.run.plugins import chips
+from rosml.run.plugins.devices import groups
+from rosml.run.words import Line
+
+DRIVER = "io.rosml.gpu.driver"
+"""The label of an image that names the oldest driver on which its CUDA runs (docs/gpus.md)."""
+
+BUILT = re.compile(r"io\.rosml\.gpu\.([a-z][a-z0-9-]{0,23})\.([a-z][a-z0-9]{0,23})")
+"""The labels that say for which GPUs a library was built, on which architecture."""
+
+CDI = ["--device", "nvidia.com/gpu=all"]
+JETSON = ("/dev/nvmap", "/etc/nv_tegra_release")
+WSL = ("/dev/dxg", "/usr/lib/wsl/lib/libcuda.so.1")
+"""Windows shows every GPU as /dev/dxg; CUDA's library is there if NVIDIA's driver is."""
+
+HOOKS = ("nvidia-container-runtime-hook", "nvidia-container-toolkit")
+"""The programs of NVIDIA's Container Toolkit that docker calls for --gpus."""
+
+TOOLKIT = "install NVIDIA's Container Toolkit"
+GUIDE = "https://docs.nvidia.com/datacenter/cloud-native/container-toolkit/"
+
+
+def gpu(context: Context) -> Added:
+    """All NVIDIA GPUs; if there are none, /dev/dri of other GPUs. Those of another machine are unknown.
+
+    Raises:
+        RosmlError: the machine's driver is too old for the image.
+    """
+    line, host = context.line, context.host
+    if line.has("gpus") and context.engine.podman:
+        return Added(notes=[FOR_PODMAN])
+    if line.asks("no-gpu") or not context.is_here or is_theirs(line):
+        return NOTHING
+    if not is_nvidia(host):
+        return Added(_rendering(context))
+    words = handed_in(context.engine, host)
+    if not words:
+        return Added(notes=[lacking(context.engine)])
+    _check_driver(context)
+    return Added(words, notes=tuple(_not_built_for(context)))
+
+
+FOR_PODMAN = (
+    "podman before 5.0 starts a container without a GPU for --gpus",
+    "write --device nvidia.com/gpu=all instead",
+)
+"""The warning about an option that podman takes for docker's sake."""
+
+
+def is_nvidia(host: Host) -> bool:
+    """Whether the machine has an NVIDIA GPU with its driver."""
+    return host.has(*JETSON) or host.has(*WSL) or host.has("/dev/nvidiactl")
+
+
+def is_theirs(line: Line) -> bool:
+    """Whether the user chooses the GPUs."""
+    devices = any(x.startswith(("nvidia.com/", "/dev/nvidia", "/dev/dri", "/dev/dxg")) for x in line.values("device"))
+    return devices or line.has("gpus", "runtime") or line.sets("NVIDIA_VISIBLE_DEVICES")
+
+
+def handed_in(engine: Engine, host: Host) -> Sequence[str]:
+    """The engine's words for all NVIDIA GPUs; none if it cannot hand them in."""
+    if host.has(*JETSON) and not engine.podman:
+        return ["--runtime", "nvidia"] if engine.nvidia else []
+    if any("nvidia.com/gpu" in host.text(file) for folder in engine.cdi for file in host.files(folder)):
+        return CDI
+    if not engine.podman and (engine.nvidia or host.has(*WSL) or any(map(host.program, HOOKS))):
+        return ["--gpus", "all"]
+    return []
+
+
+def lacking(engine: Engine) -> tuple[str, str]:
+    """Why there is no GPU, and the remedy."""
+    text = f"the container gets no GPU: {engine.program} cannot hand in NVIDIA's"
+    made = ", then sudo nvidia-ctk cdi generate --output=/etc/cdi/nvidia.yaml" if engine.podman else ""
+    return text, f"{TOOLKIT}{made} ({GUIDE}); --no-gpu asks for none"
+
+
+def _check_driver(context: Context) -> None:
+    needed = context.image.labels.get(DRIVER, "")
+    found = driver(context.host)
+    if not numbers(found) or context.line.sets("NVIDIA_DISABLE_REQUIRE") or numbers(found) >= numbers(needed):
+        return
+    text = f"{context.line.image} needs NVIDIA's driver {needed} or newer, and this machine has {found}"
+    raise RosmlError(text, "take an image with an older CUDA, or update the driver; --no-gpu computes on the CPU")
+
+
+def _not_built_for(context: Context) -> Iterator[tuple[str, str]]:
+    """The libraries of the image that have no code for a GPU of this machine."""
+    here = chips.capabilities(context.host)
+    for label, said in context.image.labels.items():
+        known, built = BUILT.fullmatch(label), said.split()
+        lacking = [f"sm_{major}{minor}" for major, minor in here if not chips.covers(built, (major, minor))]
+        if known and known[2] == context.host.architecture and lacking:
+            library, image = known[1], context.line.image
+            text = (
+                f"{library} in {image} was built for {' '.join(built)}, and this machine has the GPU {listed(lacking)}"
+            )
+            yield text, f"take an image of another stack, or let {library} compute on the CPU"
+
+
+def driver(host: Host) -> str:
+    """The version of NVIDIA's driver, such as `580.159.04`; empty if unknown."""
+    loaded = re.search(r"Kernel Module\b.*?\s(\d+\.\d[\d.]*)", host.text("/proc/driver/nvidia/version"))
+    return loaded[1] if loaded else host.text("/sys/module/nvidia/version").strip()
+
+
+def numbers(version: str) -> tuple[int, ...]:
+    """The numbers of a version, for comparisons; none if the text is no version, as an image may say anything."""
+    found = re.fullmatch(r"[0-9]{1,9}(\.[0-9]{1,9}){0,9}", version.strip())
+    return tuple(map(int, found[0].split("."))) if found else ()
+
+
+def _rendering(context: Context) -> Sequence[str]:
+    """The device files of Intel's and AMD's GPUs, with the groups that may open them."""
+    host, folder = context.host, "/dev/dri"
+    nodes = [file for file in host.files(folder) if re.search(r"/(card|renderD)\d+$", file)]
+    if not nodes:
+        return []
+    return ["--device", folder, *groups(context, nodes)]
+
+
+PLUGIN = Plugin("gpu", gpu, {"no-gpu": "no GPUs"})

@@ -1,0 +1,226 @@
+"""Sockets of the user's session: windows of X11 and Wayland, sound, ssh's agent."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+
+from rosml.base.errors import RosmlError
+from rosml.run.context import Container, Context, Host, Person
+from rosml.run.paths import bind
+from rosml.run.plugin import NOTHING, Added, Plugin
+from rosml.run.plugins import xauthority
+
+OURS = "/run/rosml"
+"""The folder of the container for rosml's own mounts."""
+
+COOKIE = f"{OURS}/xauth"
+"""The path of X11's cookie in a container."""
+
+DISPLAY = re.compile(r"(?P<machine>[^:/]*)(?:/unix)?:(?P<number>[0-9]{1,4})(?:\.[0-9]+)?")
+"""Such as `:0`, `localhost:10.0`, `robot:1`."""
+
+LOCALHOST = ("localhost", "127.0.0.1")
+"""The machine in a display of `ssh -X`."""
+
+NETWORK = ("network", "net", "publish", "publish-all", "link", "ip", "ip6", "mac-address", "network-alias", "net-alias")
+"""Options for a network of the container's own."""
+
+WHOLE_NETWORK = "ros-network"
+"""rosml's option for this machine's network. The engines take one network."""
+
+
+SNAP = "docker is a snap here, and a snap does not see the sockets of your session"
+OTHER = "install another docker: snap remove docker; apt-get install docker.io"
+
+
+def runtime(host: Host, person: Person) -> str:
+    """The folder of the user's session, until they log out; empty if they have none. sudo may leave another user's folder in the
+    environment."""
+    places = (host.environment.get("XDG_RUNTIME_DIR", "").rstrip("/"), f"/run/user/{person.uid}")
+    return next((x for x in places if x.startswith("/") and host.owner(x)[0] == person.uid), "")
+
+
+def mounted(source: str, target: str) -> list[str]:
+    """The words that mount a file."""
+    return ["--mount", bind(source, target)]
+
+
+def variables(**values: str) -> list[str]:
+    """The words for environment variables."""
+    return [word for name, value in values.items() for word in ("-e", f"{name}={value}")]
+
+
+def _elsewhere(context: Context, option: str) -> Sequence[str]:
+    """No words: another machine, or a snap, gets no part of a session.
+
+    Raises:
+        RosmlError: the user asks for it.
+    """
+    if context.line.asks(option):
+        if context.engine.snap:
+            raise RosmlError(f"--{option}: {SNAP}", f"leave out --{option}, or {OTHER}")
+        text = f"--{option}: {context.engine.program} runs containers on {context.engine.machine}, and not here"
+        raise RosmlError(text, f"leave out --{option}, or call it there")
+    return []
+
+
+def _reaches(context: Context) -> bool:
+    """Whether the engine sees the sockets of the user's session."""
+    return context.is_here and not context.engine.snap
+
+
+# ---- Windows ---------------------------------------------------------------------------------------------------------
+
+
+def windows(context: Context) -> Added:
+    """The display that answers: X11's; Wayland's if there is no X11, or if the user asks for it.
+
+    Raises:
+        RosmlError: the user asks for Wayland, and nothing answers.
+    """
+    line = context.line
+    if not _reaches(context):
+        words = _elsewhere(context, "wayland")
+        wanted = context.host.environment.get("DISPLAY") and not (line.asks("no-x11") or line.sets("DISPLAY"))
+        return Added(
+            words,
+            notes=[(f"no windows: {SNAP}", f"{OTHER}; --no-x11 asks for none")] if wanted and context.is_here else [],
+        )
+    x11 = NOTHING if line.asks("no-x11") or line.sets("DISPLAY") else _x11(context)
+    wanted = line.asks("wayland")
+    if not wanted and (x11.words or line.asks("no-x11") or line.sets("DISPLAY", "WAYLAND_DISPLAY")):
+        return x11
+    wayland = _wayland(context)
+    if wanted and not wayland:
+        text = "--wayland: no Wayland socket answers here"
+        raise RosmlError(text, "call it in a Wayland session; X11 needs no option")
+    return Added([*x11.words, *wayland], x11.files) if wayland else x11
+
+
+def _x11(context: Context) -> Added:
+    """X11, if DISPLAY answers. Its cookie alone is in a file for each display, which only this user can read."""
+    host, display = context.host, context.host.environment.get("DISPLAY", "")
+    named = DISPLAY.fullmatch(display)
+    if not named:
+        return NOTHING
+    machine, number = named["machine"], named["number"]
+    socket = f"/tmp/.X11-unix/X{number}"
+    if machine in ("", "unix"):
+        if not host.answers(socket):
+            return NOTHING
+        words = [*mounted(socket, socket), *variables(DISPLAY=f":{number}")]
+    else:
+        if not host.connects((machine, 6000 + int(number))):
+            return NOTHING
+        local = machine in LOCALHOST
+        if local and (reason := no_network(context)):
+            return Added(notes=[(f"no windows: DISPLAY={display} is ssh's, and {reason}", "--no-x11 asks for none")])
+        given = context.line.has(*NETWORK) or context.line.asks(WHOLE_NETWORK)
+        words = [*(["--network", "host"] if local and not given else []), *variables(DISPLAY=display)]
+    words += variables(QT_X11_NO_MITSHM="1")  # the container shares no memory with the display
+    cookie = _cookie(host, machine, number)
+    if not cookie:  # the display may admit every process of this uid
+        return Added(words)
+    folder = runtime(context.host, context.person)
+    if not folder:
+        remedy = "log in again, or name a folder of yours with XDG_RUNTIME_DIR; --no-x11 asks for none"
+        return Added(notes=[("no windows: there is no place for the display's cookie", remedy)])
+    file = f"{folder}/rosml/xauth-{number}"
+    words += ["--mount", f"{bind(file, COOKIE)},readonly", *variables(XAUTHORITY=COOKIE)]
+    return Added(words, {file: xauthority.written([cookie])})
+
+
+def _cookie(host: Host, machine: str, number: str) -> xauthority.Entry | None:
+    """The user's cookie for a display, given the machine and the number of `DISPLAY`."""
+    place = host.environment.get("XAUTHORITY") or f"{host.environment.get('HOME', '')}/.Xauthority"
+    remote = "" if machine in ("", "unix", *LOCALHOST) else machine
+    return xauthority.cookie(xauthority.read(host.content(place)), number, remote or host.name, host.name)
+
+
+def files_again(host: Host, person: Person, kept: Container) -> Mapping[str, bytes]:
+    """The session's files that a container has mounted. Write them before it starts again: a logout has removed them, and the
+    display has a new cookie. Without a cookie the file is empty, and the container starts without windows."""
+    source, named = kept.sources.get(COOKIE, ""), DISPLAY.fullmatch(kept.environment.get("DISPLAY", ""))
+    if not named or source != f"{runtime(host, person)}/rosml/xauth-{named['number']}":
+        return {}
+    cookie = _cookie(host, named["machine"], named["number"])
+    return {source: xauthority.written([cookie] if cookie else [])}
+
+
+def no_network(context: Context) -> str:
+    """Why a container cannot have this machine's network; empty if it can."""
+    line, engine = context.line, context.engine
+    if engine.rootless and not engine.podman:
+        return "docker without root does not reach this machine's network"
+    own = next((given.words[0] for given in line.engine if set(given.names) & {*NETWORK}), "")
+    if own and (line.values("network", "net") or [""])[-1] != "host":
+        return f"it needs --network host, which does not go with {own}"
+    return ""
+
+
+def _wayland(context: Context) -> list[str]:
+    """Wayland's socket, and the variables of Qt and GTK; nothing if none answers."""
+    name, folder = context.host.environment.get("WAYLAND_DISPLAY") or "wayland-0", runtime(context.host, context.person)
+    socket = name if name.startswith("/") else f"{folder}/{name}" if folder else ""
+    if not socket or not context.host.answers(socket):
+        return []
+    inside, called = f"/run/user/{context.person.uid}", name.rpartition("/")[2]
+    toolkits = variables(QT_QPA_PLATFORM="wayland;xcb", GDK_BACKEND="wayland,x11")
+    session = variables(XDG_RUNTIME_DIR=inside, WAYLAND_DISPLAY=called)
+    return [*mounted(socket, f"{inside}/{called}"), *session, *toolkits]
+
+
+# ---- On request ------------------------------------------------------------------------------------------------------
+
+
+def sound(context: Context) -> Sequence[str]:
+    """PulseAudio's socket, which PipeWire also has, and PipeWire's own.
+
+    Raises:
+        RosmlError: neither answers.
+    """
+    host, line, folder = context.host, context.line, runtime(context.host, context.person)
+    if not _reaches(context):
+        return _elsewhere(context, "sound")
+    if not line.asks("sound") or line.sets("PULSE_SERVER"):
+        return []
+    inside = f"/run/user/{context.person.uid}"
+    named = host.environment.get("PULSE_SERVER", "").removeprefix("unix:")
+    pulse = named if named.startswith("/") else f"{folder}/pulse/native"
+    words = []
+    if (named or folder) and host.answers(pulse):
+        words += [*mounted(pulse, f"{inside}/pulse/native"), *variables(PULSE_SERVER=f"unix:{inside}/pulse/native")]
+    if folder and host.answers(f"{folder}/pipewire-0"):
+        words += [
+            *mounted(f"{folder}/pipewire-0", f"{inside}/pipewire-0"),
+            *variables(PIPEWIRE_RUNTIME_DIR=inside),
+        ]
+    if not words:
+        raise RosmlError("--sound: neither PulseAudio nor PipeWire answers here", "start it, or leave out --sound")
+    return words
+
+
+def ssh_agent(context: Context) -> Sequence[str]:
+    """The socket of ssh's agent.
+
+    Raises:
+        RosmlError: there is none.
+    """
+    if not _reaches(context):
+        return _elsewhere(context, "ssh-agent")
+    if not context.line.asks("ssh-agent") or context.line.sets("SSH_AUTH_SOCK"):
+        return []
+    socket, target = context.host.environment.get("SSH_AUTH_SOCK", ""), f"{OURS}/ssh-agent"
+    if not socket.startswith("/") or not context.host.answers(socket):
+        raise RosmlError("--ssh-agent: no agent answers here", 'eval "$(ssh-agent)"; ssh-add')
+    return [*mounted(socket, target), *variables(SSH_AUTH_SOCK=target)]
+
+
+PLUGINS = (
+    Plugin("windows", windows, {"no-x11": "no windows", "wayland": "windows by Wayland, also if X11 answers"}),
+    Plugin("sound", sound, {"sound": "sound, by PulseAudio or PipeWire"}),
+    Plugin(
+        "ssh-agent", ssh_agent, {"ssh-agent": "the keys of your ssh agent, which the container can use but not read"}
+    ),
+)
