@@ -9,9 +9,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-import exports
 import pytest
 
+from fakes import exports
 from rosml.containerize.init import contents
 from rosml.images.image_set import load, own_set
 from rosml.run.exports import compose_file

@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from shelf import FIRST, Shelf, shown
 
+from fakes.shelf import FIRST, Shelf, shown
 from rosml import ROOT
 from rosml.images.catalogue import packages, site
 from rosml.images.catalogue.model import Published

@@ -16,8 +16,8 @@ from typing import Any
 
 import pytest
 import yaml
-from shelf import Shelf
 
+from fakes.shelf import Shelf
 from rosml import ROOT
 from rosml.images.catalogue import site
 from rosml.images.catalogue.model import Image, Published

@@ -22,10 +22,9 @@ from tests.fork import FORK  # noqa: E402
 if FORK:  # unit tests are about rosml, whose matrix a fork with a set still has
     os.environ["ROSML_MATRIX"] = "matrix.yaml"
 
-import projects  # noqa: E402
-from registry_stand_in import StandIn, standing_in  # noqa: E402
-from stubs import answering_registry  # noqa: E402
-
+from fakes import projects  # noqa: E402
+from fakes.http_registry import StandIn, standing_in  # noqa: E402
+from fakes.stubs import answering_registry  # noqa: E402
 from rosml.images.image_set import load, locked  # noqa: E402
 from rosml.images.image_set import model as sets  # noqa: E402
 from rosml.images.matrix import (  # noqa: E402

@@ -9,8 +9,8 @@ import sys
 
 import pytest
 from conftest import ROOT
-from stubs import on_a_terminal
 
+from fakes.stubs import on_a_terminal
 from rosml.base import progress_bar
 
 CODE = """

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from stubs import buildx, calls, executable, services
 
 from bench import app
 from bench.app import CHANGED, COLD, GOALS, ONE, SAME, SEVERAL, SIDES, Pushed
+from fakes.stubs import buildx, calls, executable, services
 from rosml.containerize.build import bake_file as app_bake_file
 from rosml.images.builds.push import COMPRESSION
 

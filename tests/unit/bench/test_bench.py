@@ -12,13 +12,13 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from bakes import printed
 from conftest import write_locks
-from rebasing import moving
-from stubs import buildx, calls, services
 
 from bench import addons, cli, second_image, start
 from bench.second_image import Side
+from fakes.bakes import printed
+from fakes.rebasing import moving
+from fakes.stubs import buildx, calls, services
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.images.builds.push import COMPRESSION

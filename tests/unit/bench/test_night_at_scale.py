@@ -9,15 +9,15 @@ from pathlib import Path
 from typing import Any, cast
 
 import pytest
-from memory_registry import DAY, NEXT, Publisher, publisher
-from rebasing import BASE_FACTS, App, changed, moving, package
-from registry_stand_in import standing_in
-from stubs import services
 
 from bench import cli, results, scale
 from bench.results import Result
 from bench.scale_facts import FACTS, STEPS, Step, fact
 from bench.scale_night import LOCKS, MOVED, USUAL, Bucket, Disk, Load, Night, scaled
+from fakes.http_registry import standing_in
+from fakes.memory_registry import DAY, NEXT, Publisher, publisher
+from fakes.rebasing import BASE_FACTS, App, changed, moving, package
+from fakes.stubs import services
 from rosml import ROOT
 from rosml.base.clock import now
 from rosml.cli import command

@@ -17,10 +17,10 @@ from pathlib import Path
 import click
 import pytest
 from conftest import ROOT
-from stubs import on_a_terminal
-from workflows import accepted
 
 from bench import cli as bench
+from fakes.stubs import on_a_terminal
+from fakes.workflows import accepted
 from rosml.base import environment
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError, Problem

@@ -12,9 +12,9 @@ from pathlib import Path
 import click
 import pytest
 from conftest import ROOT
-from workflows import accepted
 
 from bench import cli as bench
+from fakes.workflows import accepted
 from rosml.base.errors import RosmlError
 from rosml.cli import main
 from rosml.cli.images import generate

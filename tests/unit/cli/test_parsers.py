@@ -6,9 +6,9 @@ import os
 import re
 from pathlib import Path
 
-import fuzz
-import parsers
 import pytest
+
+from fakes import fuzz, parsers
 
 # 200 documents for each parser in a second or so; the proof `properties` has more:
 #   HYPOTHESIS_PROFILE=thorough uv run pytest tests/unit/cli/test_parsers.py
@@ -17,7 +17,7 @@ COUNT = 5_000 if os.environ.get("HYPOTHESIS_PROFILE") == "thorough" else 200
 
 @pytest.mark.parametrize("name", parsers.PARSERS)
 def test_a_parser_takes_any_document(name: str) -> None:
-    found = [*fuzz.problems("parsers", name, COUNT)]
+    found = [*fuzz.problems("fakes.parsers", name, COUNT)]
     assert not found, f"{len(found)} of {COUNT}:\n" + "\n".join(found[:20])
 
 
@@ -34,7 +34,7 @@ def test_a_parser_takes_any_document(name: str) -> None:
     ],
 )
 def test_the_fuzz_catches_what_no_parser_may_do(name: str, says: str) -> None:
-    found = [*fuzz.problems("bad_parsers", name, 1)]
+    found = [*fuzz.problems("fakes.bad_parsers", name, 1)]
     assert len(found) == 1 and re.match(f"{name} 0: {says}", found[0]), found
 
 

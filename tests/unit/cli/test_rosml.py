@@ -21,9 +21,9 @@ import click
 import pytest
 from click.testing import CliRunner
 from conftest import ROOT, SMALL
-from registry_stand_in import standing_in
 
 import rosml
+from fakes.http_registry import standing_in
 from rosml.base import addresses, environment
 from rosml.cli import checkout, main
 from rosml.cli.images import publish

@@ -10,15 +10,14 @@ from pathlib import Path
 from typing import Any
 
 import click
-import memory_registry
 import pytest
-import stubs
 from conftest import ROOT
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
-from memory_registry import DAY, NEXT, MemoryRegistry
-from registry_stand_in import StandIn, standing_in
 
+from fakes import memory_registry, stubs
+from fakes.http_registry import StandIn, standing_in
+from fakes.memory_registry import DAY, NEXT, MemoryRegistry
 from rosml.cli import command, main
 from rosml.cli.images import call, catalogue, generate, image, locks, part, publish
 from rosml.cli.machine import setup

@@ -16,7 +16,8 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT
-from stubs import executable
+
+from fakes.stubs import executable
 
 STRUCTURE = ROOT / "tests/structure"
 SITE = "usr/local/lib/python3.11/dist-packages"

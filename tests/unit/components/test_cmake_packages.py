@@ -18,7 +18,8 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT
-from stubs import executable
+
+from fakes.stubs import executable
 
 SITE = "usr/local/lib/python3.12/dist-packages"
 TRIPLET = "x86_64-linux-gnu"

@@ -10,7 +10,8 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT
-from stubs import executable
+
+from fakes.stubs import executable
 
 SCRIPT = ROOT / "components/containerize/install.sh"
 DEB, OTHER = b"a package", b"a parcel "

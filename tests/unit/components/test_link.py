@@ -9,8 +9,8 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
-from stubs import script_of_a_build
 
+from fakes.stubs import script_of_a_build
 from rosml.base.errors import RosmlError
 from rosml.containerize.rebase import trial
 

@@ -15,8 +15,8 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT
-from stubs import executable
 
+from fakes.stubs import executable
 from offline.assembler import interpreter
 
 SCRIPT = ROOT / "components/part/records.py"

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT
-from stubs import executable
+
+from fakes.stubs import executable
 
 SCRIPT = ROOT / "components/ros/runtime_packages.py"
 

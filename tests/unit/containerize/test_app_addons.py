@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from rebasing import BOTH, Place, moving
 
+from fakes.rebasing import BOTH, Place, moving
 from rosml.base.errors import RosmlError
 from rosml.cli.images import explain, join
 from rosml.containerize import lock

@@ -13,9 +13,9 @@ from typing import Any
 
 import pytest
 from conftest import ROOT
-from registry_stand_in import Fault, StandIn
-from stubs import script_of_a_build
 
+from fakes.http_registry import Fault, StandIn
+from fakes.stubs import script_of_a_build
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.containerize.build import attachments as contents

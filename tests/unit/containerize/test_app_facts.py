@@ -16,8 +16,8 @@ from types import ModuleType
 from typing import Any
 
 import pytest
-from stubs import script_of_a_build
 
+from fakes.stubs import script_of_a_build
 from rosml.images.join import facts
 
 COMPILER = pytest.mark.skipif(not shutil.which("gcc"), reason="there is no compiler")

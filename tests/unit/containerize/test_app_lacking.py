@@ -9,11 +9,11 @@ from types import ModuleType
 from typing import Any
 
 import pytest
-from registry_stand_in import StandIn
-from stubs import script_of_a_build
 from test_apps import SLIM, app, calls, put, repository, services
 from test_report import APP
 
+from fakes.http_registry import StandIn
+from fakes.stubs import script_of_a_build
 from rosml.base.errors import RosmlError
 from rosml.containerize.build.app import unstarted
 from rosml.images.builds.base_images import native_architecture

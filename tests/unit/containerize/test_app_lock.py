@@ -13,8 +13,8 @@ from types import ModuleType
 from typing import Any
 
 import pytest
-from stubs import script_of_a_build
 
+from fakes.stubs import script_of_a_build
 from rosml.base.errors import RosmlError
 from rosml.containerize import lock
 from rosml.containerize.lock import Pin

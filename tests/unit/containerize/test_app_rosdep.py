@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 import pytest
-from registry_stand_in import StandIn
-from stubs import script_of_a_build
 
+from fakes.http_registry import StandIn
+from fakes.stubs import script_of_a_build
 from rosml.base.errors import RosmlError
 from rosml.containerize.base_image import rosdep_index
 from rosml.containerize.base_image.base import Base

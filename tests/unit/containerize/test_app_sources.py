@@ -22,8 +22,8 @@ from pathlib import Path
 
 import pytest
 import trustme
-from stubs import executable
 
+from fakes.stubs import executable
 from rosml.base import web
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn

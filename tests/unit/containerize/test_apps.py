@@ -20,13 +20,13 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
-import archives
 import pytest
 from click.testing import CliRunner
-from registry_stand_in import StandIn
-from stubs import script_of_a_build
 from test_report import APP, DEPENDENCIES
 
+from fakes import archives
+from fakes.http_registry import StandIn
+from fakes.stubs import script_of_a_build
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.cli import main

@@ -9,12 +9,12 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-import archives
 import pytest
 from click.testing import CliRunner
-from registry_stand_in import StandIn
 from test_report import APP, DEPENDENCIES
 
+from fakes import archives
+from fakes.http_registry import StandIn
 from rosml.base.errors import RosmlError
 from rosml.cli.containerize import ci as command
 from rosml.containerize import inputs as app_inputs

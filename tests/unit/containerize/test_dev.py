@@ -15,10 +15,10 @@ from typing import Any
 
 import pytest
 from click.testing import CliRunner
-from desks import OURS, Desk
-from stubs import script_of_a_build
 
 import rosml
+from fakes.desks import OURS, Desk
+from fakes.stubs import script_of_a_build
 from rosml.base.errors import RosmlError
 from rosml.cli import main
 from rosml.cli.containerize import containerize, dev

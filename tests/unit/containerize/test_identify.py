@@ -12,8 +12,8 @@ from types import ModuleType, SimpleNamespace
 from typing import Any
 
 import pytest
-from stubs import script_of_a_build
 
+from fakes.stubs import script_of_a_build
 from rosml import ROOT
 
 RULES: dict[str, dict[str, Any]] = {

@@ -16,9 +16,9 @@ import pytest
 import yaml
 from click.testing import CliRunner, Result
 from conftest import ROOT
-from desks import OURS, Desk
-from stubs import HOSTILE
 
+from fakes.desks import OURS, Desk
+from fakes.stubs import HOSTILE
 from rosml.base.errors import RosmlError
 from rosml.cli import main
 from rosml.cli.containerize import init

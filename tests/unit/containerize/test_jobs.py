@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT
-from stubs import executable
+
+from fakes.stubs import executable
 
 STEPS = ROOT / "components/containerize"
 

@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from rebasing import (
+
+from fakes.rebasing import (
     ADDON,
     BASE_FACTS,
     BOTH,
@@ -29,8 +30,7 @@ from rebasing import (
     on_stack,
     package,
 )
-from stubs import script_of_a_build
-
+from fakes.stubs import script_of_a_build
 from rosml.base.errors import RosmlError
 from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME, LOCK, REPLACED
 from rosml.containerize.lock import Image, Lock

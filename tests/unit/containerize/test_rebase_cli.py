@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from click import Command
 from click.testing import CliRunner
-from rebasing import BASE_FACTS, BOTH, App, Place, addon, app_with_addon, moving, on_stack
 
+from fakes.rebasing import BASE_FACTS, BOTH, App, Place, addon, app_with_addon, moving, on_stack
 from rosml.base import clock
 from rosml.base.errors import RosmlError
 from rosml.cli import checkout

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from rebasing import BASE_FACTS, OTHER_BUILD, OWN, App, Place, changed, moving, package
 
+from fakes.rebasing import BASE_FACTS, OTHER_BUILD, OWN, App, Place, changed, moving, package
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
 from rosml.containerize.rebase import fleet

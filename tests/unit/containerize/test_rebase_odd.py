@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from rebasing import BASE_FACTS, BOTH, App, Place, changed, moving, package
 
+from fakes.rebasing import BASE_FACTS, BOTH, App, Place, changed, moving, package
 from rosml.base.errors import RosmlError
 from rosml.containerize.rebase import trial
 from rosml.containerize.rebase.image import as_buildkit

@@ -7,9 +7,9 @@ import re
 from pathlib import Path
 from typing import Any
 
-import archives
 import pytest
 
+from fakes import archives
 from rosml.base.errors import RosmlError
 from rosml.containerize.build import junit, report
 from rosml.machine import exported

@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from registry_stand_in import StandIn
 
+from fakes.http_registry import StandIn
 from rosml.base.errors import RosmlError
 from rosml.containerize.build import junit
 from rosml.containerize.build.outcome import Outcome

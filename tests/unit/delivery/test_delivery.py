@@ -19,8 +19,8 @@ from typing import Any
 
 import pytest
 from conftest import ROOT
-from registry_stand_in import DROP, StandIn, standing_in
 
+from fakes.http_registry import DROP, StandIn, standing_in
 from rosml.base import archives
 from rosml.base.archives import zstd
 from rosml.cli import command, main

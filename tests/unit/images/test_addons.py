@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 from conftest import SMALLER, changed, parse, write_locks
-from memory_registry import DAY, NEXT, Publisher, publisher, steps
-from scanning import World, advisory, rules
-from stubs import services
 
+from fakes.memory_registry import DAY, NEXT, Publisher, publisher, steps
+from fakes.scanning import World, advisory, rules
+from fakes.stubs import services
 from rosml.base.errors import RosmlError
 from rosml.cli.images import listing
 from rosml.images.bake import targets

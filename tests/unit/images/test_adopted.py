@@ -13,8 +13,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from registry_stand_in import StandIn
 
+from fakes.http_registry import StandIn
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.containerize.base_image.base import Base

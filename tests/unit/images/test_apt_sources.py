@@ -15,10 +15,10 @@ from typing import Any, TypeVar
 import pytest
 from conftest import SMALL, changed, smaller
 from conftest import parse as image_set_of
-from memory_registry import DAY, PREFIX, MemoryRegistry
-from registry_stand_in import StandIn, standing_in
 from test_upstream import FACTS, RELEASE, Mirror, mirror  # noqa: F401
 
+from fakes.http_registry import StandIn, standing_in
+from fakes.memory_registry import DAY, PREFIX, MemoryRegistry
 from rosml.base.archives import zstd
 from rosml.base.errors import RosmlError
 from rosml.images.builds import apt_sources, base_images, package_state, sync

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from memory_registry import BASE, DAY, HOST, LATER, NEXT, PREFIX, Publisher, Run, publisher
-from projects import git
-from stubs import services
 
+from fakes.memory_registry import BASE, DAY, HOST, LATER, NEXT, PREFIX, Publisher, Run, publisher
+from fakes.projects import git
+from fakes.stubs import services
 from rosml.base.errors import RosmlError
 from rosml.images.image_set.labels import REVISION, SOURCE
 from rosml.images.image_set.model import ImageSet

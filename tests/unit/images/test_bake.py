@@ -13,12 +13,12 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
-from bakes import printed, whole
 from conftest import ROOT, SMALL, changed, parse
-from counting import calls
-from projects import copy_for_generator
-from stubs import HOSTILE
 
+from fakes.bakes import printed, whole
+from fakes.counting import calls
+from fakes.projects import copy_for_generator
+from fakes.stubs import HOSTILE
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.cli import command, main

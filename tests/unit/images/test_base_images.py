@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from stubs import calls, executable, load
 
+from fakes.stubs import calls, executable, load
 from rosml.base.errors import RosmlError
 from rosml.images.builds import base_images
 from rosml.images.builds.base_images import Assembler

@@ -13,11 +13,11 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 from conftest import ROOT, SMALL, parse, write_locks
-from memory_registry import DAY, NEXT, PREFIX, MemoryRegistry, Publisher, publisher
-from projects import copy
-from shelf import FIRST, SECOND, THIRD, Shelf, shown
-from stubs import services
 
+from fakes.memory_registry import DAY, NEXT, PREFIX, MemoryRegistry, Publisher, publisher
+from fakes.projects import copy
+from fakes.shelf import FIRST, SECOND, THIRD, Shelf, shown
+from fakes.stubs import services
 from rosml.base.errors import RosmlError
 from rosml.cli.images import catalogue as command
 from rosml.images.catalogue import packages, site

@@ -9,10 +9,10 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 from conftest import SMALL, SMALLER, changed, parse
-from memory_registry import DAY, HOST, NEXT, PREFIX, Publisher, publisher, steps
-from projects import copy, diff
-from stubs import NO_FORMAT_1, services
 
+from fakes.memory_registry import DAY, HOST, NEXT, PREFIX, Publisher, publisher, steps
+from fakes.projects import copy, diff
+from fakes.stubs import NO_FORMAT_1, services
 from rosml.base import github, units
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 from conftest import changed, parse
-from stubs import services
 
+from fakes.stubs import services
 from rosml.base.errors import RosmlError
 from rosml.images.builds import base_images, package_state
 from rosml.images.builds.default import default

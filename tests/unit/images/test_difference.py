@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 from conftest import ROOT, SMALL, changed, parse
-from projects import INSTALL, commit, diff
 
+from fakes.projects import INSTALL, commit, diff
 from rosml.base import problems
 from rosml.base.errors import RosmlError
 from rosml.cli.images import tables

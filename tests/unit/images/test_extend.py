@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT
-from projects import copy_for_generator
 
+from fakes.projects import copy_for_generator
 from rosml.base.errors import RosmlError
 from rosml.images.bake import targets
 from rosml.images.bake.inputs import Inputs

@@ -7,8 +7,8 @@ import json
 from typing import Any
 
 import pytest
-from registry_stand_in import StandIn
 
+from fakes.http_registry import StandIn
 from rosml.base.errors import RosmlError
 from rosml.images.join import facts
 from rosml.images.join.facts import Facts, Library

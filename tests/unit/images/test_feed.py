@@ -9,9 +9,9 @@ from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
-from memory_registry import PREFIX
-from shelf import FIRST, SECOND, THIRD, Shelf, shown
 
+from fakes.memory_registry import PREFIX
+from fakes.shelf import FIRST, SECOND, THIRD, Shelf, shown
 from rosml.images.catalogue import feed, site
 from rosml.images.catalogue.model import Move, Published
 from rosml.images.catalogue.read import Gatherer

@@ -7,8 +7,8 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from stubs import buildx, calls, services
 
+from fakes.stubs import buildx, calls, services
 from rosml.base.errors import RosmlError
 from rosml.images.builds import disk
 from rosml.images.image_set.model import ImageSet

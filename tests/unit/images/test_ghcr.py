@@ -13,10 +13,10 @@ from typing import Any, cast
 
 import pytest
 from conftest import SMALLER
-from memory_registry import DAY, NEXT, PREFIX, Publisher, Run, publisher
-from registry_stand_in import DENIED, StandIn, standing_in
-from stubs import services
 
+from fakes.http_registry import DENIED, StandIn, standing_in
+from fakes.memory_registry import DAY, NEXT, PREFIX, Publisher, Run, publisher
+from fakes.stubs import services
 from rosml.base.errors import RosmlError
 from rosml.cli.images import publish
 from rosml.images.image_set.model import ImageSet

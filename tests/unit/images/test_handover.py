@@ -10,10 +10,10 @@ from typing import Any
 
 import pytest
 from conftest import SMALLER, parse, write_locks
-from memory_registry import NEXT, Publisher, Run, publisher
-from projects import copy
-from stubs import NO_FORMAT_1, services
 
+from fakes.memory_registry import NEXT, Publisher, Run, publisher
+from fakes.projects import copy
+from fakes.stubs import NO_FORMAT_1, services
 from rosml.base.errors import RosmlError
 from rosml.images.image_set import locked
 from rosml.images.image_set.model import ImageSet

@@ -11,9 +11,9 @@ from typing import Any
 import pytest
 import yaml
 from conftest import ROOT, SMALL, changed, parse
-from counting import calls
-from projects import LOCK, copy
 
+from fakes.counting import calls
+from fakes.projects import LOCK, copy
 from rosml.base.errors import RosmlError
 from rosml.images.bake import dockerfile, targets
 from rosml.images.bake.inputs import MISSING, TARGET, Inputs

@@ -9,8 +9,8 @@ import httpx
 import pytest
 from click.testing import CliRunner
 from conftest import ROOT
-from stubs import executable
 
+from fakes.stubs import executable
 from rosml.base.errors import RosmlError
 from rosml.cli.images.locks import main
 from rosml.images.image_set import load

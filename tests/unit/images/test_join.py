@@ -14,8 +14,8 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from registry_stand_in import DROP, Fault, StandIn, standing_in
 
+from fakes.http_registry import DROP, Fault, StandIn, standing_in
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.cli.images import join as script

@@ -16,9 +16,9 @@ from typing import Any
 
 import pytest
 from conftest import ROOT, SMALL, changed, parse
-from stubs import calls, executable
-from uv_stand_in import FILTER, RESOLVED, RESOLVES, UV, fake_uv
 
+from fakes.stubs import calls, executable
+from fakes.uv import FILTER, RESOLVED, RESOLVES, UV, fake_uv
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.cli.images import locks as script

@@ -10,8 +10,8 @@ from typing import Any, cast
 
 import pytest
 from conftest import changed, parse, write_locks
-from stubs import buildx, calls, services
 
+from fakes.stubs import buildx, calls, services
 from rosml.base.errors import RosmlError
 from rosml.images.builds import base_images, disk, sync
 from rosml.images.builds.maker import BuildKitMaker, Checked, require_buildable

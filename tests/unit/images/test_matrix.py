@@ -19,9 +19,9 @@ import yaml
 from conftest import ROOT, SMALL, changed, parse
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from mutations import LOADER
-from profiles import PROFILE, PROFILE_NAME
 
+from fakes.mutations import LOADER
+from fakes.profiles import PROFILE, PROFILE_NAME
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
 from rosml.images.bake import bake_file

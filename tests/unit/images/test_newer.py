@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 from conftest import SMALL, changed, parse
-from stubs import calls, executable
 
+from fakes.stubs import calls, executable
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.cli.images import locks as script

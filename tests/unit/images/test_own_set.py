@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 import yaml
 from conftest import ROOT
-from registry_stand_in import standing_in
 
+from fakes.http_registry import standing_in
 from rosml.base.problems import InputError
 from rosml.cli import options
 from rosml.images.builds import disk

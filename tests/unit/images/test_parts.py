@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 from conftest import changed, parse, write_locks
-from stubs import buildx, calls, executable, services
 
+from fakes.stubs import buildx, calls, executable, services
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.cli.images import part as script

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 from conftest import SMALL, parse
-from projects import copy
-from registry_stand_in import StandIn, standing_in
 
+from fakes.http_registry import StandIn, standing_in
+from fakes.projects import copy
 from rosml.cli import command
 from rosml.cli.images import locks as script
 from rosml.images.bake.inputs import Inputs

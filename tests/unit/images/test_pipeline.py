@@ -13,8 +13,9 @@ from typing import Any
 
 import pytest
 from conftest import SMALLER, parse
-from memory_registry import BASE as PINNED
-from memory_registry import (
+
+from fakes.memory_registry import BASE as PINNED
+from fakes.memory_registry import (
     DAY,
     LATER,
     NEXT,
@@ -30,9 +31,8 @@ from memory_registry import (
     steps,
     waiting,
 )
-from projects import BASE
-from stubs import services
-
+from fakes.projects import BASE
+from fakes.stubs import services
 from rosml.base import clock as moments
 from rosml.base import side_by_side
 from rosml.base.errors import RosmlError

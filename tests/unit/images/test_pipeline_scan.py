@@ -11,11 +11,11 @@ from typing import Any
 
 import pytest
 from conftest import ROOT, SMALLER, changed, smaller
-from memory_registry import DAY, NEXT, MemoryRegistry, Publisher, Run, publisher, waiting
-from projects import BASE
-from scanning import World, advisory, rules
-from stubs import services
 
+from fakes.memory_registry import DAY, NEXT, MemoryRegistry, Publisher, Run, publisher, waiting
+from fakes.projects import BASE
+from fakes.scanning import World, advisory, rules
+from fakes.stubs import services
 from rosml.images.image_set import load, restricted
 from rosml.images.image_set.labels import COVERED
 from rosml.images.image_set.model import ImageSet, Part

@@ -7,8 +7,8 @@ from itertools import permutations
 
 import pytest
 from conftest import changed, parse
-from counting import calls
 
+from fakes.counting import calls
 from rosml.base.errors import RosmlError
 from rosml.images.builds import disk
 from rosml.images.image_set.model import ImageSet

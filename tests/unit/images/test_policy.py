@@ -6,8 +6,8 @@ from datetime import date
 from pathlib import Path
 
 import pytest
-from scanning import POLICY, rules
 
+from fakes.scanning import POLICY, rules
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
 from rosml.images.image_set import load

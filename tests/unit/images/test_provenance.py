@@ -7,8 +7,8 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from projects import git
 
+from fakes.projects import git
 from rosml.images.publish import provenance
 from rosml.images.publish.provenance import Machine
 

@@ -12,10 +12,10 @@ from typing import Any
 
 import pytest
 from conftest import SMALLER, changed, parse, smaller, write_locks
-from memory_registry import DAY, INDEX, LATER, PREFIX, Publisher, Run, publisher
-from projects import BASE
-from stubs import OFFLINE, services
 
+from fakes.memory_registry import DAY, INDEX, LATER, PREFIX, Publisher, Run, publisher
+from fakes.projects import BASE
+from fakes.stubs import OFFLINE, services
 from rosml.base.errors import RosmlError
 from rosml.cli.images import tables
 from rosml.images.image_set import locked

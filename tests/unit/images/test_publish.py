@@ -13,10 +13,10 @@ from typing import Any
 import click
 import pytest
 from conftest import SMALL, write_locks
-from memory_registry import DAY, HOST, NEXT, Publisher, Run, publisher
-from projects import copy
-from stubs import OFFLINE, buildx, calls, services
 
+from fakes.memory_registry import DAY, HOST, NEXT, Publisher, Run, publisher
+from fakes.projects import copy
+from fakes.stubs import OFFLINE, buildx, calls, services
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.cli import command

@@ -11,10 +11,10 @@ import pytest
 from conftest import ROOT, changed, parse
 from hypothesis import given
 from hypothesis import strategies as st
-from rebasing import Place as Apps
-from rebasing import moving
-from stubs import services
 
+from fakes.rebasing import Place as Apps
+from fakes.rebasing import moving
+from fakes.stubs import services
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
 from rosml.cli.images import call

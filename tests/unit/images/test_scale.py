@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT
-from memory_registry import NEXT, publisher
-from projects import copy
-from stubs import services
 
+from fakes.memory_registry import NEXT, publisher
+from fakes.projects import copy
+from fakes.stubs import services
 from rosml.images.image_set import load
 from rosml.images.image_set.model import Image, ImageSet, Part
 from rosml.images.matrix import source

@@ -11,10 +11,10 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 from conftest import ROOT
-from registry_stand_in import standing_in
-from scanning import NOW, VERSION, Memory, World, advisory, digest, image, rules, sbom_of
-from stubs import services
 
+from fakes.http_registry import standing_in
+from fakes.scanning import NOW, VERSION, Memory, World, advisory, digest, image, rules, sbom_of
+from fakes.stubs import services
 from rosml.base.errors import RosmlError
 from rosml.base.programs import pinned_version
 from rosml.cli.images import publish

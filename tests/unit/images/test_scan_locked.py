@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from scanning import NOW, World, advisory, rules
 
+from fakes.scanning import NOW, World, advisory, rules
 from rosml.cli.images import locks as script
 from rosml.images.image_set.model import ImageSet
 from rosml.images.scan import locked

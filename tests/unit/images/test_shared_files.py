@@ -11,8 +11,8 @@ from pathlib import Path
 import httpx
 import pytest
 from conftest import ROOT
-from stubs import executable
 
+from fakes.stubs import executable
 from rosml.base import web
 from rosml.base.errors import RosmlError
 from rosml.images.image_set import load

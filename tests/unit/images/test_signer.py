@@ -7,9 +7,9 @@ from itertools import count
 from pathlib import Path
 
 import pytest
-from memory_registry import HOST, LATER, NEXT, PREFIX, Pen, Publisher, Run, publisher
-from stubs import calls, executable, services
 
+from fakes.memory_registry import HOST, LATER, NEXT, PREFIX, Pen, Publisher, Run, publisher
+from fakes.stubs import calls, executable, services
 from rosml.images.image_set.model import ImageSet
 from rosml.images.publish import cosign
 from rosml.images.publish.cosign import PATIENCE, Signer, SignerFailed

@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from memory_registry import DAY, IMAGE, LATER, NEXT, PREFIX, MemoryRegistry, Publisher, publisher
-from registry_stand_in import StandIn, standing_in
-from stubs import services
 
+from fakes.http_registry import StandIn, standing_in
+from fakes.memory_registry import DAY, IMAGE, LATER, NEXT, PREFIX, MemoryRegistry, Publisher, publisher
+from fakes.stubs import services
 from rosml.images.image_set.model import ImageSet
 from rosml.images.records.store import ANNOTATION, Entry, Records, tag
 from rosml.registry import oci

@@ -12,9 +12,9 @@ from typing import Any
 
 import pytest
 import yaml
-from bakes import evaluated, printed, whole
 from conftest import ROOT, SMALL, WHEELS, changed, parse
 
+from fakes.bakes import evaluated, printed, whole
 from rosml.base.errors import RosmlError
 from rosml.images.bake import bake_file, targets
 from rosml.images.bake.targets import Context, Dependency, NoInput, Overridable, Target, Value

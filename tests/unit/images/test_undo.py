@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from registry_stand_in import StandIn, standing_in
 
+from fakes.http_registry import StandIn, standing_in
 from rosml.cli import command
 from rosml.cli.images import publish as script
 from rosml.images.image_set.labels import TITLE

@@ -18,8 +18,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from stubs import answering_registry, buildx, calls, services
 
+from fakes.stubs import answering_registry, buildx, calls, services
 from rosml.base import web
 from rosml.base.errors import RosmlError
 from rosml.machine import buildx as builder

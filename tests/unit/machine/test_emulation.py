@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT
-from stubs import executable
 
+from fakes.stubs import executable
 from rosml.base.errors import RosmlError
 from rosml.machine.setup import emulation
 from rosml.machine.setup.state import State

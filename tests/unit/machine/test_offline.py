@@ -13,9 +13,9 @@ import tarfile
 from pathlib import Path
 
 import pytest
-from registry_stand_in import standing_in
-from stubs import OFFLINE, buildx, calls, load
 
+from fakes.http_registry import standing_in
+from fakes.stubs import OFFLINE, buildx, calls, load
 from offline import assembler, debian, official
 from rosml.base.errors import RosmlError
 from rosml.machine.services import Services

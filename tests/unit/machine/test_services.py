@@ -8,8 +8,8 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
-from stubs import load
 
+from fakes.stubs import load
 from rosml.base.errors import RosmlError
 from rosml.machine.services import Services
 

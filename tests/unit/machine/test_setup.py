@@ -21,8 +21,8 @@ from types import SimpleNamespace
 
 import pytest
 from click.testing import CliRunner
-from workflows import accepted
 
+from fakes.workflows import accepted
 from rosml.base import programs
 from rosml.base.errors import RosmlError
 from rosml.base.programs import pinned_version

@@ -15,8 +15,8 @@ from typing import Any
 
 import pytest
 from conftest import ROOT
-from registry_stand_in import Fault, StandIn, standing_in
 
+from fakes.http_registry import Fault, StandIn, standing_in
 from rosml.registry import oci
 from rosml.registry.client import Registry
 

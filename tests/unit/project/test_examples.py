@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 import yaml
 from conftest import ROOT
-from desks import OURS, Desk
 
+from fakes.desks import OURS, Desk
 from tests.pages import pages
 
 LINES = 100

@@ -12,10 +12,10 @@ from typing import Any
 
 import pytest
 from conftest import ROOT, SMALL, parse, write_locks
-from projects import copy_for_generator
-from uv_stand_in import fake_uv
-from workflows import load
 
+from fakes.projects import copy_for_generator
+from fakes.uv import fake_uv
+from fakes.workflows import load
 from rosml.containerize.ci import files as ci_files
 from rosml.containerize.ci import inputs_page as page
 

@@ -19,8 +19,8 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT
-from stubs import executable
 
+from fakes.stubs import executable
 from tests.bare import Bootstrap
 
 FILES = ("app", "build", "dev", "page")

@@ -13,8 +13,8 @@ import click
 import pytest
 import yaml
 from conftest import ROOT
-from workflows import accepted, load, text
 
+from fakes.workflows import accepted, load, text
 from rosml.cli import main
 from rosml.cli.images import publish
 from rosml.containerize.ci import files as ci_files

@@ -14,8 +14,8 @@ from pathlib import Path
 
 import pytest
 import trustme
-from stubs import services
 
+from fakes.stubs import services
 from rosml.base.errors import RosmlError
 from rosml.machine import trust
 from rosml.registry import certificates, failures

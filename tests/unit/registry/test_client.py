@@ -17,9 +17,9 @@ from typing import Any
 import httpx
 import pytest
 import trustme
-from registry_stand_in import DROP, StandIn, standing_in
-from stubs import executable
 
+from fakes.http_registry import DROP, StandIn, standing_in
+from fakes.stubs import executable
 from rosml.base.errors import RosmlError
 from rosml.registry import failures, login, oci
 from rosml.registry.client import Registry

@@ -18,11 +18,11 @@ from typing import Any
 
 import httpx
 import pytest
-from hostile import Answer, Hostile, endless, hostile, reply
-from mutations import bomb
-from registry_stand_in import StandIn, standing_in
-from stubs import executable, services
 
+from fakes.hostile import Answer, Hostile, endless, hostile, reply
+from fakes.http_registry import StandIn, standing_in
+from fakes.mutations import bomb
+from fakes.stubs import executable, services
 from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
 from rosml.containerize.base_image import base as app_base

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from memory_registry import MemoryRegistry
-from registry_stand_in import standing_in
 
+from fakes.http_registry import standing_in
+from fakes.memory_registry import MemoryRegistry
 from rosml.registry.client import Registry
 from tests.registry_calls import CALLS
 

@@ -15,8 +15,8 @@ from typing import Any
 import click
 import pytest
 from conftest import ROOT
-from desks import BARE, DOCKER, LOCKED, OTHER, OURS, PODMAN, ROOTLESS, UID, Desk, labelled, plain
 
+from fakes.desks import BARE, DOCKER, LOCKED, OTHER, OURS, PODMAN, ROOTLESS, UID, Desk, labelled, plain
 from rosml.base.errors import RosmlError
 from rosml.cli.run import run
 from rosml.run import engine, person

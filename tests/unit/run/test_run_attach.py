@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from desks import OTHER, OURS, Desk
 
+from fakes.desks import OTHER, OURS, Desk
 from rosml.base.errors import RosmlError
 from rosml.cli.run import attach as cli
 from rosml.run import attach

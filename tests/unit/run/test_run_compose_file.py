@@ -8,10 +8,10 @@ from typing import Any
 
 import pytest
 import yaml
-from exports import call
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from fakes.exports import call
 from rosml.base.errors import RosmlError
 from rosml.run.exports import compose_file
 

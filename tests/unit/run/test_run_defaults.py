@@ -12,9 +12,9 @@ from types import SimpleNamespace
 
 import pytest
 from conftest import ROOT
-from desks import OTHER, USER, Desk
 from test_run_attach import facts
 
+from fakes.desks import OTHER, USER, Desk
 from rosml.base.errors import RosmlError
 from rosml.run import consent, defaults, host, paths, words
 from rosml.run.defaults import File, Files

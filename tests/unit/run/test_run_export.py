@@ -10,14 +10,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import units
 import yaml
-from desks import BARE, Desk
-from exports import DOCKER, ME, OWN, PODMAN, ROOTLESS, call, text
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
-from stubs import HOSTILE
 
+from fakes import units
+from fakes.desks import BARE, Desk
+from fakes.exports import DOCKER, ME, OWN, PODMAN, ROOTLESS, call, text
+from fakes.stubs import HOSTILE
 from rosml.base.errors import RosmlError
 from rosml.cli.run.export import KINDS
 from rosml.run import words

@@ -7,10 +7,10 @@ from typing import Any
 import kubernetes_validate
 import pytest
 import yaml
-from exports import call, text
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
+from fakes.exports import call, text
 from rosml.base.errors import RosmlError
 from rosml.run import words
 from rosml.run.context import Health

@@ -17,8 +17,8 @@ from typing import Any
 import click
 import pytest
 from conftest import ROOT
-from desks import BARE, DOCKER, OURS, PODMAN, Desk, plain
 
+from fakes.desks import BARE, DOCKER, OURS, PODMAN, Desk, plain
 from rosml.base.errors import RosmlError
 from rosml.cli.run import run
 from rosml.images.image_set import labels

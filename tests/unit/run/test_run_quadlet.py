@@ -11,12 +11,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import units
 from conftest import ROOT
-from exports import ME, PODMAN, text
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from fakes import units
+from fakes.exports import ME, PODMAN, text
 from rosml.base.errors import RosmlError
 from rosml.run import words
 from rosml.run.context import Engine, Host

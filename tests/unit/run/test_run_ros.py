@@ -12,8 +12,8 @@ from typing import Any
 import click
 import pytest
 import yaml
-from desks import OURS, Desk
 
+from fakes.desks import OURS, Desk
 from rosml.base.errors import RosmlError
 from rosml.cli.run import run
 from rosml.run import check, host

@@ -12,8 +12,8 @@ from typing import Any
 import pytest
 import yaml
 from conftest import ROOT
-from desks import LOCKED, OTHER, OURS, PODMAN, ROOTLESS, Desk
 
+from fakes.desks import LOCKED, OTHER, OURS, PODMAN, ROOTLESS, Desk
 from rosml.run import consent, trust
 
 JO = ["--user", "1234:1234", "-e", "HOME=/tmp", "-e", "USER=jo", "-e", "LOGNAME=jo", *LOCKED]

@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from desks import DOCKER, OURS, Desk
 
+from fakes.desks import DOCKER, OURS, Desk
 from rosml.containerize.rebase import image as rebased
 from rosml.run import variants
 from rosml.run.context import Context, Engine, Host, Image, Person

@@ -7,11 +7,11 @@ import shutil
 import subprocess
 
 import pytest
-from desks import BARE
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from profiles import PROFILE
 
+from fakes.desks import BARE
+from fakes.profiles import PROFILE
 from rosml.base.errors import RosmlError
 from rosml.cli.run import run
 from rosml.cli.run.container import LINE

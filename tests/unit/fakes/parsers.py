@@ -20,12 +20,13 @@ from typing import Any, TypeVar
 
 import httpx
 import pytest
-import stubs
 from conftest import ROOT, SMALL
-from fuzz import Parser
-from memory_registry import PREFIX, MemoryRegistry
-from mutations import tar_of
-from stubs import script_of_a_build
+
+from fakes import stubs
+from fakes.fuzz import Parser
+from fakes.memory_registry import PREFIX, MemoryRegistry
+from fakes.mutations import tar_of
+from fakes.stubs import script_of_a_build
 
 sys.path.insert(0, str(ROOT / "components/containerize"))  # where its scripts find each other
 

@@ -9,8 +9,7 @@ import time
 from pathlib import Path
 from typing import NoReturn
 
-from fuzz import Parser
-
+from fakes.fuzz import Parser
 from rosml.base.errors import RosmlError
 
 

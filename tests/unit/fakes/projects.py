@@ -12,7 +12,7 @@ from rosml.containerize.ci import files as ci_files
 from rosml.containerize.ci import inputs_page as page
 from rosml.images.bake import bake_file
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 LOCK = "locks/cu1/amd64/3.12/torch.txt"
 INSTALL = "components/ros/install.sh"
 BASE = "alpha-base-torch-cu1"

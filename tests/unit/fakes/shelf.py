@@ -10,8 +10,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from memory_registry import IMAGE, INDEX, LAYER, PREFIX, MemoryRegistry
-
+from fakes.memory_registry import IMAGE, INDEX, LAYER, PREFIX, MemoryRegistry
 from rosml.images.image_set import model as sets
 from rosml.images.image_set.labels import COVERED, of_part
 from rosml.images.image_set.model import ImageSet, Part, repository_of

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 import click
-from desks import BARE, OTHER, OURS
 
+from fakes.desks import BARE, OTHER, OURS
 from rosml.cli.run import run
 from rosml.cli.run.export import KINDS
 from rosml.run.context import Context, Engine, Host, Image, Person

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from stubs import executable
+from fakes.stubs import executable
 
 RESOLVED = """\
 numpy==1.26.4 \\

@@ -1,7 +1,7 @@
 """Calls of `rosml run` in processes that are forked from one that has imported it: they begin and end as others do, and leave out
 the imports, which take longer than the calls.
 
-    .venv/bin/python tests/unit/forks.py 3      serves calls that come over file descriptor 3
+    .venv/bin/python tests/unit/fakes/forks.py 3      serves calls that come over file descriptor 3
 """
 
 from __future__ import annotations

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import itertools
 import multiprocessing
 import os
@@ -18,9 +19,9 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
-import mutations
 import pytest
 
+from fakes import mutations
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
 from rosml.images.scan.trivy import SCANNER_FAILED
@@ -71,7 +72,7 @@ def problem(parser: Parser, document: bytes, folder: Path) -> str:
 
 def _work(module: str, name: str, first: int, count: int, out: Connection) -> None:
     """Reads documents from one number on, and says of each what is wrong."""
-    parser: Parser = __import__(module).PARSERS[name]
+    parser: Parser = importlib.import_module(module).PARSERS[name]
     with open("/proc/self/statm") as file:
         resource.setrlimit(resource.RLIMIT_AS, (int(file.read().split()[0]) * resource.getpagesize() + BYTES,) * 2)
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))

@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from scanning import sbom_of
 
+from fakes.scanning import sbom_of
 from rosml.base import web
 from rosml.base.errors import RosmlError
 from rosml.images.builds import package_state

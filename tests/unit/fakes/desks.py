@@ -14,9 +14,9 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
-import forks
 from conftest import ROOT
 
+from fakes import forks
 from rosml.run.context import Host
 
 ENGINE = """\

@@ -63,7 +63,7 @@ trap '[ -z "$archive" ] || [ ! -d "$report" ] || tar -cf "$archive" -C "$report"
 $report comes out of the build."""
 
 
-OFFLINE = [sys.executable, str(Path(__file__).resolve().parents[2] / "tools" / "offline")]
+OFFLINE = [sys.executable, str(Path(__file__).resolve().parents[3] / "tools" / "offline")]
 """The command that is asked for base images where Docker Hub does not answer."""
 
 

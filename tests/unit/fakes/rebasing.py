@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from registry_stand_in import StandIn, standing_in
 
+from fakes.http_registry import StandIn, standing_in
 from rosml.base.errors import RosmlError
 from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME, LOCK
 from rosml.containerize.lock import Image, Lock

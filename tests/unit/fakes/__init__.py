@@ -1,0 +1,1 @@
+"""Local replacements for programs, registries and machines, and builders of what the unit tests share."""
