@@ -1,4 +1,5 @@
-"""The packages of `rosml` import in one direction (`lint-imports`, contracts in pyproject.toml), and one of them alone prints."""
+"""The packages of `rosml` import in one direction (`lint-imports`, contracts in pyproject.toml), one of them alone prints, and a reader finds
+names that say something, short functions and short modules."""
 
 from __future__ import annotations
 
@@ -8,6 +9,7 @@ import re
 import subprocess
 import sys
 import tomllib
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -71,3 +73,52 @@ def test_no_code_knows_which_parts_there_are() -> None:
     for file in sorted((ROOT / "src/rosml").rglob("*.py")):
         assert not named_parts(file.read_text(), parts), file
     assert named_parts('if part == "torch":\n    pass\n', {"torch"}) == [1]
+
+
+PRODUCT = ("src", "components", "scripts", "tools", "bench")
+
+WHEN = {"asked", "found", "given", "known", "left", "made", "named", "old", "own", "said", "there", "told", "wanted"}
+"""Words that say when a value came, and not what it is."""
+
+
+def modules() -> Iterator[tuple[str, str]]:
+    """The product's modules: path and text."""
+    for folder in PRODUCT:
+        for file in sorted((ROOT / folder).rglob("*.py")):
+            yield str(file.relative_to(ROOT)), file.read_text()
+
+
+def bound(node: ast.AST) -> str:
+    """The name that a node gives to something; empty if it gives none."""
+    match node:
+        case ast.Name(id=name, ctx=ast.Store()) | ast.arg(arg=name) | ast.Attribute(attr=name, ctx=ast.Store()):
+            return name
+        case ast.FunctionDef(name=name) | ast.ClassDef(name=name) | ast.MatchAs(name=str(name)):
+            return name
+    return ""
+
+
+def long_functions(text: str) -> Iterator[str]:
+    """Functions of more than 60 lines or six arguments."""
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.FunctionDef):
+            arguments = [argument.arg for argument in (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs)]
+            if (node.end_lineno or 0) - node.lineno >= 60 or len({*arguments} - {"self", "cls"}) > 6:
+                yield f"{node.lineno} {node.name}"
+
+
+def test_names_say_what_they_hold() -> None:
+    names = {
+        f"{path}: {bound(node)}"
+        for path, text in modules()
+        for node in ast.walk(ast.parse(text))
+        if bound(node).strip("_") in WHEN
+    }
+    assert sorted(names) == []
+
+
+def test_functions_and_modules_are_short() -> None:
+    assert [f"{path}:{function}" for path, text in modules() for function in long_functions(text)] == []
+    assert [path for path, text in modules() if text.count("\n") > 500] == []
+    arguments = ", ".join("abcdefg")
+    assert [*long_functions(f"def short(): pass\ndef many({arguments}): pass")] == ["2 many"]
