@@ -46,15 +46,15 @@ class Row:
         """What took more than it may."""
         limits = ((duration(self.seconds), self.seconds, SECONDS, duration(SECONDS)),
                   (size(self.uploaded), self.uploaded, BYTES, size(BYTES)))  # fmt: skip
-        return [f"{self.what}: {told}, and at most {most}" for told, found, limit, most in limits if found > limit]
+        return [f"{self.what}: {shown}, and at most {most}" for shown, value, limit, most in limits if value > limit]
 
 
 def print_table(rows: Sequence[Row]) -> None:
     """Prints the result."""
-    made = table(f"median of {ROUNDS} joins", "seconds", "sent", right=("seconds", "sent"))
+    printed = table(f"median of {ROUNDS} joins", "seconds", "sent", right=("seconds", "sent"))
     for row in rows:
-        made.add_row(row.what, duration(row.seconds), size(row.uploaded))
-    show(made)
+        printed.add_row(row.what, duration(row.seconds), size(row.uploaded))
+    show(printed)
 
 
 def measure(services: Services, image_set: ImageSet, say: Callable[[str], None]) -> list[Row]:
@@ -121,9 +121,9 @@ class Bench:
             target = f"{self._place}/{name}-{number}:latest"
             started = time.monotonic()
             with Registries(self.services.ca_bundle) as registries, Joiner(registries) as joiner:
-                found = joiner.join(image, parts, target)
+                joined = joiner.join(image, parts, target)
             seconds.append(time.monotonic() - started)
-            uploaded = max(uploaded, found.uploaded)
+            uploaded = max(uploaded, joined.uploaded)
             repository = references.parse(target).repository
-            self.pushed.update((repository, digest) for digest in (found.digest, *found.manifests.values()))
+            self.pushed.update((repository, digest) for digest in (joined.digest, *joined.manifests.values()))
         return Row(what, statistics.median(seconds), uploaded)

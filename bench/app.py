@@ -303,25 +303,25 @@ def rows(builds: Mapping[tuple[str, str], Sequence[Pushed]]) -> list[Row]:
     Args:
         builds: by situation and side, a build of each round.
     """
-    found = []
+    lines = []
     for situation, goal in GOALS.items():
         seconds = [statistics.median(build.seconds for build in builds[situation, side]) for side in SIDES]
-        told = f"at most {goal} of the faster Dockerfile"
-        found.append(Row(situation, seconds, "s", told, seconds[-1] <= goal * min(seconds[:-1])))
+        goal_text = f"at most {goal} of the faster Dockerfile"
+        lines.append(Row(situation, seconds, "s", goal_text, seconds[-1] <= goal * min(seconds[:-1])))
     again = {side: list(zip(builds[COLD, side], builds[CHANGED, side], strict=True)) for side in SIDES}
     kinds: tuple[tuple[str, Callable[[Pushed], Mapping[str, int]]], ...] = (
         (f"pushed {CHANGED}", lambda build: build.stored),
         (f"pulled {CHANGED}", lambda build: build.layers),
     )
     for what, kind in kinds:
-        sizes = [statistics.median(_new(kind(old), kind(new)) for old, new in again[side]) for side in SIDES]
-        found.append(Row(what, sizes, "B"))
+        sizes = [statistics.median(_new(kind(before), kind(after)) for before, after in again[side]) for side in SIDES]
+        lines.append(Row(what, sizes, "B"))
     sizes = [statistics.median(sum(build.layers.values()) for build in builds[COLD, side]) for side in SIDES]
-    return [*found, Row("the run image, compressed", sizes, "B")]
+    return [*lines, Row("the run image, compressed", sizes, "B")]
 
 
-def _new(old: Mapping[str, int], new: Mapping[str, int]) -> int:
-    return sum(size for digest, size in new.items() if digest not in old)
+def _new(before: Mapping[str, int], after: Mapping[str, int]) -> int:
+    return sum(size for digest, size in after.items() if digest not in before)
 
 
 def descendants(listed: str, marker: str) -> list[str]:
@@ -337,8 +337,8 @@ def descendants(listed: str, marker: str) -> list[str]:
             parents[match[1]] = re.findall(r"^ - (\S+)", record, re.MULTILINE)
             if re.search(rf"^Description:.*{re.escape(marker)}", record, re.MULTILINE):
                 marked.add(match[1])
-    found = [*_generation(parents, set(), marked)]
-    return [item for generation in reversed(found) for item in sorted(generation)]
+    generations = [*_generation(parents, set(), marked)]
+    return [item for generation in reversed(generations) for item in sorted(generation)]
 
 
 def _generation(parents: Mapping[str, Iterable[str]], above: set[str], now: set[str]) -> Iterator[set[str]]:

@@ -67,21 +67,21 @@ class Result:
         """What took more than it may."""
         limits = (("seconds", self.one[0], SECONDS), ("bytes", self.one[1], BYTES),
                   ("seconds with the link check", self.one[0] + self.linked, LINKED))  # fmt: skip
-        return [f"{found:.1f} {what}, and at most {limit}" for what, found, limit in limits if found > limit]
+        return [f"{value:.1f} {what}, and at most {limit}" for what, value, limit in limits if value > limit]
 
 
-def print_table(found: Result, again: float) -> None:
+def print_table(result: Result, again: float) -> None:
     """Prints the result. `again`: seconds that a build of one app takes on a new base image; 0 if unknown."""
-    count = sum(found.states.values())
-    made = table("apps on tonight's base images", f"{count} apps", "one app", right=(f"{count} apps", "one app"))
-    made.add_row("seconds", duration(found.seconds), duration(found.one[0]))
-    made.add_row("for each app", duration(found.seconds / count), duration(found.one[0]))
-    made.add_row("sent for each app", size(found.uploaded // count), size(found.one[1]))
-    made.add_row("requests for each app", f"{found.requests / count:.0f}", str(found.one[2]))
-    made.add_row("and linked in the builder", "", duration(found.one[0] + found.linked))
+    count = sum(result.states.values())
+    printed = table("apps on tonight's base images", f"{count} apps", "one app", right=(f"{count} apps", "one app"))
+    printed.add_row("seconds", duration(result.seconds), duration(result.one[0]))
+    printed.add_row("for each app", duration(result.seconds / count), duration(result.one[0]))
+    printed.add_row("sent for each app", size(result.uploaded // count), size(result.one[1]))
+    printed.add_row("requests for each app", f"{result.requests / count:.0f}", str(result.one[2]))
+    printed.add_row("and linked in the builder", "", duration(result.one[0] + result.linked))
     if again:
-        made.add_row("rosml containerize, on the new base image", "", duration(again))
-    show(made)
+        printed.add_row("rosml containerize, on the new base image", "", duration(again))
+    show(printed)
 
 
 class Counting(logging.Handler):
@@ -160,7 +160,7 @@ class Bench:
                 names = [f"{NAMESPACE}/app-{number % KINDS}-{number // KINDS}" for number in range(self.apps)]
                 side_by_side(
                     lambda item: self._app(
-                        transfer, registry, app, onto[item[0] % BASES], bases[item[0] % BASES], *item
+                        transfer, registry, app, onto[item[0] % BASES], bases[item[0] % BASES], item[1]
                     ),
                     [*enumerate(names)],
                     title="make",
@@ -183,15 +183,15 @@ class Bench:
 
         with counting.on(), Rebaser(self.services, registries) as rebaser:
             entries = [Entry(app=f"{self.services.registry}/{name}:latest") for name in names]
-            found = Fleet(rebaser, now(), nothing, nothing, with_sbom=False).run(entries)
+            moves = Fleet(rebaser, now(), nothing, nothing, with_sbom=False).run(entries)
         seconds, states = time.monotonic() - started, dict[str, int]()
-        for item in found:
+        for item in moves:
             states[item.state] = states.get(item.state, 0) + 1
             if item.rebased:
                 self.pushed.update(
                     (references.parse(item.app).repository, name) for name in item.rebased.manifests.values()
                 )
-        return states, seconds, sum(item.rebased.uploaded for item in found if item.rebased), counting.requests
+        return states, seconds, sum(item.rebased.uploaded for item in moves if item.rebased), counting.requests
 
     def _linked(self, registries: Registries, name: str, platform: str) -> float:
         """Seconds in which the builder links a moved app."""
@@ -220,8 +220,8 @@ class Bench:
         manifest = oci.encoded(
             {"schemaVersion": 2, "mediaType": oci.IMAGE, "config": oci.descriptor(oci.CONFIG, data), "layers": layers}
         )
-        known = tuple((item, core) for item in core.layers)
-        transfer.push(Joined(core.platform, data, manifest, {}, known), registry.host, repository, Transferred())
+        kept_layers = tuple((item, core) for item in core.layers)
+        transfer.push(Joined(core.platform, data, manifest, {}, kept_layers), registry.host, repository, Transferred())
         registry.put_manifest(repository, f"base-{number}", manifest)
         self.pushed.add((repository, oci.digest_of(manifest)))
         for artifact, media_type in LISTS:
@@ -234,12 +234,11 @@ class Bench:
         registry: Registry,
         app: Source,
         base: Source,
-        named: str,
-        number: int,
+        base_name: str,
         repository: str,
     ) -> None:
         """Puts an app of a kind on a base image."""
-        labels = {TITLE: repository, BASE_NAME: named, BASE_DIGEST: base.digest}
+        labels = {TITLE: repository, BASE_NAME: base_name, BASE_DIGEST: base.digest}
         joined = image.moved(app, base, labels)
         transfer.push(joined, registry.host, repository, Transferred())
         registry.put_manifest(repository, "latest", joined.manifest)
@@ -252,9 +251,9 @@ class Bench:
     ) -> None:
         """Attaches what a real image has."""
         [entry, *_] = registry.referrers(source.repository, source.digest, artifact)
-        found = registry.manifest(source.repository, entry["digest"])
-        if found is None:
+        attached = registry.manifest(source.repository, entry["digest"])
+        if attached is None:
             raise RosmlError(f"{source.name} has lost what was attached to it", "build it again")
-        data = registry.part(source.repository, found.layers[0])
+        data = registry.part(source.repository, attached.layers[0])
         subject = oci.descriptor(oci.IMAGE, manifest)
         self.pushed.add((repository, registry.attach(repository, subject, artifact, data, media_type)))

@@ -49,56 +49,9 @@ def serve(storage: Path, rate: float) -> Iterator[str]:
     Yields:
         The host of the registry: 127.0.0.1 and a port.
     """
-    pace = _Pace(rate)
     blobs = storage / "docker/registry/v2/blobs/sha256"
-
-    class Handler(BaseHTTPRequestHandler):
-        protocol_version = default_request_version = (
-            "HTTP/1.1"  # also to who tries TLS first, and looks for this answer
-        )
-
-        def log_message(self, format: str, *args: object) -> None:
-            pass
-
-        def do_HEAD(self) -> None:
-            self._answer(body=False)
-
-        def do_GET(self) -> None:
-            self._answer(body=True)
-
-        def _answer(self, body: bool) -> None:
-            match = _PATH.fullmatch(self.path)
-            file = blobs / match[2][:2] / match[2] / "data" if match else Path("/nonexistent")
-            if self.path.rstrip("/") == "/v2" or not file.is_file():
-                self.send_response(HTTPStatus.OK if self.path.rstrip("/") == "/v2" else HTTPStatus.NOT_FOUND)
-                self.send_header("Content-Length", "0")
-                self.end_headers()
-                return
-            assert match
-            size = file.stat().st_size
-            first, last = self._range(size)
-            self.send_response(HTTPStatus.OK if last - first == size else HTTPStatus.PARTIAL_CONTENT)
-            self.send_header("Content-Length", str(last - first))
-            self.send_header(
-                "Content-Type", _media_type(file) if match[1] == "manifests" else "application/octet-stream"
-            )
-            self.send_header("Docker-Content-Digest", f"sha256:{match[2]}")
-            if last - first != size:
-                self.send_header("Content-Range", f"bytes {first}-{last - 1}/{size}")
-            self.end_headers()
-            self.wfile.flush()
-            if body:
-                with file.open("rb") as source:
-                    while first < last:
-                        count = min(CHUNK, last - first)
-                        pace.wait(count)
-                        first += os.sendfile(self.connection.fileno(), source.fileno(), first, count)
-
-        def _range(self, size: int) -> tuple[int, int]:
-            match = re.fullmatch(r"bytes=(\d+)-(\d*)", self.headers.get("Range", ""))
-            return (int(match[1]), int(match[2] or size - 1) + 1) if match else (0, size)
-
-    with ThreadingHTTPServer(("127.0.0.1", 0), Handler) as server:
+    handler = type("Handler", (_Handler,), {"pace": _Pace(rate), "blobs": blobs})  # two servers share neither
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
         server.daemon_threads = True
         thread = threading.Thread(target=server.serve_forever, daemon=True)
         thread.start()
@@ -106,6 +59,51 @@ def serve(storage: Path, rate: float) -> Iterator[str]:
             yield f"127.0.0.1:{server.server_address[1]}"
         finally:
             server.shutdown()
+
+
+class _Handler(BaseHTTPRequestHandler):
+    pace: _Pace
+    blobs: Path
+    protocol_version = default_request_version = "HTTP/1.1"  # also to who tries TLS first, and looks for this answer
+
+    def log_message(self, format: str, *args: object) -> None:
+        pass
+
+    def do_HEAD(self) -> None:
+        self._answer(body=False)
+
+    def do_GET(self) -> None:
+        self._answer(body=True)
+
+    def _answer(self, body: bool) -> None:
+        match = _PATH.fullmatch(self.path)
+        file = self.blobs / match[2][:2] / match[2] / "data" if match else Path("/nonexistent")
+        if self.path.rstrip("/") == "/v2" or not file.is_file():
+            self.send_response(HTTPStatus.OK if self.path.rstrip("/") == "/v2" else HTTPStatus.NOT_FOUND)
+            self.send_header("Content-Length", "0")
+            self.end_headers()
+            return
+        assert match
+        size = file.stat().st_size
+        first, last = self._range(size)
+        self.send_response(HTTPStatus.OK if last - first == size else HTTPStatus.PARTIAL_CONTENT)
+        self.send_header("Content-Length", str(last - first))
+        self.send_header("Content-Type", _media_type(file) if match[1] == "manifests" else "application/octet-stream")
+        self.send_header("Docker-Content-Digest", f"sha256:{match[2]}")
+        if last - first != size:
+            self.send_header("Content-Range", f"bytes {first}-{last - 1}/{size}")
+        self.end_headers()
+        self.wfile.flush()
+        if body:
+            with file.open("rb") as source:
+                while first < last:
+                    count = min(CHUNK, last - first)
+                    self.pace.wait(count)
+                    first += os.sendfile(self.connection.fileno(), source.fileno(), first, count)
+
+    def _range(self, size: int) -> tuple[int, int]:
+        match = re.fullmatch(r"bytes=(\d+)-(\d*)", self.headers.get("Range", ""))
+        return (int(match[1]), int(match[2] or size - 1) + 1) if match else (0, size)
 
 
 def _media_type(file: Path) -> str:

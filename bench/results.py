@@ -96,10 +96,10 @@ class Result:
 
     def print(self) -> None:
         """Prints the result as a table."""
-        made = table(self.name, *self.sides, "goal", right=self.sides)
+        printed = table(self.name, *self.sides, "goal", right=self.sides)
         for row in self.rows:
-            made.add_row(row.what, *row.cells, row.told_goal)
-        show(made)
+            printed.add_row(row.what, *row.cells, row.told_goal)
+        show(printed)
 
     def save(self) -> None:
         """Writes the file, for the page."""
@@ -130,8 +130,8 @@ def page(text: str, results: dict[str, Result]) -> str:
         differ = ", ".join(sorted({*places} ^ {*results}))
         raise RosmlError(f"{PAGE.name} and {FOLDER.name} differ: {differ}", "give each result one place on the page")
 
-    def written(found: re.Match[str]) -> str:
-        return f"{found[1]}\n{_section(results[found[2]])}{found[3]}"
+    def written(place: re.Match[str]) -> str:
+        return f"{place[1]}\n{_section(results[place[2]])}{place[3]}"
 
     return re.sub(r"(<!-- measured: ([\w-]+) -->)\n.*?(<!-- end -->)", written, text, flags=re.DOTALL)
 

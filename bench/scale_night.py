@@ -123,11 +123,11 @@ class Bucket:
     at: float = 0.0
     tokens: float = math.inf
 
-    def take(self, now: float, wanted: int) -> int:
+    def take(self, now: float, requests: int) -> int:
         """How many of some requests go through now."""
         most = self.rate * 60 * fact("burst in minutes")
         self.tokens, self.at = min(most, self.tokens + (now - self.at) * self.rate), now
-        granted = min(wanted, int(self.tokens))
+        granted = min(requests, int(self.tokens))
         self.tokens -= granted
         return granted
 
@@ -288,8 +288,8 @@ class Night:
         keys = {(image.target, name): image for image in self.image_set.images for name in image.architectures}
         parts = {(part.target, name) for part in self.image_set.parts for name in part.architectures}
         times = {key: {"test": self._pip(image) + self._test(image)} for key, image in keys.items()}
-        made = frozenset({*keys, *(parts if self.way == LOCKS else ())})
-        work = Work(made, frozenset(keys), times if self.way == USUAL else {})
+        builds = frozenset({*keys, *(parts if self.way == LOCKS else ())})
+        work = Work(builds, frozenset(keys), times if self.way == USUAL else {})
         return deal(self.image_set, self.load.machines, work=work)
 
     def _pip(self, image: Image) -> float:

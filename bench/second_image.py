@@ -102,13 +102,13 @@ def print_table(image: Image, sides: Mapping[str, Side]) -> None:
     """Prints both ways side by side."""
     ours, usual = (sides[way] for way in WAYS)
     numbers = ("ours", "RUN pip install")
-    made = table(image.target, *numbers, right=numbers)
-    made.add_row("second image: build and push", duration(ours.second), duration(usual.second))
-    made.add_row("second image: new in the registry", size(ours.new), size(usual.new))
-    made.add_row("to pull after a change of ROS", size(ours.pulled), size(usual.pulled))
-    made.add_row("import, in a fresh container", duration(ours.imported), duration(usual.imported))
-    made.add_row("first image: build and push", duration(ours.first), duration(usual.first))
-    show(made)
+    printed = table(image.target, *numbers, right=numbers)
+    printed.add_row("second image: build and push", duration(ours.second), duration(usual.second))
+    printed.add_row("second image: new in the registry", size(ours.new), size(usual.new))
+    printed.add_row("to pull after a change of ROS", size(ours.pulled), size(usual.pulled))
+    printed.add_row("import, in a fresh container", duration(ours.imported), duration(usual.imported))
+    printed.add_row("first image: build and push", duration(ours.first), duration(usual.first))
+    show(printed)
 
 
 def require_comparable(image: Image, root: Path, image_set: ImageSet) -> None:
@@ -194,31 +194,36 @@ class _Bench:
         self._write()
         self.say(f"{image.parent}, yesterday's and today's")
         ros = {day: self._push(f"{self.run}-ros-{day}", "ros")[0] for day in DAYS}
-        made: dict[tuple[str, str], tuple[str, float]] = {}
+        pushed_images: dict[tuple[str, str], tuple[str, float]] = {}
         for day in DAYS:
             self.say(f"{day}'s image, ours: joined with parts")
-            made["ours", day] = self._push(image.target, "image", ros[day])
+            pushed_images["ours", day] = self._push(image.target, "image", ros[day])
             self.say(f"{day}'s image, the usual way: pip install")
-            made["usual", day] = self._push(f"{self.run}-usual-{day}", "image", ros[day])
+            pushed_images["usual", day] = self._push(f"{self.run}-usual-{day}", "image", ros[day])
             if day == "yesterday":  # gigabytes that would push the parts out of the builder's cache
                 self._prune(f"{self.run}-usual-{day}")
         self.say(f"import {', '.join(frameworks(image))} in fresh containers")
         imports = {
-            way: [self._import(f"{self.run}-import-{way}-{number}", made[way, "today"][0]) for number in range(ROUNDS)]
+            way: [
+                self._import(f"{self.run}-import-{way}-{number}", pushed_images[way, "today"][0])
+                for number in range(ROUNDS)
+            ]
             for way in WAYS
         }
-        if any(versions != imports["ours"][0][1] for found in imports.values() for _, versions in found):
+        if any(
+            versions != imports["ours"][0][1] for imports_of_way in imports.values() for _, versions in imports_of_way
+        ):
             raise RosmlError(f"the two ways did not install the same: {imports}")
         sides = {}
         for way in WAYS:
-            today, yesterday = (stored(made[way, day][0]) for day in ("today", "yesterday"))
-            there = {**yesterday, **stored(ros["today"])}
-            layers = {layer.digest: layer.size for layer in manifest(made[way, "today"][0]).layers}
+            today, yesterday = (stored(pushed_images[way, day][0]) for day in ("today", "yesterday"))
+            stored_before = {**yesterday, **stored(ros["today"])}
+            layers = {layer.digest: layer.size for layer in manifest(pushed_images[way, "today"][0]).layers}
             sides[way] = Side(
-                second=made[way, "today"][1],
-                first=made[way, "yesterday"][1],
+                second=pushed_images[way, "today"][1],
+                first=pushed_images[way, "yesterday"][1],
                 imported=min(seconds for seconds, _ in imports[way]),
-                new=sum(size for digest, size in today.items() if digest not in there),
+                new=sum(size for digest, size in today.items() if digest not in stored_before),
                 pulled=sum(size for digest, size in layers.items() if digest not in yesterday),
             )
         return sides
@@ -282,8 +287,8 @@ class _Bench:
         shutil.rmtree(folder, ignore_errors=True)
         sets = (f"{target}.contexts.image=docker-image://{reference}", f"{target}.output=type=local,dest={folder}")
         buildx.run(self.services, self._call(target, sets))
-        found = json.loads((folder / "result.json").read_text())
-        return float(found["seconds"]), found["versions"]
+        result = json.loads((folder / "result.json").read_text())
+        return float(result["seconds"]), result["versions"]
 
     def _prune(self, words: str) -> None:
         """Removes from the builder's cache what is described with some words: a marker, or where it was pulled from."""
@@ -308,14 +313,14 @@ def manifest(reference: str) -> Manifest:
     """
     place = references.parse(reference)
     with Registry(place.host) as registry:
-        found = registry.manifest(place.repository, place.reference)
-    if found is None:
+        content = registry.manifest(place.repository, place.reference)
+    if content is None:
         raise RosmlError(f"{reference} is not in the registry any more", "run it again")
-    return found
+    return content
 
 
 def stored(reference: str) -> dict[str, int]:
     """All that a registry stores for an image manifest, in bytes by digest: its layers, its config, and itself."""
-    found = manifest(reference)
-    entries = [*found.layers, *filter(None, [found.config])]
-    return {entry.digest: entry.size for entry in entries} | {found.digest: found.size}
+    image = manifest(reference)
+    entries = [*image.layers, *filter(None, [image.config])]
+    return {entry.digest: entry.size for entry in entries} | {image.digest: image.size}
