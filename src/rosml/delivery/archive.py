@@ -22,11 +22,10 @@ DOCKER = "manifest.json"
 """Docker's own list of what an archive holds. Docker before 25 knows no other."""
 
 LEFT_OUT = "io.rosml.left-out"
-"""The annotation of an index that names layers which are not in the archive: for each image that has some, their digests."""
+"""The annotation of an index about layers that are not in the archive: their digests by the image that has them."""
 
 PATCHES = "io.rosml.patches"
-"""The annotation of an index that names what makes layers of older ones: for each such layer, a descriptor of its patch with the older layer,
-`old`, and an image that has that, `image`."""
+"""The annotation of an index about patches: by the new layer's digest, a descriptor with `old`, the older layer, and `image`, which has it."""
 
 NAME, TAG = "io.containerd.image.name", "org.opencontainers.image.ref.name"
 """Annotations of an image in an archive: its whole name, by which engines call it; and its tag alone."""
@@ -36,23 +35,27 @@ ENTRIES = 4096
 
 BLOCK = 1 << 20
 
+Write = Callable[[Iterable[bytes]], None]
+Send = Callable[[Write], object]
+"""Sends the pieces of a blob to a function; again, from the beginning, if the connection broke."""
+Advance = Callable[[int], object]
+"""Is called with numbers of bytes that were read or written."""
+
 _AGAIN = "copy it again, or save it again with rosml save"
 
 
 def path(digest: str) -> str:
-    """The name of a blob in an archive."""
     return f"blobs/{digest.replace(':', '/')}"
 
 
 class Sink:
     """A blob that arrives, perhaps in several attempts from its beginning on."""
 
-    def __init__(self, out: IO[bytes], digest: str, size: int, advance: Callable[[int], object]) -> None:
+    def __init__(self, out: IO[bytes], digest: str, size: int, advance: Advance) -> None:
         self._out, self._digest, self._size, self._advance = out, digest, size, advance
         self._state, self._written = hashlib.new(digest.partition(":")[0]), 0
 
     def write(self, blocks: Iterable[bytes]) -> None:
-        """Writes a blob without the beginning that was written already."""
         skip = self._written
         for block in blocks:
             rest = block[skip:]
@@ -65,77 +68,42 @@ class Sink:
             self._advance(len(rest))
 
     def end(self) -> None:
-        """Checks size and digest.
-
-        Raises:
-            RosmlError: one of them is another.
-        """
         if self._written != self._size:
             raise RosmlError(f"{self._digest} has {self._written} bytes instead of {self._size}", _AGAIN)
         if self._state.hexdigest() != self._digest.partition(":")[2]:
             raise RosmlError(f"{self._digest} has another digest: it is damaged", _AGAIN)
 
 
-def verified(
-    digest: str,
-    size: int,
-    send: Callable[[Callable[[Iterable[bytes]], None]], object],
-    out: IO[bytes],
-    advance: Callable[[int], object] = lambda _: None,
-) -> None:
-    """Writes a blob into a file of its own.
-
-    Args:
-        send: as in `Writer.blob`.
-        advance: is called with numbers of bytes that were written.
-
-    Raises:
-        RosmlError: it has another size or digest.
-    """
+def receive(digest: str, size: int, send: Send, out: IO[bytes], advance: Advance = lambda _: None) -> None:
+    """Writes a blob into a file, and raises a RosmlError if it has another size or digest."""
     sink = Sink(out, digest, size, advance)
     send(sink.write)
     sink.end()
 
 
-def again(file: IO[bytes], write: Callable[[Iterable[bytes]], None]) -> None:
-    """Sends a blob of such a file, as `Writer.blob` asks for it."""
+def send_file(file: IO[bytes], write: Write) -> None:
+    """A `Send` of a file."""
     file.seek(0)
     write(iter(partial(file.read, BLOCK), b""))
 
 
 class Writer:
-    """Writes an archive. The same calls give the same bytes.
+    """Writes an archive. The same calls give the same bytes."""
 
-    Attributes:
-        advance: is called with the number of bytes of a blob that were written.
-    """
-
-    def __init__(self, out: BinaryIO, advance: Callable[[int], object] = lambda _: None) -> None:
-        self._out, self.advance = out, advance
+    def __init__(self, out: BinaryIO) -> None:
+        self._out = out
         self.text(LAYOUT, oci.encoded({"imageLayoutVersion": "1.0.0"}))
 
     def text(self, name: str, data: bytes) -> None:
-        """Adds a small file."""
         self._head(name, len(data))
         self._out.write(data + bytes(-len(data) % tarfile.BLOCKSIZE))
 
-    def blob(self, digest: str, size: int, send: Callable[[Callable[[Iterable[bytes]], None]], object]) -> None:
-        """Adds a blob.
-
-        Args:
-            send: calls the function that it gets with the pieces of the blob; again, from the beginning, if the connection broke.
-
-        Raises:
-            RosmlError: it has another size or digest.
-        """
+    def blob(self, digest: str, size: int, send: Send, advance: Advance = lambda _: None) -> None:
         self._head(path(digest), size)
-        sink = Sink(self._out, digest, size, self.advance)
-        send(sink.write)
-        sink.end()
+        receive(digest, size, send, self._out, advance)
         self._out.write(bytes(-size % tarfile.BLOCKSIZE))
 
     def end(self) -> None:
-        """Writes the end of the archive."""
         self._out.write(bytes(2 * tarfile.BLOCKSIZE))
         self._out.flush()
 
@@ -156,41 +124,26 @@ def index(
     Args:
         manifest: its descriptor.
         name: its complete reference with a tag; empty if it has none.
-        left_out: the layers that are not in the archive, by the image that has them.
-        patches: what makes layers of older ones, as PATCHES has it.
+        left_out: as LEFT_OUT has it. patches: as PATCHES has it.
     """
-    named = {NAME: name, TAG: name.rpartition(":")[2]} if name else {}
-    told = {LEFT_OUT: left_out, PATCHES: patches or {}}
-    noted = {key: oci.encoded(value).decode() for key, value in told.items() if value}
-    entry = {**manifest, **({"annotations": named} if named else {})}
+    names = {NAME: name, TAG: name.rpartition(":")[2]} if name else {}
+    annotations = {LEFT_OUT: left_out, PATCHES: patches or {}}
+    encoded = {key: oci.encoded(value).decode() for key, value in annotations.items() if value}
+    entry = {**manifest, **({"annotations": names} if names else {})}
     content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": [entry]}
-    return oci.encoded({**content, **({"annotations": noted} if noted else {})})
+    return oci.encoded({**content, **({"annotations": encoded} if encoded else {})})
 
 
 def for_docker(config: str, layers: Iterable[str], name: str) -> bytes:
-    """The same for Docker.
-
-    Args:
-        config: the digest of the image's config.
-        layers: the digests of its layers, lowest first.
-        name: its complete reference with a tag; empty if it has none.
-    """
+    """Docker's own list of the image: the digests of its config and its layers, lowest first, and its name, which may be empty."""
     tags = [name] if name else None
     return json.dumps([{"Config": path(config), "RepoTags": tags, "Layers": [path(item) for item in layers]}]).encode()
 
 
 class Archive:
-    """An archive that somebody gave us. Only files of known names are read, each once, and nothing is unpacked.
-
-    Attributes:
-        name: of the file, for messages.
-    """
+    """An archive that somebody gave us. Only files of known names are read, each once, and nothing is unpacked. Its name is for messages."""
 
     def __init__(self, file: IO[bytes], name: str) -> None:
-        """
-        Raises:
-            RosmlError: it is no tar file, is damaged, or has an entry that no OCI archive has.
-        """
         self.name, self._file = name, file
         self._length = file.seek(0, 2)
         if not self._length:
@@ -216,19 +169,12 @@ class Archive:
         self._places[name] = entry.offset_data, entry.size
 
     def size(self, digest: str) -> int | None:
-        """The size of a blob in bytes; None if it is not there."""
+        """The size of a blob in bytes; None if the archive lacks it."""
         place = self._places.get(path(digest))
         return place and place[1]
 
     def text(self, name: str, limit: int) -> bytes:
-        """A small file.
-
-        Args:
-            name: in the archive. limit: the most bytes.
-
-        Raises:
-            RosmlError: there is no such file, or it has more bytes.
-        """
+        """A file of at most `limit` bytes."""
         if name not in self._places:
             raise self.damaged(f"it lacks {name}")
         offset, size = self._places[name]
@@ -237,18 +183,13 @@ class Archive:
         return self._read(offset, size)
 
     def small_blob(self, digest: str, limit: int) -> bytes:
-        """A small blob.
-
-        Raises:
-            RosmlError: there is none, it has more bytes, or another digest.
-        """
         data = self.text(path(digest), limit)
         if hashlib.new(digest.partition(":")[0], data).hexdigest() != digest.partition(":")[2]:
             raise self.damaged(f"{digest} has another digest")
         return data
 
     def blocks(self, digest: str) -> Iterator[bytes]:
-        """The pieces of a blob that is there. Who reads them checks the digest."""
+        """The pieces of a blob that the archive has. The reader checks the digest."""
         offset, size = self._places[path(digest)]
         end = offset + size
         while offset < end:
@@ -266,20 +207,11 @@ class Archive:
             raise RosmlError(f"{self.name} cannot be read: {error.strerror}", "copy it to another disk first") from None
 
     def damaged(self, why: str) -> RosmlError:
-        """The error about an archive that rosml does not take."""
         return RosmlError(f"{self.name} is damaged: {why}", _AGAIN)
 
 
 def entries(file: Any, mode: Any, name: str) -> Iterator[tarfile.TarInfo]:
-    """The entries of a tar file.
-
-    Args:
-        mode: of tarfile: `r:` for a file, `r|` for a pipe.
-        name: for messages.
-
-    Raises:
-        RosmlError: it is no tar file, is damaged, or has more than ENTRIES entries.
-    """
+    """The entries of a tar file. `mode` is tarfile's: `r:` for a file, `r|` for a pipe."""
     try:
         with tarfile.open(fileobj=file, mode=mode, tarinfo=_Entry, bufsize=BLOCK) as archive:
             for number, entry in enumerate(archive):

@@ -19,16 +19,11 @@ from rosml.registry.documents import Descriptor
 
 @dataclass(frozen=True)
 class Delta:
-    """What a machine with one image pulls for another one, for one platform. Sizes are in bytes, compressed as in the registry.
+    """How many layers a machine with one image pulls for another one, for one platform. Sizes are in bytes, compressed.
 
     Attributes:
-        platform: such as `linux/arm64`.
         before: the digest of the image that the machine has; empty if that is not for this platform.
-        after: the digest of the other image.
-        pulled: how many layers are pulled. pulled_bytes: their size.
-        kept: how many layers are there already. kept_bytes: their size.
-        replaced: how many of the pulled layers replace one that is there. replaced_bytes: their size. Of these, `rosml save` sends what differs,
-            if that is much smaller.
+        replaced: how many of the pulled layers replace one that the machine has.
     """
 
     platform: str
@@ -42,7 +37,6 @@ class Delta:
     replaced_bytes: int = 0
 
     def to_json(self) -> dict[str, Any]:
-        """For `--json`."""
         return asdict(self)
 
 
@@ -52,13 +46,13 @@ def unique(image: Source) -> dict[str, Descriptor]:
 
 
 def shared(image: Source, have: Iterable[Source]) -> dict[str, Source]:
-    """The layers of an image that a machine with others has: by digest, each with the first image that has it."""
-    wanted, found = unique(image), dict[str, Source]()
+    """The layers of an image that other images have as well, each with the first image that has it."""
+    layers, owners = unique(image), dict[str, Source]()
     for other in have:
         for digest in unique(other):
-            if digest in wanted:
-                found.setdefault(digest, other)
-    return found
+            if digest in layers:
+                owners.setdefault(digest, other)
+    return owners
 
 
 LEAST = 256 << 10
@@ -69,14 +63,8 @@ MOST = 16
 
 
 @dataclass(frozen=True)
-class Old:
-    """A layer of an older image that a new layer replaces. `size` is in bytes, compressed.
-
-    Attributes:
-        image: has the layer.
-        digest: of the compressed layer.
-        diff_id: of the uncompressed one.
-    """
+class OlderLayer:
+    """A layer of an older image that a new layer replaces. `size` is in bytes, compressed."""
 
     image: Source
     digest: str
@@ -84,32 +72,31 @@ class Old:
     size: int
 
 
-def replaced(image: Source, have: Iterable[Source]) -> dict[str, Old]:
+def replaced(image: Source, have: Iterable[Source]) -> dict[str, OlderLayer]:
     """The layers of an image that replace layers of others, by digest: the same step of a build made both, or they have the same place among
     the layers that differ. Small layers do not count."""
-    found = dict[str, Old]()
+    older_layers = dict[str, OlderLayer]()
     layers, others = unique(image), [*have]
-    there = shared(image, others)
+    shared_layers = shared(image, others)
     for other in others:
-        for digest, old in _paired(image, other):
+        for digest, older in _paired(image, other):
             size = layers[digest].size
-            if digest not in there and size >= LEAST and old.size <= MOST * size:
-                found.setdefault(digest, old)
-    return found
+            if digest not in shared_layers and size >= LEAST and older.size <= MOST * size:
+                older_layers.setdefault(digest, older)
+    return older_layers
 
 
-def _paired(image: Source, other: Source) -> Iterable[tuple[str, Old]]:
-    """The layers that one image alone has, each with one that the other alone has."""
+def _paired(image: Source, other: Source) -> Iterable[tuple[str, OlderLayer]]:
     if len(other.manifest.layers) != len(other.diff_ids):
         return
     diff_ids = {layer.digest: diff_id for layer, diff_id in zip(other.manifest.layers, other.diff_ids, strict=True)}
-    new, old = _steps(image), _steps(other)
-    gone, rest = [digest for digest in old if digest not in new], list[str]()
+    new_steps, older_steps = _steps(image), _steps(other)
+    gone, rest = [digest for digest in older_steps if digest not in new_steps], list[str]()
     pairs = dict[str, str]()
-    for digest, step in new.items():
-        if digest in old:
+    for digest, step in new_steps.items():
+        if digest in older_steps:
             continue
-        if same := next((name for name in gone if step and old[name] == step), ""):
+        if same := next((name for name in gone if step and older_steps[name] == step), ""):
             gone.remove(same)
             pairs[digest] = same
         else:
@@ -118,7 +105,7 @@ def _paired(image: Source, other: Source) -> Iterable[tuple[str, Old]]:
         pairs |= dict(zip(rest, gone, strict=True))
     sizes = unique(other)
     for digest, name in pairs.items():
-        yield digest, Old(other, name, diff_ids[name], sizes[name].size)
+        yield digest, OlderLayer(other, name, diff_ids[name], sizes[name].size)
 
 
 _CHANGING = re.compile(r"[0-9a-f]{12,}|[0-9]+(?:\.[0-9]+)*")
@@ -128,43 +115,29 @@ _CHANGING = re.compile(r"[0-9a-f]{12,}|[0-9]+(?:\.[0-9]+)*")
 def _steps(image: Source) -> dict[str, str]:
     """The layers of an image by digest, each with the step of a build that made it; empty texts if the image does not say."""
     entries = [entry for entry in image.config.facts.history or () if not entry.get("empty_layer")]
-    layers = image.manifest.layers
-    said = [_CHANGING.sub("0", str(entry.get("created_by") or "")) for entry in entries]
-    return {
-        layer.digest: step
-        for layer, step in zip(layers, said if len(said) == len(layers) else [""] * len(layers), strict=True)
-    }
+    digests = [layer.digest for layer in image.manifest.layers]
+    steps = [_CHANGING.sub("0", str(entry.get("created_by") or "")) for entry in entries]
+    return dict(zip(digests, steps if len(steps) == len(digests) else [""] * len(digests), strict=True))
 
 
 def delta(image: Source, have: Source | None) -> Delta:
-    """What a machine that has one image pulls for another one.
-
-    Args:
-        image: the other one.
-        have: what the machine has; None if that is not for this platform.
-    """
-    wanted, there = unique(image), shared(image, [have] if have else [])
+    """What a machine that has one image, if any, pulls for another one."""
+    others = [have] if have else []
+    layers, kept = unique(image), shared(image, others)
     sizes = {True: [0], False: [0]}
-    for digest, layer in wanted.items():
-        sizes[digest in there].append(layer.size)
-    pulled, kept = len(wanted) - len(there), len(there)
-    before = have.digest if have else ""
-    changed = [wanted[digest].size for digest in replaced(image, [have] if have else [])]
-    counts = pulled, sum(sizes[False]), kept, sum(sizes[True]), len(changed), sum(changed)
-    return Delta(image.platform, before, image.digest, *counts)
+    for digest, layer in layers.items():
+        sizes[digest in kept].append(layer.size)
+    changed = [layers[digest].size for digest in replaced(image, others)]
+    counts = len(layers) - len(kept), sum(sizes[False]), len(kept), sum(sizes[True]), len(changed), sum(changed)
+    return Delta(image.platform, have.digest if have else "", image.digest, *counts)
 
 
 def deltas(before: Mapping[str, Source], after: Mapping[str, Source]) -> list[Delta]:
-    """The same for each platform of the second image."""
     return [delta(image, before.get(platform)) for platform, image in sorted(after.items())]
 
 
 def complete(text: str, services: Services, registries: Registries) -> str:
-    """The complete reference of an image. A name without a registry is one of the local registry, or else of Docker Hub.
-
-    Raises:
-        RosmlError: it is no name of an image (exit code 2); the local registry does not answer.
-    """
+    """The complete reference of an image. A name without a registry is one of the local registry, or else of Docker Hub."""
     places = [services.place, services.registry] if services.registry and not references.has_registry(text) else []
     for place in places:
         where = references.parse(f"{place}/{text}")
@@ -174,17 +147,10 @@ def complete(text: str, services: Services, registries: Registries) -> str:
 
 
 def for_platform(transfer: Transfer, name: str, platform: str) -> Source:
-    """An image for one platform.
-
-    Args:
-        name: its complete reference.
-
-    Raises:
-        RosmlError: there is no such image, or not for this platform (exit code 2); the registry does not answer or refuses.
-    """
-    found = transfer.platforms(name)
-    if platform not in found:
-        text = f"{name} is for {listed(sorted(found)) or 'no platform'}, not for {platform}"
-        remedy = f"name one that it has: --platform {min(found)}" if found else "name another image"
+    """An image, by its complete reference, for one platform."""
+    images = transfer.platforms(name)
+    if platform not in images:
+        text = f"{name} is for {listed(sorted(images)) or 'no platform'}, not for {platform}"
+        remedy = f"name one that it has: --platform {min(images)}" if images else "name another image"
         raise RosmlError(text, remedy, exit_code=2)
-    return found[platform]
+    return images[platform]

@@ -17,25 +17,21 @@ from typing import IO, BinaryIO, cast
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.delivery import archive
-from rosml.delivery.load import Found, Image, Layer, complete
+from rosml.delivery.complete import complete
+from rosml.delivery.image import Image, Layer
+from rosml.delivery.sources import LayerBlob
 from rosml.run import engine
 
-_NAMED = re.compile(r"(?:\./)?(?:blobs/sha256/)?([0-9a-f]{64})(?:\.tar)?")
+_DIGEST_NAME = re.compile(r"(?:\./)?(?:blobs/sha256/)?([0-9a-f]{64})(?:\.tar)?")
 """A file of `docker save` or `podman save` whose name is the digest of its content."""
 
-_OLD = re.compile(r"[0-9a-f]{64}/layer\.tar")
+_CLASSIC_NAME = re.compile(r"[0-9a-f]{64}/layer\.tar")
 """A layer of `docker save` before Docker 25. Its name does not say its digest."""
 
 
 @dataclass(frozen=True)
 class InEngine:
-    """Layers of an image that an engine has. Docker's classic store and podman have them uncompressed.
-
-    Attributes:
-        command: of the engine.
-        identity: of the image.
-        diff_ids: digests of its layers before they were compressed.
-    """
+    """Layers of an image that an engine has: Docker's classic store and podman have them uncompressed."""
 
     command: str
     identity: str
@@ -43,50 +39,43 @@ class InEngine:
 
     @property
     def name(self) -> str:
-        """The command that gives them."""
         return f"{self.command} save {self.identity[:12]}"
 
     def has(self, layer: Layer) -> bool:
-        """Whether the image has a layer."""
         return layer.diff_id in self.diff_ids
 
-    def take(self, wanted: Sequence[Layer]) -> Iterator[Found]:
-        """Gives layers while the engine writes them. What is not wanted is dropped as it comes."""
-        left = {**{layer.diff_id: layer for layer in wanted}, **{layer.digest: layer for layer in wanted}}
+    def take(self, layers: Sequence[Layer]) -> Iterator[LayerBlob]:
+        """Layers, while the engine writes them. What nobody asked for is dropped as it comes."""
+        pending = {**{layer.diff_id: layer for layer in layers}, **{layer.digest: layer for layer in layers}}
         with _reading(self.command, "save", self.identity) as stream:
             for entry in archive.entries(stream, "r|", self.name):
                 if not archive.is_plain(entry):
                     continue
                 content = partial(_blocks, entry, self.name)
-                if named := _NAMED.fullmatch(entry.name):
-                    digest = f"sha256:{named[1]}"
-                    if layer := left.get(digest):
-                        yield Found(layer, digest, entry.size, partial(_sent, content))
-                        _done(left, layer)
-                elif _OLD.fullmatch(entry.name):
-                    with _kept(content()) as (digest, kept):
-                        if layer := left.get(digest):
-                            yield Found(layer, digest, entry.size, partial(archive.again, kept))
-                            _done(left, layer)
-                if not left:
+                if match := _DIGEST_NAME.fullmatch(entry.name):
+                    digest = f"sha256:{match[1]}"
+                    if layer := pending.get(digest):
+                        yield LayerBlob(layer, digest, entry.size, partial(_send, content))
+                        _drop(pending, layer)
+                elif _CLASSIC_NAME.fullmatch(entry.name):
+                    with _temporary_file(content()) as (digest, file):
+                        if layer := pending.get(digest):
+                            yield LayerBlob(layer, digest, entry.size, partial(archive.send_file, file))
+                            _drop(pending, layer)
+                if not pending:
                     return
 
 
-def _done(left: dict[str, Layer], layer: Layer) -> None:
+def _drop(pending: dict[str, Layer], layer: Layer) -> None:
     for digest in (layer.diff_id, layer.digest):
-        left.pop(digest, None)
+        pending.pop(digest, None)
 
 
-def _sent(content: Callable[[], Iterator[bytes]], write: Callable[[Iterable[bytes]], None]) -> None:
+def _send(content: Callable[[], Iterator[bytes]], write: archive.Write) -> None:
     write(content())
 
 
 def _blocks(entry: tarfile.TarInfo, name: str) -> Iterator[bytes]:
-    """The pieces of a file.
-
-    Raises:
-        RosmlError: the engine breaks off.
-    """
     stream = cast(tarfile.TarFile, entry.content).extractfile(entry)  # type: ignore[attr-defined]
     assert stream
     try:
@@ -97,8 +86,8 @@ def _blocks(entry: tarfile.TarInfo, name: str) -> Iterator[bytes]:
 
 
 @contextlib.contextmanager
-def _kept(blocks: Iterable[bytes]) -> Iterator[tuple[str, IO[bytes]]]:
-    """The digest of a content, and a file of it for as long as this lasts."""
+def _temporary_file(blocks: Iterable[bytes]) -> Iterator[tuple[str, IO[bytes]]]:
+    """The digest of a content, and a temporary file of it."""
     state = hashlib.sha256()
     with files.temporary() as file:
         for block in blocks:
@@ -108,54 +97,36 @@ def _kept(blocks: Iterable[bytes]) -> Iterator[tuple[str, IO[bytes]]]:
 
 
 def sources(command: str, image: Image, only: str = "") -> list[InEngine]:
-    """The images of an engine that have layers that are missing in an archive, or layers that these replace.
-
-    Args:
-        only: the id of the image that may be asked; all may if empty.
-
-    Raises:
-        RosmlError: the engine does not answer.
-    """
+    """The images of an engine, or the one with the id `only`, that have layers which an archive lacks, or layers that these replace."""
     missing = {layer.diff_id for layer in (*image.missing, *image.replaced)}
-    known = {name: diff_ids for name, diff_ids in engine.layers(command).items() if only in ("", name)}
-    near = sorted(known.items(), key=lambda pair: len(pair[1]))  # `docker save` reads all layers of an image
-    return [InEngine(command, name, frozenset(diff_ids)) for name, diff_ids in near if missing & {*diff_ids}]
+    candidates = {name: diff_ids for name, diff_ids in engine.layers(command).items() if only in ("", name)}
+    smallest_first = sorted(
+        candidates.items(), key=lambda pair: len(pair[1])
+    )  # `docker save` reads all layers of an image
+    return [InEngine(command, name, frozenset(diff_ids)) for name, diff_ids in smallest_first if missing & {*diff_ids}]
 
 
 def held(command: str, image: Image, store: engine.Store) -> set[str]:
-    """The digests of the layers that docker takes from its own store: it has them in another image, on the same layers.
-
-    docker's classic store keeps a layer with all below it under one name, and reads no file for a layer that it has. docker with containerd's
-    store wants all layers in the file.
-
-    Args:
-        store: of the engine.
-
-    Raises:
-        RosmlError: the engine does not answer, or cannot read the image (exit code 2).
-    """
+    """The digests of layers that docker takes from its own store: another image has them, on the same layers."""
     if not store.zstd and any(str(entry["mediaType"]).endswith("zstd") for entry in image.content["layers"]):
         text = f"{command} here is older than version 23, and cannot read layers with zstd, which {image.name or 'the image'} has"
         raise RosmlError(text, "update Docker, or take podman: ROSML_ENGINE=podman", exit_code=2)
     if not store.chains:
         return set()
-    wanted = [image.layers[digest].diff_id for digest in image.order]
-    most = 0
-    for diff_ids in engine.layers(command).values():
-        same = (one == other for one, other in zip(wanted, diff_ids, strict=False))
-        most = max(
-            most, next((number for number, is_same in enumerate(same) if not is_same), min(len(wanted), len(diff_ids)))
-        )
+    diff_ids_of_image = [image.layers[digest].diff_id for digest in image.order]
+    most = max((_common(diff_ids_of_image, diff_ids) for diff_ids in engine.layers(command).values()), default=0)
     return {*image.order[:most]}.difference(image.order[most:])
 
 
-def takes_as_it_is(command: str, image: Image) -> bool:
-    """Lets podman load an image without the layers that the archive lacks. It takes those from its store, if it pulled them as they are in
-    the registry; then the image keeps its digest, and nothing is read from `podman save`.
+def _common(one: Sequence[str], other: Sequence[str]) -> int:
+    """How many layers two images have in common from the lowest on."""
+    pairs = enumerate(zip(one, other, strict=False))
+    return next((number for number, (first, second) in pairs if first != second), min(len(one), len(other)))
 
-    Returns:
-        Whether podman has the image now.
-    """
+
+def takes_as_it_is(command: str, image: Image) -> bool:
+    """Whether podman loaded the image without the layers that the archive lacks, since it has pulled them as they are in the registry. Then the
+    image keeps its digest."""
     lacking = {layer.digest for layer in image.missing}
     try:
         with loading(command) as out:
@@ -177,11 +148,7 @@ class NotLoaded(RosmlError):
 
 @contextlib.contextmanager
 def loading(command: str) -> Iterator[BinaryIO]:
-    """Gives a pipe into `docker load` or `podman load`. If something goes wrong, the engine gets half of an archive, which names no image.
-
-    Raises:
-        NotLoaded: the engine cannot load what it got.
-    """
+    """A pipe into `docker load` or `podman load`. If something goes wrong, the engine gets half of an archive, which names no image."""
     with (
         tempfile.TemporaryFile() as output,
         # podman keeps what it reads in TMPDIR, and leaves it there if the disk gets full.
@@ -190,7 +157,7 @@ def loading(command: str) -> Iterator[BinaryIO]:
         ) as folder,
     ):
         streams = {"stdin": subprocess.PIPE, "stdout": output, "stderr": subprocess.STDOUT}
-        process = _begun(command, "load", env={**os.environ, "TMPDIR": folder}, **streams)
+        process = _start(command, "load", env={**os.environ, "TMPDIR": folder}, **streams)
         assert process.stdin
         broken = False
         try:
@@ -209,7 +176,7 @@ def loading(command: str) -> Iterator[BinaryIO]:
             process.wait()
             raise
         if process.wait() or broken:
-            last = _last(output)
+            last = _last_line(output)
             if "no space left on device" in last.lower():
                 raise NotLoaded(f"{command} has no space left for the image: {last}", FULL)
             raise NotLoaded(
@@ -220,20 +187,16 @@ def loading(command: str) -> Iterator[BinaryIO]:
 
 @contextlib.contextmanager
 def _reading(command: str, *words: str) -> Iterator[IO[bytes]]:
-    """The output of an engine, until the caller has enough.
-
-    Raises:
-        RosmlError: the engine failed.
-    """
-    with tempfile.TemporaryFile() as said:
-        process = _begun(command, *words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=said)
+    """The output of an engine, until the caller has enough."""
+    with tempfile.TemporaryFile() as errors:
+        process = _start(command, *words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=errors)
         assert process.stdout
         try:
             yield process.stdout
         except RosmlError:
             if process.poll() not in (None, 0):
                 raise RosmlError(
-                    f"{command} {words[0]} failed: {_last(said)}", f"try `{command} {' '.join(words)} | wc -c`"
+                    f"{command} {words[0]} failed: {_last_line(errors)}", f"try `{command} {' '.join(words)} | wc -c`"
                 ) from None
             raise
         finally:
@@ -242,7 +205,7 @@ def _reading(command: str, *words: str) -> Iterator[IO[bytes]]:
             process.wait()
 
 
-def _begun(command: str, *words: str, **streams: object) -> subprocess.Popen[bytes]:
+def _start(command: str, *words: str, **streams: object) -> subprocess.Popen[bytes]:
     try:
         return subprocess.Popen([command, *words], **streams)  # type: ignore[call-overload,no-any-return]
     except OSError as error:
@@ -250,8 +213,7 @@ def _begun(command: str, *words: str, **streams: object) -> subprocess.Popen[byt
         raise RosmlError(f"{command} cannot be run: {error.strerror}", remedy) from None
 
 
-def _last(said: IO[bytes]) -> str:
-    """The last line of what a program said."""
-    said.seek(max(0, said.seek(0, 2) - 2000))
-    lines = said.read().decode(errors="replace").strip().splitlines()
+def _last_line(errors: IO[bytes]) -> str:
+    errors.seek(max(0, errors.seek(0, 2) - 2000))
+    lines = errors.read().decode(errors="replace").strip().splitlines()
     return lines[-1][:500] if lines else "it says nothing"

@@ -58,12 +58,7 @@ Range = tuple[int, int]
 
 @dataclass(frozen=True)
 class Step:
-    """A step of a plan.
-
-    Attributes:
-        near: the ranges of the old layer that are the frame's prefix.
-        parts: what comes next in the new layer: the offset in the old layer, or None for bytes of the frame; and a length.
-    """
+    """A step of a plan: ranges of the old layer that are the frame's prefix; and the parts of the new layer, each a length with an offset in the old layer, or None for bytes of the frame."""
 
     near: list[Range]
     parts: list[tuple[int | None, int]]
@@ -75,15 +70,7 @@ class Step:
 
 
 def unpack(packed: IO[bytes], diff_id: str, out: IO[bytes]) -> None:
-    """Writes a layer without its compression.
-
-    Args:
-        packed: the layer, compressed or not.
-        diff_id: the digest of the layer without compression.
-
-    Raises:
-        ValueError: it is damaged, too large, or has another digest.
-    """
+    """Writes a layer, compressed or not, without its compression. Raises a ValueError if it is damaged, too large, or has another digest."""
     state, size = hashlib.new(diff_id.partition(":")[0]), 0
     for block in archives.unpacked(_range(packed, 0, packed.seek(0, 2))):
         size += len(block)
@@ -101,8 +88,7 @@ def unpack(packed: IO[bytes], diff_id: str, out: IO[bytes]) -> None:
 
 @dataclass(frozen=True)
 class _Entry:
-    """An entry of a tar file. `start` is where its header begins, `content` where its content does, `end` where the next entry is. `head` and
-    `digest` are hashes of header and content."""
+    """An entry of a tar file: where its header, its content and the next entry begin, and hashes of header and content."""
 
     name: str
     start: int
@@ -114,28 +100,21 @@ class _Entry:
 
 @dataclass
 class _Piece:
-    """Bytes of the new layer: equal to those of the old one at `old`; or changed, with ranges that they may be like."""
+    """Bytes of the new layer: equal to those of the older one at `older`; or changed, with ranges that they may be like."""
 
     length: int
-    old: int | None = None
+    older: int | None = None
     near: list[Range] = field(default_factory=list)
 
 
-def make(old: IO[bytes], new: IO[bytes]) -> Iterator[bytes]:
-    """The patch that makes a new layer of an old one, in pieces. The same layers give the same bytes.
-
-    Args:
-        old, new: files of the layers, without compression.
-
-    Raises:
-        ValueError: one of them is empty, damaged or too large, or the plan would be.
-    """
-    steps = _steps(_joined(_pieces(_entries(old), _entries(new))))
-    told = [
+def make(older: IO[bytes], new: IO[bytes]) -> Iterator[bytes]:
+    """The patch that makes a new layer of an older one, both without compression, in pieces. The same layers give the same bytes."""
+    steps = _steps(_joined(_pieces(_entries(older), _entries(new))))
+    plan_steps = [
         {"near": step.near, "parts": [part if part[0] is not None else part[1:] for part in step.parts]}
         for step in steps
     ]
-    plan = oci.encoded({"size": new.seek(0, 2), "steps": told})
+    plan = oci.encoded({"size": new.seek(0, 2), "steps": plan_steps})
     if len(plan) > PLAN_BYTES or sum(length for step in steps for _, length in step.near) > LARGEST:
         raise ValueError("the layers differ in too many places")
     yield zstd.compress(plan, _LEVEL)
@@ -147,7 +126,7 @@ def make(old: IO[bytes], new: IO[bytes]) -> Iterator[bytes]:
                 fresh += _bytes(new, [(offset, length)])
             offset += length
         if fresh:
-            yield _frame(fresh, _bytes(old, step.near))
+            yield _frame(fresh, _bytes(older, step.near))
 
 
 def _frame(fresh: bytearray, near: bytearray) -> bytes:
@@ -176,13 +155,13 @@ def _entries(file: IO[bytes]) -> list[_Entry]:
     ends = [*(start for _, start, _ in places[1:]), size]
     if not places or places[0][1]:
         raise ValueError("a layer has no entries")
-    found = []
+    entries = []
     for (name, start, content), end in zip(places, ends, strict=True):
         if not start < content <= end <= size:
             raise ValueError(f"a layer is damaged at {name[:100]!r}")
         hashes = _hash(file, start, content - start), _hash(file, content, end - content)
-        found.append(_Entry(name, start, content, end, *hashes))
-    return found
+        entries.append(_Entry(name, start, content, end, *hashes))
+    return entries
 
 
 def _hash(file: IO[bytes], offset: int, length: int) -> bytes:
@@ -200,11 +179,11 @@ def _kind(name: str) -> str:
     return _NUMBERS.sub("0", name)
 
 
-def _pieces(old: list[_Entry], new: list[_Entry]) -> Iterator[_Piece]:
-    """The new layer, each entry with what it is like in the old one."""
-    by_name = {entry.name: entry for entry in old}
-    by_content = {entry.digest: entry for entry in old}
-    by_kind = {_kind(entry.name): entry for entry in old}
+def _pieces(older: list[_Entry], new: list[_Entry]) -> Iterator[_Piece]:
+    """The new layer, each entry with what it is like in the older one."""
+    by_name = {entry.name: entry for entry in older}
+    by_content = {entry.digest: entry for entry in older}
+    by_kind = {_kind(entry.name): entry for entry in older}
     for entry in new:
         like = by_name.get(entry.name) or by_kind.get(_kind(entry.name))
         if like and like.head == entry.head:
@@ -223,16 +202,16 @@ def _pieces(old: list[_Entry], new: list[_Entry]) -> Iterator[_Piece]:
 
 def _changed(size: int, like: _Entry | None) -> Iterator[_Piece]:
     """The content of a file that changed. Of a large one, each piece has the range of the old file that is at the same place."""
-    there = like.end - like.content if like else 0
+    older_size = like.end - like.content if like else 0
     at = 0
     while at < size:
         length = min(FRESH, size - at)
-        if not like or not there:
+        if not like or not older_size:
             yield _Piece(length)
         else:
-            most = min(NEAR, there, 2 * length + _MARGIN)
-            middle = (at + length // 2) * there // size
-            start = max(0, min(middle - most // 2, there - most))
+            most = min(NEAR, older_size, 2 * length + _MARGIN)
+            middle = (at + length // 2) * older_size // size
+            start = max(0, min(middle - most // 2, older_size - most))
             yield _Piece(length, near=[(like.content + start, most)])
         at += length
 
@@ -241,7 +220,7 @@ def _joined(pieces: Iterable[_Piece]) -> Iterator[_Piece]:
     """The same with equal pieces in one, if they follow each other in both layers."""
     last: _Piece | None = None
     for piece in pieces:
-        if last and last.old is not None and last.old + last.length == piece.old:
+        if last and last.older is not None and last.older + last.length == piece.older:
             last.length += piece.length
             continue
         if last:
@@ -259,30 +238,30 @@ def _steps(pieces: Iterable[_Piece]) -> list[Step]:
     fresh = prefix = 0
     for piece in pieces:
         added = sum(length for _, length in piece.near)
-        if piece.old is None and (fresh + piece.length > FRESH or prefix + added > NEAR):
+        if piece.older is None and (fresh + piece.length > FRESH or prefix + added > NEAR):
             steps.append(Step(_merged(near), parts))
             near, parts, fresh, prefix = [], [], 0, 0
-        if piece.old is None:
+        if piece.older is None:
             near += piece.near
             fresh, prefix = fresh + piece.length, prefix + added
-        if piece.old is None and parts and parts[-1][0] is None:
+        if piece.older is None and parts and parts[-1][0] is None:
             parts[-1] = (None, parts[-1][1] + piece.length)
         else:
-            parts.append((piece.old, piece.length))
+            parts.append((piece.older, piece.length))
     steps.append(Step(_merged(near), parts))
     return steps
 
 
 def _merged(ranges: Iterable[Range]) -> list[Range]:
     """The same bytes, each once."""
-    found: list[Range] = []
+    merged: list[Range] = []
     for offset, length in sorted(ranges):
-        if found and offset <= sum(found[-1]):
-            start = found[-1][0]
-            found[-1] = (start, max(sum(found[-1]), offset + length) - start)
+        if merged and offset <= sum(merged[-1]):
+            start = merged[-1][0]
+            merged[-1] = (start, max(sum(merged[-1]), offset + length) - start)
         elif length:
-            found.append((offset, length))
-    return found
+            merged.append((offset, length))
+    return merged
 
 
 # ---- Applying --------------------------------------------------------------------------------------------------------
@@ -297,37 +276,18 @@ class Plan:
 
 
 class Reader:
-    """A patch that somebody gave us.
+    """A patch that somebody gave us, for an older layer of `size` bytes. Raises a ValueError if it is damaged or reads what that does not have."""
 
-    Attributes:
-        plan: what it does.
-    """
-
-    def __init__(self, blocks: Iterable[bytes], old: int) -> None:
-        """
-        Args:
-            blocks: the patch, in pieces.
-            old: the size of the old layer.
-
-        Raises:
-            ValueError: the patch is damaged, or reads what the old layer does not have.
-        """
+    def __init__(self, blocks: Iterable[bytes], older: int) -> None:
         self._frames = archives.Frames(blocks, _WINDOW)
-        self.plan = _plan(untrusted.json_value(self._frames.next(PLAN_BYTES), PLAN_BYTES), old)
+        self.plan = _plan(untrusted.json_value(self._frames.next(PLAN_BYTES), PLAN_BYTES), older)
 
-    def apply(self, old: IO[bytes]) -> Iterator[bytes]:
-        """The new layer, in pieces. It can be asked for once.
-
-        Args:
-            old: the old layer, without compression.
-
-        Raises:
-            ValueError: the patch is damaged.
-        """
+    def apply(self, older: IO[bytes]) -> Iterator[bytes]:
+        """The new layer, in pieces, of a file of the older layer without compression. It can be asked for once."""
         for step in self.plan.steps:
             fresh, at = b"", 0
             if step.fresh:
-                fresh = self._frames.next(step.fresh, _bytes(old, step.near))
+                fresh = self._frames.next(step.fresh, _bytes(older, step.near))
                 if len(fresh) != step.fresh:
                     raise ValueError(f"a frame has {len(fresh)} bytes, and not {step.fresh:,}")
             for offset, length in step.parts:
@@ -335,17 +295,17 @@ class Reader:
                     yield fresh[at : at + length]
                     at += length
                 else:
-                    yield from _range(old, offset, length)
+                    yield from _range(older, offset, length)
         if not self._frames.end():
             raise ValueError("it has more than its plan says")
 
 
 def _bytes(file: IO[bytes], ranges: Iterable[Range]) -> bytearray:
-    found = bytearray()
+    value = bytearray()
     for offset, length in ranges:
         for block in _range(file, offset, length):
-            found += block
-    return found
+            value += block
+    return value
 
 
 def _range(file: IO[bytes], offset: int, length: int) -> Iterator[bytes]:
@@ -358,21 +318,16 @@ def _range(file: IO[bytes], offset: int, length: int) -> Iterator[bytes]:
         yield block
 
 
-def _plan(found: Any, old: int) -> Plan:
-    """The plan of a patch.
-
-    Raises:
-        ValueError: it is none, or not for an old layer of that size.
-    """
+def _plan(value: Any, older_size: int) -> Plan:
     try:
-        plan = _Plan.model_validate(found)
+        plan = _Plan.model_validate(value)
     except ValidationError as error:
         raise ValueError(first_of(error)) from None
     steps = []
-    for told in plan.steps:
-        step = Step(told.near, [part if len(part) == 2 else (None, *part) for part in told.parts])
+    for entry in plan.steps:
+        step = Step(entry.near, [part if len(part) == 2 else (None, *part) for part in entry.parts])
         ranges = [*step.near, *((offset, length) for offset, length in step.parts if offset is not None)]
-        if any(offset + length > old for offset, length in ranges):
+        if any(offset + length > older_size for offset, length in ranges):
             raise ValueError("it reads more than the old layer has")
         if step.fresh > FRESH or (not 8 <= sum(length for _, length in step.near) <= NEAR and step.near):
             raise ValueError("a step is too large")

@@ -6,7 +6,7 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import partial
 from typing import IO, Any, BinaryIO
@@ -14,7 +14,7 @@ from typing import IO, Any, BinaryIO
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.delivery import archive, patch
-from rosml.delivery.delta import Old, replaced, shared, unique
+from rosml.delivery.delta import OlderLayer, replaced, shared, unique
 from rosml.images.join.layers import Source
 from rosml.registry import references
 from rosml.registry.client import CONFIG_BYTES, Registries, Registry
@@ -29,19 +29,13 @@ message that it needs one of the two."""
 
 @dataclass(frozen=True)
 class Plan:
-    """What goes into an archive.
-
-    Attributes:
-        image: for one platform.
-        named: the image's complete reference, as it was named.
-        left_out: the layers that stay out, each with the image that has it.
-        replaced: layers that go into it, as a patch if that is much smaller; each with the layer that it replaces.
-    """
+    """What goes into an archive. `left_out` has layers that stay out, each with the image that has it; `replaced` those that may go in as a
+    patch. `name` is the image's complete reference, as the user gave it."""
 
     image: Source
-    named: str
+    name: str
     left_out: dict[str, Source]
-    replaced: dict[str, Old]
+    replaced: dict[str, OlderLayer]
 
     @property
     def layers(self) -> dict[str, int]:
@@ -50,21 +44,13 @@ class Plan:
 
     @property
     def bytes(self) -> int:
-        """The size of these layers, and of those that they replace: what is read from registries."""
-        return sum(self.layers.values()) + sum(old.size for old in self.replaced.values())
+        """What is read from registries: these layers, and those that they replace."""
+        return sum(self.layers.values()) + sum(older.size for older in self.replaced.values())
 
 
 @dataclass(frozen=True)
 class Saved:
-    """An image in an archive. Sizes are in bytes.
-
-    Attributes:
-        image: its complete reference. digest: of its manifest. platform: such as `linux/arm64`.
-        layers: how many layers are in the archive. bytes: their size.
-        patches: how many layers are in it as what differs from an older one. patch_bytes: the size of that. patched_bytes: that of the layers.
-        left_out: how many are not. left_out_bytes: their size.
-        seconds: wall time.
-    """
+    """An image in an archive. Sizes are in bytes; `patched_bytes` is the size of the layers that the archive has as patches."""
 
     image: str
     digest: str
@@ -79,125 +65,94 @@ class Saved:
     seconds: float
 
     def to_json(self) -> dict[str, Any]:
-        """For `--json`."""
         return asdict(self)
 
 
-def plan(image: Source, named: str, have: Sequence[Source]) -> Plan:
-    """Computes what goes into an archive.
-
-    Args:
-        image: for one platform.
-        named: its complete reference, as it was named.
-        have: images of the machine that will read it.
-
-    Raises:
-        RosmlError: the image's config does not list its layers.
-    """
+def plan(image: Source, name: str, have: Sequence[Source]) -> Plan:
     if not image.manifest.layers or len(image.manifest.layers) != len(image.diff_ids):
         raise RosmlError(f"{image.name} is incomplete: its config does not list its layers", "push it again")
-    return Plan(image, named, shared(image, have), replaced(image, have))
+    return Plan(image, name, shared(image, have), replaced(image, have))
 
 
 @dataclass(frozen=True)
-class _Kept:
-    """A blob in a file that goes away. `patched` says whether it is a patch instead of the layer."""
+class _Blob:
+    """A blob in a temporary file: a layer, or a patch that makes it."""
 
     file: IO[bytes]
     digest: str
     size: int
-    patched: bool
+    is_patch: bool
 
-    def send(self, write: Callable[[Iterable[bytes]], None]) -> None:
-        """Sends it, as `Writer.blob` asks for it."""
-        archive.again(self.file, write)
+    def send(self, write: archive.Write) -> None:
+        archive.send_file(self.file, write)
 
 
-def write(
-    wanted: Plan, registries: Registries, out: BinaryIO, advance: Callable[[int], object] = lambda _: None
-) -> Saved:
-    """Writes an archive. The same plan gives the same bytes, with the same version of zstd.
-
-    Args:
-        wanted: what goes into it.
-        registries: gives the client of a host.
-        out: where it goes; nothing is sought in it, so it may be a pipe.
-        advance: is called with numbers of bytes of layers that were read.
+def write(plan: Plan, registries: Registries, out: BinaryIO, advance: archive.Advance = lambda _: None) -> Saved:
+    """Writes an archive into a file or a pipe. The same plan gives the same bytes, with the same version of zstd.
 
     Raises:
         RosmlError: a layer is damaged; the registry does not answer or refuses.
-        OSError: it cannot be written.
+        OSError: the file cannot be written.
     """
+    started, image = time.monotonic(), plan.image
     with contextlib.ExitStack() as stack:
-        return _write(wanted, registries, out, advance, stack)
+        blobs = {digest: _blob(plan, digest, registries, stack, advance) for digest in plan.replaced}
+        patches = {digest: blob for digest, blob in blobs.items() if blob.is_patch}
+        registry = registries(image.host)
+        writer = archive.Writer(out)
+        _write_documents(writer, plan, patches, registry)
+        for digest, size in plan.layers.items():
+            if blob := blobs.get(digest):
+                writer.blob(blob.digest, blob.size, blob.send)
+            else:
+                writer.blob(digest, size, partial(_fetch, registry, image.repository, digest, size), advance)
+        writer.end()
+        patch_bytes = sum(blob.size for blob in patches.values())
+    layers = [size for digest, size in plan.layers.items() if digest not in patches]
+    patched_bytes = sum(plan.layers[digest] for digest in patches)
+    absent = [layer.size for digest, layer in unique(image).items() if digest in plan.left_out]
+    counts = len(layers), sum(layers), len(patches), patch_bytes, patched_bytes, len(absent), sum(absent)
+    return Saved(plan.name, image.digest, image.platform, *counts, time.monotonic() - started)
 
 
-def _write(
-    wanted: Plan,
-    registries: Registries,
-    out: BinaryIO,
-    advance: Callable[[int], object],
-    stack: contextlib.ExitStack,
-) -> Saved:
-    started, image = time.monotonic(), wanted.image
-    registry = registries(image.host)
-    config = image.manifest.config
+def _write_documents(writer: archive.Writer, plan: Plan, patches: Mapping[str, _Blob], registry: Registry) -> None:
+    """Writes index, manifest and config: all but the layers."""
+    image, config = plan.image, plan.image.manifest.config
     assert config  # it has labels and diff IDs
     manifest = registry.raw_manifest(image.repository, image.digest)
-    facts = registry.part(image.repository, config, CONFIG_BYTES)
-    where = references.parse(wanted.named)
-    name = "" if references.is_digest(where.reference) else str(where)
+    place = references.parse(plan.name)
+    name = "" if references.is_digest(place.reference) else str(place)
     left_out: dict[str, list[str]] = {}
-    for digest, other in wanted.left_out.items():
-        left_out.setdefault(_known_as(other), []).append(digest)
-    kept = {digest: _patch(wanted, digest, registries, stack, advance) for digest in wanted.replaced}
-    patches = {digest: made for digest, made in kept.items() if made.patched}
+    for digest, other in plan.left_out.items():
+        left_out.setdefault(_full_name(other), []).append(digest)
     if patches:
-        left_out[f"{_known_as(image)} {NEWER}"] = [*patches]
-    told = {digest: _told(made, wanted.replaced[digest]) for digest, made in patches.items()}
-    writer = archive.Writer(out)
-    writer.text(archive.INDEX, archive.index(image.manifest.descriptor, name, left_out, told))
+        left_out[f"{_full_name(image)} {NEWER}"] = [*patches]
+    entries = {digest: _patch_entry(blob, plan.replaced[digest]) for digest, blob in patches.items()}
+    writer.text(archive.INDEX, archive.index(image.manifest.descriptor, name, left_out, entries))
     layers = [layer.digest for layer in image.manifest.layers]
     writer.text(archive.DOCKER, archive.for_docker(config.digest, layers, name))
     writer.text(archive.path(image.digest), manifest)
-    writer.text(archive.path(config.digest), facts)
-    for digest, size in wanted.layers.items():
-        if made := kept.get(digest):
-            writer.blob(made.digest, made.size, made.send)
-        else:
-            writer.advance = advance
-            writer.blob(digest, size, partial(_fetch, registry, image.repository, digest, size))
-            writer.advance = _nothing
-    writer.end()
-    whole = [size for digest, size in wanted.layers.items() if digest not in patches]
-    left = [layer.size for name, layer in unique(image).items() if name in wanted.left_out]
-    counts = len(whole), sum(whole), len(patches), sum(made.size for made in patches.values())
-    patched = sum(wanted.layers[digest] for digest in patches)
-    seconds = time.monotonic() - started
-    return Saved(wanted.named, image.digest, image.platform, *counts, patched, len(left), sum(left), seconds)
+    writer.text(archive.path(config.digest), registry.part(image.repository, config, CONFIG_BYTES))
 
 
-def _patch(
-    wanted: Plan,
-    digest: str,
-    registries: Registries,
-    stack: contextlib.ExitStack,
-    advance: Callable[[int], object],
-) -> _Kept:
-    """What makes a layer of the one that it replaces; or the layer itself, if that is not much larger."""
-    image, old, size = wanted.image, wanted.replaced[digest], wanted.layers[digest]
+def _blob(
+    plan: Plan, digest: str, registries: Registries, stack: contextlib.ExitStack, advance: archive.Advance
+) -> _Blob:
+    """The patch that makes a layer of the one that it replaces; or the layer itself, if that is not much larger."""
+    image, older, size = plan.image, plan.replaced[digest], plan.layers[digest]
     diff_ids = {layer.digest: diff_id for layer, diff_id in zip(image.manifest.layers, image.diff_ids, strict=True)}
-    layer = _Kept(stack.enter_context(files.temporary()), digest, size, False)
+    layer = _Blob(stack.enter_context(files.temporary()), digest, size, False)
     _receive(registries(image.host), image.repository, layer, advance)
-    with files.temporary() as older, files.temporary() as before, files.temporary() as after:
-        _receive(registries(old.image.host), old.image.repository, _Kept(older, old.digest, old.size, False), advance)
-        made = stack.enter_context(files.temporary())
+    with files.temporary() as older_file, files.temporary() as before, files.temporary() as after:
+        older_blob = _Blob(older_file, older.digest, older.size, False)
+        _receive(registries(older.image.host), older.image.repository, older_blob, advance)
+        patch_file = stack.enter_context(files.temporary())
         state, length = hashlib.sha256(), 0
         try:
-            patch.unpack(older, old.diff_id, before)
+            patch.unpack(older_file, older.diff_id, before)
             patch.unpack(layer.file, diff_ids[digest], after)
             for block in patch.make(before, after):
-                made.write(block)
+                patch_file.write(block)
                 state.update(block)
                 length += len(block)
                 if length > WORTH * size:
@@ -205,31 +160,24 @@ def _patch(
         except ValueError:  # whoever unpacks the layer says what is wrong with it
             return layer
     layer.file.close()
-    return _Kept(made, f"sha256:{state.hexdigest()}", length, True)
+    return _Blob(patch_file, f"sha256:{state.hexdigest()}", length, True)
 
 
-def _receive(registry: Registry, repository: str, kept: _Kept, advance: Callable[[int], object]) -> None:
-    send = partial(_fetch, registry, repository, kept.digest, kept.size)
-    archive.verified(kept.digest, kept.size, send, kept.file, advance)
+def _receive(registry: Registry, repository: str, blob: _Blob, advance: archive.Advance) -> None:
+    send = partial(_fetch, registry, repository, blob.digest, blob.size)
+    archive.receive(blob.digest, blob.size, send, blob.file, advance)
 
 
-def _told(made: _Kept, old: Old) -> dict[str, Any]:
-    """The entry about a patch, as `archive.PATCHES` has it."""
-    below = {"digest": old.digest, "diff_id": old.diff_id, "size": old.size}
-    entry = {"mediaType": patch.MEDIA_TYPE, "digest": made.digest, "size": made.size}
-    return {**entry, "old": below, "image": _known_as(old.image)}
+def _patch_entry(blob: _Blob, older: OlderLayer) -> dict[str, Any]:
+    """As `archive.PATCHES` has it."""
+    layer = {"digest": older.digest, "diff_id": older.diff_id, "size": older.size}
+    entry = {"mediaType": patch.MEDIA_TYPE, "digest": blob.digest, "size": blob.size}
+    return {**entry, "old": layer, "image": _full_name(older.image)}
 
 
-def _nothing(_: int) -> None:
-    """Tells nobody."""
-
-
-def _fetch(
-    registry: Registry, repository: str, digest: str, size: int, write: Callable[[Iterable[bytes]], None]
-) -> None:
+def _fetch(registry: Registry, repository: str, digest: str, size: int, write: archive.Write) -> None:
     registry.read_blob(repository, digest, write, size)
 
 
-def _known_as(image: Source) -> str:
-    """The name of an image with its digest, for people on the other machine."""
+def _full_name(image: Source) -> str:
     return f"{image.name.partition('@')[0]}@{image.digest}"

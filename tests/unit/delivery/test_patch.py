@@ -24,23 +24,23 @@ def noise(size: int, name: str = "") -> bytes:
 def layer(files: Files, mtime: int = 0, form: int = tarfile.PAX_FORMAT) -> bytes:
     """An uncompressed layer."""
     out = io.BytesIO()
-    with tarfile.open(fileobj=out, mode="w", format=form) as found:
+    with tarfile.open(fileobj=out, mode="w", format=form) as archive:
         for name, data in files.items():
             entry = tarfile.TarInfo(name)
             entry.size, entry.mtime = len(data), mtime
             if not data:
                 entry.type, entry.linkname = tarfile.SYMTYPE, "elsewhere"
-            found.addfile(entry, io.BytesIO(data))
+            archive.addfile(entry, io.BytesIO(data))
     return out.getvalue()
 
 
-def made(old: bytes, new: bytes) -> bytes:
+def made_patch(old: bytes, new: bytes) -> bytes:
     return b"".join(patch.make(io.BytesIO(old), io.BytesIO(new)))
 
 
-def applied(found: bytes, old: bytes) -> bytes:
+def applied(patch_bytes: bytes, old: bytes) -> bytes:
     """What a patch makes. It arrives in small pieces."""
-    blocks = (found[at : at + 7] for at in range(0, len(found), 7))
+    blocks = (patch_bytes[at : at + 7] for at in range(0, len(patch_bytes), 7))
     return b"".join(patch.Reader(blocks, len(old)).apply(io.BytesIO(old)))
 
 
@@ -67,9 +67,9 @@ CHANGES: dict[str, tuple[bytes, int]] = {
 @pytest.mark.parametrize("change", CHANGES)
 def test_a_patch_makes_the_new_layer_and_costs_what_changed(change: str) -> None:
     old, (new, most) = layer(OLD), CHANGES[change]
-    found = made(old, new)
-    assert applied(found, old) == new
-    assert len(found) < most
+    patch_bytes = made_patch(old, new)
+    assert applied(patch_bytes, old) == new
+    assert len(patch_bytes) < most
 
 
 @pytest.mark.parametrize("size", [100, 190_000, 205_000])
@@ -81,20 +81,20 @@ def test_a_large_file_is_made_in_steps(monkeypatch: pytest.MonkeyPatch, size: in
     before = noise(200_000)
     after = (before[:100_000] + noise(5000, "in the middle") + before[100_000:])[:size]
     old, new = layer({"a": before, "b": SMALL}), layer({"a": after, "b": SMALL, "c": noise(31_000, "c")})
-    found = made(old, new)
-    assert applied(found, old) == new
-    plan = patch.Reader([found], len(old)).plan
+    patch_bytes = made_patch(old, new)
+    assert applied(patch_bytes, old) == new
+    plan = patch.Reader([patch_bytes], len(old)).plan
     assert max(step.fresh for step in plan.steps) <= 30_000
     assert max(sum(length for _, length in step.near) for step in plan.steps) <= 60_000
-    assert len(found) < 31_000 + 5000 + 1500
+    assert len(patch_bytes) < 31_000 + 5000 + 1500
 
 
 @pytest.mark.parametrize("data", [b"", b"x" * 3000, bytes(1024), layer(OLD)[:-60_000], b"x" + layer(OLD)])
 def test_what_is_no_layer_has_no_patch(data: bytes) -> None:
     with pytest.raises(ValueError, match="a layer"):
-        made(layer(OLD), data)
+        made_patch(layer(OLD), data)
     with pytest.raises(ValueError, match="a layer"):
-        made(data, layer(OLD))
+        made_patch(data, layer(OLD))
 
 
 # ---- A stranger's patch ----------------------------------------------------------------------------------------------

@@ -49,7 +49,9 @@ from rosml.containerize.sources import repos_file, tree, versions
 from rosml.containerize.sources import store as sources_store
 from rosml.delivery import archive, patch
 from rosml.delivery import engine as layers_of_engine
-from rosml.delivery import load as load_archive
+from rosml.delivery import image as saved_image
+from rosml.delivery.complete import choose, complete
+from rosml.delivery.sources import InArchive
 from rosml.images.builds import adopted, apt_sources, base_images, package_state, release_file, structure_tests, sync
 from rosml.images.catalogue import read
 from rosml.images.image_set import labels, load, lock_file, restricted, system
@@ -545,7 +547,7 @@ def image_of(document: bytes, folder: Path) -> object:
     """The image of an archive."""
     with contextlib.suppress(zlib.error):  # as in `left_of`
         document = zlib.decompressobj(31).decompress(document, 20 << 20)
-    return load_archive.read(archive.Archive(io.BytesIO(document), "a")).missing
+    return saved_image.read(archive.Archive(io.BytesIO(document), "a")).missing
 
 
 def reply(code: int, content: bytes = b"", headers: Any = None) -> httpx.Response:
@@ -779,10 +781,10 @@ def with_patch(made: bytes, document: bytes = b"") -> object:
     content = {"schemaVersion": 2, "manifests": [oci.descriptor(oci.IMAGE, manifest)], "annotations": noted}
     blobs = [(archive.path(oci.digest_of(data)), data) for data in (manifest, config, made)]
     told = tar_of((archive.LAYOUT, b"{}"), (archive.INDEX, oci.encoded(content)), *blobs)
-    image = load_archive.read(archive.Archive(io.BytesIO(gzip.decompress(told)), "a"))
+    image = saved_image.read(archive.Archive(io.BytesIO(gzip.decompress(told)), "a"))
     old = tar_of((archive.LAYOUT, b"{}"), (archive.INDEX, b"{}"), (archive.path(oci.digest_of(OLD_LAYER)), OLD_LAYER))
-    there = load_archive.InArchive(archive.Archive(io.BytesIO(gzip.decompress(old)), "b"))
-    return load_archive.complete(image, load_archive.choose(image, [there]), io.BytesIO())
+    there = InArchive(archive.Archive(io.BytesIO(gzip.decompress(old)), "b"))
+    return complete(image, choose(image, [there]), io.BytesIO())
 
 
 def unpacked(document: bytes, folder: Path) -> object:
@@ -991,7 +993,7 @@ def saved_by_engine(document: bytes, folder: Path) -> object:
         document = zlib.decompressobj(31).decompress(document, 20 << 20)
     (folder / "answer").write_bytes(document)
     program = stubs.executable(folder / "docker", f"exec cat {folder}/answer")
-    layer = load_archive.Layer(DIGEST, oci.digest_of(b"x"), 1)
+    layer = saved_image.Layer(DIGEST, oci.digest_of(b"x"), 1)
     for item in layers_of_engine.InEngine(program, "1" * 64, frozenset([layer.diff_id])).take([layer]):
         item.send(lambda blocks: print(*map(len, blocks), file=io.StringIO()))
     return None

@@ -41,17 +41,17 @@ def main(one: str, other: str, platforms: tuple[str, ...], as_json: bool) -> Non
         if missing := [name for name in platforms if name not in after]:
             text = f"{names[1]} is for {listed(sorted(after)) or 'no platform'}, not for {listed(missing)}"
             raise RosmlError(text, "name a platform that it has", exit_code=2)
-        found = [item for item in delta.deltas(before, after) if item.platform in (platforms or after)]
+        deltas = [item for item in delta.deltas(before, after) if item.platform in (platforms or after)]
     if as_json:
-        told = {"before": names[0], "after": names[1], "platforms": [item.to_json() for item in found]}
-        terminal.echo(json.dumps(told, indent=2))
+        content = {"before": names[0], "after": names[1], "platforms": [item.to_json() for item in deltas]}
+        terminal.echo(json.dumps(content, indent=2))
         return
-    for item in found:
+    for item in deltas:
         pulled = f"{counted(item.pulled, 'layer')}, {size(item.pulled_bytes)}"
         kept = f"keeps {counted(item.kept, 'layer')}, {size(item.kept_bytes)}"
         if item.replaced:
             kept += (
                 f"; of {counted(item.replaced, 'layer')}, {size(item.replaced_bytes)}, rosml save looks for differences"
             )
-        lacking = "" if item.before else f" ({one} is not for this platform)"
-        terminal.echo(f"{item.platform}: pulls {pulled}; {kept}{lacking}")
+        note = "" if item.before else f" ({one} is not for this platform)"
+        terminal.echo(f"{item.platform}: pulls {pulled}; {kept}{note}")

@@ -14,7 +14,6 @@ from rosml.cli.checkout import Command
 from rosml.cli.command import say, warn
 
 KEPT = "interrupted: nothing was loaded"
-"""The message after Ctrl-C."""
 
 
 @click.command(
@@ -39,24 +38,26 @@ def main(file: str, origins: tuple[str, ...], into: str, as_json: bool) -> None:
     """
     from rosml.base.problems import counted
     from rosml.base.units import size
-    from rosml.delivery.loader import Loader
+    from rosml.delivery.load import Loader
     from rosml.machine.services import Services
     from rosml.registry.client import Registries
 
     services = Services.load(ROOT, required=False)
     with Registries(services.ca_bundle) as registries:
-        found = Loader(services, registries, os.environ, say, warn).load(file, origins, into)
+        loaded = Loader(services, registries, os.environ, say, warn).load(file, origins, into)
     if as_json:
-        terminal.echo(json.dumps(found.to_json(), indent=2))
+        terminal.echo(json.dumps(loaded.to_json(), indent=2))
         return
-    terminal.echo(f"{found.image}@{found.digest}" if found.image else found.id)
-    terminal.echo(f"{counted(found.layers, 'layer')} of the file, {size(found.bytes)}")
-    if found.patches:
-        terminal.echo(f"differences of {counted(found.patches, 'layer')}, {size(found.patch_bytes)}")
-    if found.taken or origins:
-        terminal.echo(f"{counted(found.taken, 'layer')} of {', '.join(origins) or 'images here'}")
-    if found.held:
-        terminal.echo(f"{counted(found.held, 'layer')} here already")
+    terminal.echo(f"{loaded.image}@{loaded.digest}" if loaded.image else loaded.id)
+    terminal.echo(f"{counted(loaded.layers, 'layer')} of the file, {size(loaded.bytes)}")
+    if loaded.patches:
+        terminal.echo(f"differences of {counted(loaded.patches, 'layer')}, {size(loaded.patch_bytes)}")
+    if loaded.taken or origins:
+        terminal.echo(f"{counted(loaded.taken, 'layer')} of {', '.join(origins) or 'images here'}")
+    if loaded.held:
+        terminal.echo(f"{counted(loaded.held, 'layer')} here already")
     if into:
-        other = "" if found.written == found.digest else f" as {found.written}: some of its layers are not compressed"
+        other = (
+            "" if loaded.written == loaded.digest else f" as {loaded.written}: some of its layers are not compressed"
+        )
         terminal.echo(f"written into {into}{other}")

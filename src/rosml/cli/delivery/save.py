@@ -15,7 +15,6 @@ from rosml.cli import options
 from rosml.cli.checkout import Command
 
 KEPT = "interrupted: no file was written"
-"""The message after Ctrl-C."""
 
 
 @click.command(
@@ -56,23 +55,23 @@ def main(image: str, have: tuple[str, ...], output: str, platform: str, as_json:
     platform = platform or f"linux/{native_architecture()}"
     services = Services.load(ROOT, required=False)
     with Registries(services.ca_bundle) as registries, Transfer(registries) as transfer:
-        named = delta.complete(image, services, registries)
-        wanted = delta.for_platform(transfer, named, platform)
-        known = [delta.complete(name, services, registries) for name in have]
-        plan = save.plan(wanted, named, [delta.for_platform(transfer, name, platform) for name in known])
+        name = delta.complete(image, services, registries)
+        source = delta.for_platform(transfer, name, platform)
+        others = [delta.complete(other, services, registries) for other in have]
+        plan = save.plan(source, name, [delta.for_platform(transfer, other, platform) for other in others])
         with (
             contextlib.nullcontext(sys.stdout.buffer) if pipe else files.whole(Path(output)) as out,
             progress_bar.of_bytes("layers", plan.bytes) as advance,
         ):
-            found = save.write(plan, registries, out, advance)
+            saved = save.write(plan, registries, out, advance)
     if as_json:
-        terminal.echo(json.dumps(found.to_json(), indent=2))
+        terminal.echo(json.dumps(saved.to_json(), indent=2))
         return
-    terminal.echo(f"{found.image.partition('@')[0]}@{found.digest}", err=pipe)
-    terminal.echo(f"{found.platform}: {counted(found.layers, 'layer')}, {size(found.bytes)}", err=pipe)
-    if found.patches:
-        instead = f"{size(found.patch_bytes)} instead of {size(found.patched_bytes)}"
-        terminal.echo(f"differences of {counted(found.patches, 'layer')}: {instead}", err=pipe)
+    terminal.echo(f"{saved.image.partition('@')[0]}@{saved.digest}", err=pipe)
+    terminal.echo(f"{saved.platform}: {counted(saved.layers, 'layer')}, {size(saved.bytes)}", err=pipe)
+    if saved.patches:
+        instead = f"{size(saved.patch_bytes)} instead of {size(saved.patched_bytes)}"
+        terminal.echo(f"differences of {counted(saved.patches, 'layer')}: {instead}", err=pipe)
     if have:
-        terminal.echo(f"left out: {counted(found.left_out, 'layer')}, {size(found.left_out_bytes)}", err=pipe)
-    terminal.echo(f"written in {duration(found.seconds)}", err=pipe)
+        terminal.echo(f"left out: {counted(saved.left_out, 'layer')}, {size(saved.left_out_bytes)}", err=pipe)
+    terminal.echo(f"written in {duration(saved.seconds)}", err=pipe)
