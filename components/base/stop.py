@@ -98,7 +98,7 @@ class Process(NamedTuple):
             return False
 
 
-class Told(NamedTuple):
+class Sent(NamedTuple):
     """What a process got; 0 for nothing. Attributes: until: its children are its own affair until then, by the monotonic clock.
     group: those of this group get SIGINT as well."""
 
@@ -115,8 +115,8 @@ ALWAYS = float("inf")
 
 def running() -> Dict[int, Process]:
     """All processes that can be seen; not those that have ended and wait for their parent."""
-    found = (_process(int(name)) for name in os.listdir("/proc") if name.isdigit())
-    return {process.pid: process for process in found if process}
+    processes = (_process(int(name)) for name in os.listdir("/proc") if name.isdigit())
+    return {process.pid: process for process in processes if process}
 
 
 def _process(pid: int) -> Optional[Process]:
@@ -157,117 +157,118 @@ def ancestors(processes: Dict[int, Process], pid: int) -> Iterator[int]:
 # ---- Who gets what ---------------------------------------------------------------------------------------------------
 
 
-def own(process: Process, asked: int, is_left: bool) -> Told:
+def signal_for(process: Process, number: int, is_orphan: bool) -> Sent:
     """What a process gets that nobody else stops.
 
     Args:
-        asked: the signal that the container got. is_left: the parent that should have stopped it is gone.
+        number: the signal that the container got. is_orphan: the parent that should have stopped it is gone.
     """
-    terminates, interrupts = (process.handles(number) for number in (signal.SIGTERM, signal.SIGINT))
+    terminates, interrupts = (process.handles(item) for item in (signal.SIGTERM, signal.SIGINT))
     if process.is_shell:
-        return Told(asked, time.monotonic() + TRAP if terminates else 0)
-    if interrupts and (asked == signal.SIGINT or not terminates or (process.is_ros and not is_left)):
+        return Sent(number, time.monotonic() + TRAP if terminates else 0)
+    if interrupts and (number == signal.SIGINT or not terminates or (process.is_ros and not is_orphan)):
         # ros2 launch hands it on itself; but with a terminal, it takes it that Ctrl-C has reached its nodes.
         hands_on = (terminates or process.is_launch) and not process.has_terminal
-        return Told(signal.SIGINT, ALWAYS) if hands_on else Told(signal.SIGINT, group=process.group)
-    return Told(signal.SIGTERM, ALWAYS) if terminates else Told(asked)
+        return Sent(signal.SIGINT, ALWAYS) if hands_on else Sent(signal.SIGINT, group=process.group)
+    return Sent(signal.SIGTERM, ALWAYS) if terminates else Sent(number)
 
 
 class Stop:
-    """A stop. Attributes: asked: the signal that the container got."""
+    """A stop. Attributes: number: the signal that the container got."""
 
-    def __init__(self, asked: int) -> None:
-        self.asked = asked
-        self.told: Dict[Identity, Told] = {}
-        self.left: Set[Identity] = set()
-        """Those whose parent should stop them."""
+    def __init__(self, number: int) -> None:
+        self.number = number
+        self.sent: Dict[Identity, Sent] = {}
+        self.deferred: Set[Identity] = set()
+        """Processes whose parent should stop them."""
         self.others: Set[Identity] = set()
-        """Those that belong to another user."""
+        """Processes of another user."""
 
     def step(self, scope: Dict[int, Process]) -> bool:
-        """Tells those that have not been told and can be by now. Returns whether somebody is still there.
+        """Signals processes that have got nothing, once they can get it. Returns whether some still run.
 
         Args:
             scope: what runs of the container.
         """
         scope = {pid: process for pid, process in scope.items() if process.identity not in self.others}
-        for process, told in [*self.due(scope)]:
-            self.tell(process, told)
+        for process, sent in [*self.due(scope)]:
+            self.tell(process, sent)
         shells = [process for process in scope.values() if process.is_interactive]
         if len(shells) < len(scope):
             return True
-        if self.asked == signal.SIGINT:
+        if self.number == signal.SIGINT:
             return False
         for process in shells:
-            if process.identity not in self.told:
-                self.tell(process, Told(signal.SIGHUP))
+            if process.identity not in self.sent:
+                self.tell(process, Sent(signal.SIGHUP))
         return bool(shells)
 
-    def tell(self, process: Process, told: Told) -> None:
+    def tell(self, process: Process, sent: Sent) -> None:
         """Sends a signal."""
-        self.told[process.identity] = told
+        self.sent[process.identity] = sent
         try:
-            os.kill(process.pid, told.number)
+            os.kill(process.pid, sent.number)
         except ProcessLookupError:
             pass
         except PermissionError:
             self.others.add(process.identity)
 
-    def due(self, scope: Dict[int, Process]) -> Iterator[Tuple[Process, Told]]:
-        """Who is to be told now, and what."""
+    def due(self, scope: Dict[int, Process]) -> Iterator[Tuple[Process, Sent]]:
+        """The processes that get a signal now, and which."""
         children: Dict[int, List[Process]] = {}
         for process in scope.values():
             children.setdefault(process.parent, []).append(process)
         writes = {(output, process.pid) for process in scope.values() for output in process.outputs}
-        pending = [(process, Told(0)) for process in scope.values() if process.parent not in scope]
+        pending = [(process, Sent(0)) for process in scope.values() if process.parent not in scope]
         while pending:
             process, above = pending.pop()
-            told = self.told.get(process.identity)
-            if told is None and (above.until > time.monotonic() or above.group not in (None, process.group)):
-                self.left.add(process.identity)
-                told = Told(0, ALWAYS)
-            elif told is None:
-                told = self.new(process, above)
+            sent = self.sent.get(process.identity)
+            if sent is None and (above.until > time.monotonic() or above.group not in (None, process.group)):
+                self.deferred.add(process.identity)
+                sent = Sent(0, ALWAYS)
+            elif sent is None:
+                sent = self.new(process, above)
                 reads = process.stdin.startswith("pipe:")
                 if reads and any(output == process.stdin and pid != process.pid for output, pid in writes):
-                    told = told._replace(number=0)  # after those that it reads from
-                if told.number:
-                    yield process, told
-            pending += [(child, told) for child in children.get(process.pid, [])]
+                    sent = sent._replace(number=0)  # after those that it reads from
+                if sent.number:
+                    yield process, sent
+            pending += [(child, sent) for child in children.get(process.pid, [])]
 
-    def new(self, process: Process, above: Told) -> Told:
+    def new(self, process: Process, above: Sent) -> Sent:
         """What one gets that has got nothing.
 
         Args:
             above: what its parent got.
         """
         if process.is_interactive:
-            return Told(0)
+            return Sent(0)
         if above.group is not None:
-            return Told(0 if process.passes_over(signal.SIGINT) else signal.SIGINT, group=above.group)
-        return own(process, self.asked, process.identity in self.left)
+            return Sent(0 if process.passes_over(signal.SIGINT) else signal.SIGINT, group=above.group)
+        return signal_for(process, self.number, process.identity in self.deferred)
 
 
 # ---- The call --------------------------------------------------------------------------------------------------------
 
 
-def main(asked: int, child: int, *words: str) -> None:
+def main(number: int, child: int, *words: str) -> None:
     """Stops all that runs.
 
     Args:
-        asked: the signal that the container got. child: the entrypoint's. words: `terminal`, if the command is the child of that
+        number: the signal that the container got. child: the entrypoint's. words: `terminal`, if the command is the child of that
             child; `all`, if process 1 is the container's own, so that all processes are.
     """
-    stop, known = Stop(asked), set()  # type: Stop, Set[Identity]
+    stop, identities = Stop(number), set()  # type: Stop, Set[Identity]
     while True:
-        found = running()
-        apart = {1, *ancestors(found, os.getpid()), *([child] if "terminal" in words else [])}
+        processes = running()
+        apart = {1, *ancestors(processes, os.getpid()), *([child] if "terminal" in words else [])}
         scope = {
             pid: process
-            for pid, process in found.items()
-            if pid not in apart and ("all" in words or process.identity in known or child in ancestors(found, pid))
+            for pid, process in processes.items()
+            if pid not in apart
+            and ("all" in words or process.identity in identities or child in ancestors(processes, pid))
         }
-        known |= {process.identity for process in scope.values()}  # one whose parent ends is below it no longer
+        identities |= {process.identity for process in scope.values()}  # one whose parent ends is below it no longer
         if not stop.step(scope):
             return
         time.sleep(SECONDS)

@@ -95,21 +95,21 @@ def belongs(path: str, facts: os.stat_result) -> bool:
 def libraries(root: Path) -> set[str]:
     """The libraries that only ld.so.cache finds, such as those in /usr/local/lib."""
     command = ["ldconfig", "-p", "-C", str(root / "etc/ld.so.cache")]
-    said = os.fsdecode(subprocess.run(command, capture_output=True, check=False).stdout)
-    paths = {line.rpartition(" => ")[2].strip() for line in said.split("\n") if " => " in line}
+    listing = os.fsdecode(subprocess.run(command, capture_output=True, check=False).stdout)
+    paths = {line.rpartition(" => ")[2].strip() for line in listing.split("\n") if " => " in line}
     return {path for path in paths if not FOUND_ALONE.fullmatch(path)}
 
 
 def versions(base: Path, roots: Sequence[Path]) -> dict[str, Any]:
     """What is to be locked: packages of apt with their versions, and requirements of pip as install.sh left them."""
-    known = _versions(base)
-    architecture = next((key.partition(":")[2] for key in known if key.startswith("dpkg:")), "")
+    of_base = _versions(base)
+    architecture = next((key.partition(":")[2] for key in of_base if key.startswith("dpkg:")), "")
     apt: dict[str, str] = {}
     pip: set[str] = set()
     for root in roots:
         for key, version in _versions(root).items():
             name, _, of = key.partition(":")
-            if known.get(key) != version:
+            if of_base.get(key) != version:
                 apt.setdefault(name if of in ("all", architecture) else key, version)
         file = root / "usr/local/share/rosml/pip.lock"
         pip.update(file.read_text("utf-8", "replace").split("\n")[:-1] if file.exists() else [])
@@ -117,8 +117,8 @@ def versions(base: Path, roots: Sequence[Path]) -> dict[str, Any]:
 
 
 def _versions(root: Path) -> dict[str, str]:
-    found = {key: re.search(r"^Version: (.*)$", text, re.MULTILINE) for key, text in status(root).items()}
-    return {key: version[1] for key, version in found.items() if version}
+    matches = {key: re.search(r"^Version: (.*)$", text, re.MULTILINE) for key, text in status(root).items()}
+    return {key: version[1] for key, version in matches.items() if version}
 
 
 def put(source: Path, target: Path) -> None:
@@ -161,16 +161,18 @@ def copy(source: Path, path: str, out: Path) -> None:
 
 
 def packages(base: Path, runtime: Path, root: Path) -> dict[str, list[str]]:
-    """Puts the files below a root that the packages bring; gives what is to be known of them. Nothing, if they take away or
+    """Puts the files below a root that the packages bring; gives what is to be of_base of them. Nothing, if they take away or
     replace what the base image has: a layer on top of it cannot say that."""
-    old, new = entries(base), entries(runtime)
-    known, installed = status(base), status(runtime)
-    wanted = [path for path in sorted(new) if belongs(path, new[path])]
+    before, after = entries(base), entries(runtime)
+    of_base, installed = status(base), status(runtime)
+    paths = [path for path in sorted(after) if belongs(path, after[path])]
     facts = {
-        "packages": sorted(installed.keys() - known.keys()),
-        "replaced": sorted(name for name in known if installed.get(name) != known[name]),
-        "changed": [path for path in wanted if path in old and not same(path, base, runtime, old[path], new[path])],
-        "removed": [path for path in sorted(old) if path not in new and belongs(path, old[path])],
+        "packages": sorted(installed.keys() - of_base.keys()),
+        "replaced": sorted(name for name in of_base if installed.get(name) != of_base[name]),
+        "changed": [
+            path for path in paths if path in before and not same(path, base, runtime, before[path], after[path])
+        ],
+        "removed": [path for path in sorted(before) if path not in after and belongs(path, before[path])],
     }
     if libraries(runtime) - libraries(base):
         facts["changed"].append("etc/ld.so.cache")
@@ -178,8 +180,8 @@ def packages(base: Path, runtime: Path, root: Path) -> dict[str, list[str]]:
     facts.update(changed=shown(facts["changed"]), removed=shown(facts["removed"]))
     if facts["replaced"] or facts["removed"]:
         return facts
-    for path in [*wanted, *changed.difference(wanted)]:
-        if path not in old or path in changed:
+    for path in [*paths, *changed.difference(paths)]:
+        if path not in before or path in changed:
             copy(runtime, path, root)
     if facts["packages"]:
         folder = root / "var/lib/dpkg/status.d"
@@ -193,8 +195,8 @@ def packages(base: Path, runtime: Path, root: Path) -> dict[str, list[str]]:
 
 def built_packages(install: Path) -> list[str]:
     """The packages that colcon built into an install space, each in a folder of its own or all in one."""
-    found = (path for below in ("", "*/") for path in install.glob(f"{below}share/colcon-core/packages/*"))
-    return sorted({path.name for path in found})
+    files = (path for below in ("", "*/") for path in install.glob(f"{below}share/colcon-core/packages/*"))
+    return sorted({path.name for path in files})
 
 
 def outside(environment: Path, installed: Path) -> list[str]:
@@ -203,7 +205,7 @@ def outside(environment: Path, installed: Path) -> list[str]:
     return [path for path in sorted(new) if not WORKING.fullmatch(path) and belongs(path, os.lstat(installed / path))]
 
 
-def asked(runtime: Path, brought: Sequence[str]) -> set[str]:
+def requested(runtime: Path, brought: Sequence[str]) -> set[str]:
     """The packages of apt that the app asks for by name, in manifests and in its own list, and that its base image has. Those that it
     brings itself come along to another base image."""
     listed = (ASKED / "needed/exec.apt", ASKED / "requests/apt")
@@ -232,23 +234,23 @@ def requirements(file: Path, root: Path, depth: int = 0) -> list[str]:
     """The lines of a list for pip, and of those that it names: relative to it, or in the image."""
     if not file.is_file() or depth > DEEPEST:
         return []
-    found: list[str] = []
+    lines: list[str] = []
     for line in file.read_text("utf-8", "replace").splitlines():
-        named = NAMED.match(line)
-        if named and named.group(1).startswith("/"):
-            found += requirements(root / named.group(1).lstrip("/"), root, depth + 1)
-        elif named:
-            found += requirements(file.parent / named.group(1), root, depth + 1)
+        include = NAMED.match(line)
+        if include and include.group(1).startswith("/"):
+            lines += requirements(root / include.group(1).lstrip("/"), root, depth + 1)
+        elif include:
+            lines += requirements(file.parent / include.group(1), root, depth + 1)
         else:
-            found.append(line)
-    return found
+            lines.append(line)
+    return lines
 
 
 def required(metadata: Path) -> list[str]:
     """What a package of Python needs on any machine: without what belongs to an extra, or to some machines alone."""
     lines = metadata.read_text("utf-8", "replace").partition("\n\n")[0].splitlines() if metadata.is_file() else []
-    wanted = [line.partition(":")[2] for line in lines if line.startswith("Requires-Dist:")]
-    return [line for line in wanted if ";" not in line]
+    requirements = [line.partition(":")[2] for line in lines if line.startswith("Requires-Dist:")]
+    return [line for line in requirements if ";" not in line]
 
 
 def main(
@@ -272,15 +274,15 @@ def main(
         **versions(base, locked),
     }
 
-    # Of a base image that is an app itself, what it has built stays there.
-    there = {os.path.join(install, path): stats for path, stats in entries(base / install).items()}
+    # Of a base image that is an app itself, what it has built stays of_base.
+    of_base = {os.path.join(install, path): stats for path, stats in entries(base / install).items()}
     for above, folders, names in os.walk(workspace / install):
         if "__pycache__" in folders:
             folders.remove("__pycache__")
         for name in [*folders, *names, "."]:
             path = os.path.normpath(os.path.relpath(os.path.join(above, name), workspace))
-            known = path in there and same(path, base, workspace, there[path], os.lstat(workspace / path))
-            if not known and not os.path.lexists(root / path):
+            unchanged = path in of_base and same(path, base, workspace, of_base[path], os.lstat(workspace / path))
+            if not unchanged and not os.path.lexists(root / path):
                 copy(workspace, path, root)
 
     # Compiled by the time of a source it would hold when it was built, and be stale now. Pythons up to 3.10 write sets in the order
@@ -302,7 +304,7 @@ def main(
     contents.write(contents.files([below, root]), status(runtime).values(), contents.owned(runtime), out)
     if linked:
         of_pip = asked_of_pip(lacks.distributions(root), runtime, root)
-        write_app(root, runtime, out, lacks.imported(root), asked(runtime, facts["packages"]), of_pip)
+        write_app(root, runtime, out, lacks.imported(root), requested(runtime, facts["packages"]), of_pip)
 
 
 if __name__ == "__main__":

@@ -25,7 +25,7 @@ Entry = Dict[str, Any]
 
 def read(workspace: Path) -> list[Entry]:
     """The entries of all packages. Files that a build is writing, or that are damaged, do not count."""
-    found: list[Entry] = []
+    all_entries: list[Entry] = []
     for place in PLACES:
         # catkin_make has one for all. colcon may write one as well, beside those of the packages.
         for file in sorted((workspace / place).glob(f"*/{NAME}")) or [workspace / place / NAME]:
@@ -33,8 +33,8 @@ def read(workspace: Path) -> list[Entry]:
                 entries = json.loads(file.read_text(encoding="utf-8"))
             except (OSError, RecursionError, ValueError):
                 continue
-            found += filter(understood, entries) if isinstance(entries, list) else []
-    return found
+            all_entries += filter(understood, entries) if isinstance(entries, list) else []
+    return all_entries
 
 
 def understood(entry: Any) -> bool:
@@ -61,15 +61,15 @@ def split(command: str) -> list[str]:
     words: list[list[str]] = [[]]
     place = 0
     while place < len(command):
-        found = PIECE.match(command, place)
-        if not found:
+        match = PIECE.match(command, place)
+        if not match:
             raise ValueError("a quote does not close")
-        plain, single, double, escaped, space = found.groups()
+        plain, single, double, escaped, space = match.groups()
         if space:
             words += [[]] if words[-1] else []
         else:
             words[-1].append(re.sub(r'\\([\\"])', r"\1", double) if double else plain or single or escaped or "")
-        place = found.end()
+        place = match.end()
     return ["".join(word) for word in words if word]
 
 
@@ -77,19 +77,19 @@ def moved(entry: Entry, places: dict[str, str]) -> Entry:
     """An entry with the paths of another machine.
 
     Args:
-        places: the new path for the beginning of each old one. The first that fits counts.
+        places: the to_path path for the beginning of each from_path one. The first that fits counts.
     """
 
     def path(text: str) -> str:
-        for old, new in places.items():
-            before, found, after = text.partition(old)
-            if found and not after[:1].isalnum():
-                return before + new + after
+        for from_path, to_path in places.items():
+            before, separator, after = text.partition(from_path)
+            if separator and not after[:1].isalnum():
+                return before + to_path + after
         return text
 
-    made = {key: path(str(value)) for key, value in entry.items() if key in ("directory", "file", "output")}
+    paths = {key: path(str(value)) for key, value in entry.items() if key in ("directory", "file", "output")}
     words = entry.get("arguments") or split(entry.get("command", ""))
-    return {**made, "arguments": [path(word) for word in words]}
+    return {**paths, "arguments": [path(word) for word in words]}
 
 
 def write(file: Path, entries: list[Entry]) -> None:

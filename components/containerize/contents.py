@@ -46,17 +46,17 @@ INSTALLED = re.compile(r"(install|hold) ok (installed|triggers-awaited|triggers-
 @functools.lru_cache(maxsize=None)
 def entries(root: Path) -> Mapping[str, os.stat_result]:
     """All files, links and folders below a root, by path. It is read once: a root that changes has new entries nowhere."""
-    found = {}
+    stats = {}
     folders = [""]
     while folders:
         above = folders.pop()
         with contextlib.suppress(OSError), os.scandir(os.path.join(root, above)) as items:
             for item in items:
                 path = above + item.name
-                found[path] = item.stat(follow_symlinks=False)
+                stats[path] = item.stat(follow_symlinks=False)
                 if item.is_dir(follow_symlinks=False):
                     folders.append(f"{path}/")
-    return found
+    return stats
 
 
 def paths(root: Path) -> Iterator[str]:
@@ -91,39 +91,39 @@ def owned(root: Path) -> set[str]:
 
 def status(root: Path) -> dict[str, str]:
     """dpkg's entries, by package and architecture. One that lacks either counts for none, as for dpkg."""
-    found = {}
+    by_key = {}
     path = root / STATUS
     for text in path.read_text("utf-8", "replace").split("\n\n") if path.exists() else []:
         fields = dict(re.findall(r"^(Package|Architecture|Status): (.*)$", text, re.MULTILINE))
         key = f"{fields.get('Package', '')}:{fields.get('Architecture', '')}"
         if INSTALLED.fullmatch(fields.get("Status", "")) and KEY.fullmatch(key):
-            found[key] = text.strip() + "\n"
-    return found
+            by_key[key] = text.strip() + "\n"
+    return by_key
 
 
-def packages(known: dict[str, str], entries: Iterable[str], others: Container[str]) -> dict[str, Any]:
+def packages(paths: dict[str, str], entries: Iterable[str], others: Container[str]) -> dict[str, Any]:
     """The packages of an image: of the operating system, of Python, and of the apps in it.
 
-    known: its files. entries: of its packages, as dpkg has them. others: files of these packages.
+    paths: its files. entries: of its packages, as dpkg has them. others: files of these packages.
     """
-    python = [Path(place) for path, place in known.items() if PYTHON.fullmatch(path) and path not in others]
+    python = [Path(place) for path, place in paths.items() if PYTHON.fullmatch(path) and path not in others]
     apt = [
         *entries,
-        *(text for path, place in known.items() if APT.fullmatch(path) for text in paragraphs(Path(place))),
+        *(text for path, place in paths.items() if APT.fullmatch(path) for text in paragraphs(Path(place))),
     ]
     return {
-        "system": _system(known),
+        "system": _system(paths),
         "apt": _sorted(map(_debian, apt)),
         "python": _sorted(map(_python, python)),
-        "ros": _sorted(_ros(Path(place)) for path, place in known.items() if ROS.fullmatch(path)),
+        "ros": _sorted(_ros(Path(place)) for path, place in paths.items() if ROS.fullmatch(path)),
     }
 
 
-def write(known: dict[str, str], entries: Iterable[str], others: Container[str], out: Path) -> None:
+def write(paths: dict[str, str], entries: Iterable[str], others: Container[str], out: Path) -> None:
     """Writes OUT/packages.json and OUT/files.gz: the same for the same image, on any day."""
-    (out / "packages.json").write_text(as_json(packages(known, entries, others), indent=1))
+    (out / "packages.json").write_text(as_json(packages(paths, entries, others), indent=1))
     with open(out / "files.gz", "wb") as raw, gzip.GzipFile("", "wb", 9, raw, 0) as file:
-        file.writelines(path + b"\n" for path in sorted(map(os.fsencode, known)))
+        file.writelines(path + b"\n" for path in sorted(map(os.fsencode, paths)))
 
 
 def as_json(facts: Any, indent: int) -> str:
@@ -137,8 +137,8 @@ def paragraphs(place: Path) -> list[str]:
     return place.read_text("utf-8", "replace").split("\n\n") if place.is_file() else []
 
 
-def _system(known: dict[str, str]) -> dict[str, str]:
-    place = Path(known.get("usr/lib/os-release", "/dev/null"))
+def _system(paths: dict[str, str]) -> dict[str, str]:
+    place = Path(paths.get("usr/lib/os-release", "/dev/null"))
     text = place.read_text("utf-8", "replace") if place.is_file() else ""
     fields = {name: value.strip("\"'") for name, value in re.findall(r"^(\w+)=(.*)$", text, re.MULTILINE)}
     return {"name": fields.get("ID", ""), "version": fields.get("VERSION_ID", "")}
@@ -161,8 +161,8 @@ def _debian(text: str) -> dict[str, str]:
 def _python(place: Path) -> dict[str, str]:
     if not place.is_file():  # a link that leads nowhere, or a folder
         return {}
-    said = HeaderParser().parsestr(place.read_text("utf-8-sig", "replace"))
-    name, version = (str(said.get(field, "")).strip() for field in ("Name", "Version"))
+    fields = HeaderParser().parsestr(place.read_text("utf-8-sig", "replace"))
+    name, version = (str(fields.get(field, "")).strip() for field in ("Name", "Version"))
     return {"name": name, "version": version} if name and version else {}
 
 
@@ -171,16 +171,16 @@ def _ros(place: Path) -> dict[str, Any]:
         root = ElementTree.parse(str(place)).getroot()
     except (ElementTree.ParseError, LookupError, ValueError, OSError):
         return {}
-    found = [(item.tag.rpartition("}")[2], (item.text or "").strip()) for item in root if isinstance(item.tag, str)]
-    said = dict(found[::-1])
-    licenses = [text for tag, text in found if tag == "license" and text]
-    name = said.get("name", "")
-    return {"name": name, "version": said.get("version", ""), "licenses": licenses} if name else {}
+    fields = [(item.tag.rpartition("}")[2], (item.text or "").strip()) for item in root if isinstance(item.tag, str)]
+    first = dict(fields[::-1])
+    licenses = [text for tag, text in fields if tag == "license" and text]
+    name = first.get("name", "")
+    return {"name": name, "version": first.get("version", ""), "licenses": licenses} if name else {}
 
 
-def _sorted(found: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
+def _sorted(items: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
     """Each once, without those that say nothing."""
-    by_name = {(item["name"], item["version"], item.get("architecture", "")): item for item in found if item}
+    by_name = {(item["name"], item["version"], item.get("architecture", "")): item for item in items if item}
     return [by_name[name] for name in sorted(by_name)]
 
 

@@ -130,7 +130,7 @@ class _File:
                 dynamic.append((offset, length))
             elif segment == _NOTE:
                 self._notes.append((offset, length))
-        self._left = VERSIONS  # entries about versions that may still be read
+        self._versions_left = VERSIONS  # entries about versions that may still be read
         self._tags: dict[int, list[int]] = {}
         form = struct.Struct(self._order + ("qQ" if self._wide else "iI"))
         for offset, length in dynamic[:1]:
@@ -180,9 +180,9 @@ class _File:
 
     def symbols(self) -> Symbols:
         """The dynamic symbols of the file."""
-        found = Symbols(set(), set())
+        symbols = Symbols(set(), set())
         if _SYMTAB not in self._tags:
-            return found
+            return symbols
         texts = self._loaded_at(self._tag(_STRTAB), min(self._tag(_STRSZ), TEXTS))
         form = struct.Struct(self._order + ("IBBHQQ" if self._wide else "IIIBBH"))
         count = self._count(form.size)
@@ -209,11 +209,11 @@ class _File:
             if section == _ABSOLUTE and name == version:  # it stands for the version itself
                 continue
             if section:
-                found.exports.add(name)
-                found.exports.add(full)
+                symbols.exports.add(name)
+                symbols.exports.add(full)
             elif binding != 2:
-                found.uses.add(full)
-        return found
+                symbols.uses.add(full)
+        return symbols
 
     def _count(self, size: int) -> int:
         """The number of symbols, of which each takes `size` bytes."""
@@ -257,9 +257,9 @@ class _File:
 
     def _versions(self, texts: bytes) -> dict[int, bytes]:
         """The versions that the file defines or expects, by number."""
-        found: dict[int, bytes] = {}
+        versions: dict[int, bytes] = {}
         if _VERSYM not in self._tags:
-            return found
+            return versions
         for table, count, form in ((_VERDEF, _VERDEFNUM, "HHHHIII"), (_VERNEED, _VERNEEDNUM, "HHIII")):
             if table not in self._tags:
                 continue
@@ -267,34 +267,34 @@ class _File:
             for _ in range(self._tag(count)):
                 entry = self._unpacked(form, place)
                 if table == _VERDEF:
-                    _put(found, entry[2], self._unpacked("II", place + entry[5])[0], texts)
+                    _put(versions, entry[2], self._unpacked("II", place + entry[5])[0], texts)
                 else:
-                    self._expected(place + entry[3], entry[1], texts, found)
+                    self._expected(place + entry[3], entry[1], texts, versions)
                 if not entry[-1]:
                     break
                 place += entry[-1]
-        return found
+        return versions
 
     def _unpacked(self, form: str, address: int) -> tuple[int, ...]:
         """One of the entries about versions."""
-        self._left -= 1
-        if self._left < 0:
+        self._versions_left -= 1
+        if self._versions_left < 0:
             raise ValueError("too many versions")
         return struct.unpack(self._order + form, self._loaded_at(address, struct.calcsize(form)))
 
-    def _expected(self, place: int, count: int, texts: bytes, found: dict[int, bytes]) -> None:
+    def _expected(self, place: int, count: int, texts: bytes, versions: dict[int, bytes]) -> None:
         """Adds the versions that the file expects of one library."""
         for _ in range(count):
             _, _, number, name, more = self._unpacked("IHHII", place)
-            _put(found, number, name, texts)
+            _put(versions, number, name, texts)
             if not more:
                 return
             place += more
 
 
-def _put(found: dict[int, bytes], number: int, place: int, texts: bytes) -> None:
+def _put(versions: dict[int, bytes], number: int, place: int, texts: bytes) -> None:
     number &= 0x7FFF
     if number > 1:  # 0 is of the file alone, and 1 has no version: its name is the library's
-        found[number] = texts[place : texts.index(b"\0", place)]
-        if len(found[number]) > VERSION:
+        versions[number] = texts[place : texts.index(b"\0", place)]
+        if len(versions[number]) > VERSION:
             raise ValueError("a version that is too long")

@@ -50,8 +50,8 @@ def shown(paths: Iterable[str]) -> list[str]:
 
 def package(text: str) -> dict[str, Any]:
     """A package by its entry in dpkg's database; empty if it lacks its name, architecture or version."""
-    found = dict(re.findall(r"^([A-Z][A-Za-z-]*):[ \t]*(.*(?:\n[ \t].*)*)", text, re.MULTILINE))
-    fields = {name: " ".join(value.split()) for name, value in found.items()}
+    values = dict(re.findall(r"^([A-Z][A-Za-z-]*):[ \t]*(.*(?:\n[ \t].*)*)", text, re.MULTILINE))
+    fields = {name: " ".join(value.split()) for name, value in values.items()}
     if not fields.keys() >= {"Package", "Architecture", "Version"}:
         return {}
 
@@ -77,15 +77,15 @@ def write(out: Path, **facts: Sequence[Any]) -> None:
 
 def write_base(root: Path, out: Path) -> None:
     """Writes the facts of a base image or a part: its packages, and the libraries that export something."""
-    known = contents.files([root])
-    links = _links(known)
+    paths = contents.files([root])
+    links = _links(paths)
     libraries = []
-    for path, place in sorted(known.items()):
+    for path, place in sorted(paths.items()):
         if LIBRARY.fullmatch(path) or INTERPRETER.fullmatch(path):
-            found = _read(Path(place))
-            if found and _counts(*found):
-                libraries.append(_library(path, *found, links.get(path, ())))
-    entries = [*contents.status(root).values(), *_brought(known)]
+            binary = _read(Path(place))
+            if binary and _counts(*binary):
+                libraries.append(_library(path, *binary, links.get(path, ())))
+    entries = [*contents.status(root).values(), *_brought(paths)]
     write(out, packages=_sorted(map(package, entries)), libraries=libraries)
 
 
@@ -100,20 +100,20 @@ def write_app(
         imports: modules of the base image that the app's Python imports, each with a file that does.
         asks: packages of apt that the app asks for by name. asks_pip: those of pip.
     """
-    known = contents.files([layer])
-    links = _links(known)
+    paths = contents.files([layer])
+    links = _links(paths)
     read = {
-        path: found for path, found in ((path, _read(Path(place))) for path, place in sorted(known.items())) if found
+        path: binary for path, binary in ((path, _read(Path(place))) for path, place in sorted(paths.items())) if binary
     }
-    exported = {(found.machine, name) for found, names in read.values() for name in names.exports}
+    exported = {(binary.machine, name) for binary, names in read.values() for name in names.exports}
     libraries = []
-    for path, (found, names) in read.items():
-        uses = {name for name in names.uses if (found.machine, name) not in exported}
-        libraries.append({**_library(path, found, names, links.get(path, ())), "uses": sorted(_texts(uses))})
-    packages = _sorted(map(package, _brought(known)))
+    for path, (binary, names) in read.items():
+        uses = {name for name in names.uses if (binary.machine, name) not in exported}
+        libraries.append({**_library(path, binary, names, links.get(path, ())), "uses": sorted(_texts(uses))})
+    packages = _sorted(map(package, _brought(paths)))
     for item in packages:
-        item["files"] = sorted({*shown(_owned(item, known, runtime))})
-    others = {*shown(known)}.difference(*(item["files"] for item in packages))
+        item["files"] = sorted({*shown(_owned(item, paths, runtime))})
+    others = {*shown(paths)}.difference(*(item["files"] for item in packages))
     write(
         out,
         packages=packages,
@@ -127,13 +127,13 @@ def write_app(
 
 def _read(place: Path) -> tuple[Elf, Symbols] | None:
     """What a file says of itself, if it is a program or a library, and whole."""
-    found = elf(place)
-    names = symbols(place) if found else None
-    if not found or not names:
+    binary = elf(place)
+    names = symbols(place) if binary else None
+    if not binary or not names:
         return None
-    if not found.build:  # then its content says whether it is the same
-        found = found._replace(build=_digest(place))
-    return found, names
+    if not binary.build:  # then its content says whether it is the same
+        binary = binary._replace(build=_digest(place))
+    return binary, names
 
 
 def _digest(place: Path) -> str:
@@ -144,21 +144,21 @@ def _digest(place: Path) -> str:
     return whole.hexdigest()[:40]
 
 
-def _counts(found: Elf, names: Symbols) -> bool:
+def _counts(binary: Elf, names: Symbols) -> bool:
     """Whether a library of a base can matter to others: an extension that only Python loads does not."""
     if all(name.startswith(EXTENSION) for name in names.exports):
-        return not names.exports and found.soname != ""
+        return not names.exports and binary.soname != ""
     return True
 
 
-def _library(path: str, found: Elf, names: Symbols, links: Iterable[str]) -> dict[str, Any]:
+def _library(path: str, binary: Elf, names: Symbols, links: Iterable[str]) -> dict[str, Any]:
     return {
         "path": shown([path])[0],
-        "soname": found.soname,
-        "id": found.build[:64],
-        "names": sorted(shown({*links} - {found.soname, os.path.basename(path)})),
-        "machine": found.machine,
-        "needed": found.needed,
+        "soname": binary.soname,
+        "id": binary.build[:64],
+        "names": sorted(shown({*links} - {binary.soname, os.path.basename(path)})),
+        "machine": binary.machine,
+        "needed": binary.needed,
         "symbols": packed(names.exports),
     }
 
@@ -172,61 +172,61 @@ def _texts(names: Iterable[bytes]) -> Iterator[str]:
             continue
 
 
-def _links(known: dict[str, str]) -> dict[str, set[str]]:
+def _links(paths: dict[str, str]) -> dict[str, set[str]]:
     """The names of links to each file that can be a library."""
-    targets = {path: os.readlink(place) for path, place in known.items() if os.path.islink(place)}
-    found: dict[str, set[str]] = {}
+    targets = {path: os.readlink(place) for path, place in paths.items() if os.path.islink(place)}
+    names: dict[str, set[str]] = {}
     for path in targets:
         if LIBRARY.fullmatch(path):
-            found.setdefault(_resolved(path, targets), set()).add(os.path.basename(path))
-    return found
+            names.setdefault(_resolved(path, targets), set()).add(os.path.basename(path))
+    return names
 
 
 def _resolved(path: str, targets: dict[str, str]) -> str:
     """The file that a path leads to in an image with these links; empty if it leads nowhere."""
-    left, here, links = path.split("/")[::-1], "", 0
-    while left:
-        part = left.pop()
+    pending, here, links = path.split("/")[::-1], "", 0
+    while pending:
+        part = pending.pop()
         if part == "..":
             here = os.path.dirname(here)
         elif part not in ("", "."):
-            there = os.path.join(here, part)
-            if there not in targets:
-                here = there
+            below = os.path.join(here, part)
+            if below not in targets:
+                here = below
                 continue
             links += 1
             if links > LINKS:
                 return ""
-            here = "" if targets[there].startswith("/") else here
-            left += targets[there].split("/")[::-1]
+            here = "" if targets[below].startswith("/") else here
+            pending += targets[below].split("/")[::-1]
     return here
 
 
-def _brought(known: dict[str, str]) -> Iterator[str]:
+def _brought(paths: dict[str, str]) -> Iterator[str]:
     """What packages say of themselves that apps brought."""
-    for path, place in sorted(known.items()):
+    for path, place in sorted(paths.items()):
         if contents.APT.fullmatch(path):
             yield from contents.paragraphs(Path(place))
 
 
-def _owned(item: dict[str, Any], known: dict[str, str], runtime: Path) -> Iterator[str]:
+def _owned(item: dict[str, Any], paths: dict[str, str], runtime: Path) -> Iterator[str]:
     """The files of an app's layer that a package owns, with what the layer says of the package."""
     key = f"{item['name']}:{item['architecture']}"
     if not contents.KEY.fullmatch(key):
         return
-    told = f"var/lib/dpkg/status.d/{item['name']}"
-    if told in known:
-        yield told
+    entry = f"var/lib/dpkg/status.d/{item['name']}"
+    if entry in paths:
+        yield entry
     for name in (item["name"], key):
         file = runtime / f"var/lib/dpkg/info/{name}.list"
         for line in os.fsdecode(file.read_bytes()).split("\n") if file.is_file() else []:
             path = line[1:]
-            yield from {path, f"usr/{path}" if MERGED.match(path) else path} & known.keys()
+            yield from {path, f"usr/{path}" if MERGED.match(path) else path} & paths.keys()
 
 
-def _sorted(found: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
+def _sorted(items: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
     """Each package once: the last entry counts, as the upper layer's."""
-    by_name = {(item["name"], item["architecture"]): item for item in found if item}
+    by_name = {(item["name"], item["architecture"]): item for item in items if item}
     return [by_name[name] for name in sorted(by_name)]
 
 

@@ -112,20 +112,24 @@ def read(folder: Path, left_out: Path) -> Packages:
 def provided() -> set[str]:
     """ROS packages that are built in the base image, or that it has as Python wheels."""
     patterns = ("share/*/package.xml", "*/share/*/package.xml")  # merged, and each in a folder of its own
-    found = (path for place in WORKSPACES for pattern in patterns for path in (place / "install").glob(pattern))
+    manifests_of_base = (
+        path for place in WORKSPACES for pattern in patterns for path in (place / "install").glob(pattern)
+    )
     wheels = ROS.glob("lib/python3*/site-packages/ros_*.dist-info")
-    return {path.parent.name for path in found} | {path.name[len("ros_") :].partition("-")[0] for path in wheels}
+    return {path.parent.name for path in manifests_of_base} | {
+        path.name[len("ros_") :].partition("-")[0] for path in wheels
+    }
 
 
-def reasons(said: str) -> str:
+def reasons(output: str) -> str:
     """What a call of rosdep says went wrong: all addresses that failed, those with the same reason together."""
-    lines = [line.strip() for line in said.split("\n")]
-    sources = re.findall(r"unable to process source \[(.*)\]:\n\s*(.*)", said)
-    told: defaultdict[str, list[str]] = defaultdict(list)
+    lines = [line.strip() for line in output.split("\n")]
+    sources = re.findall(r"unable to process source \[(.*)\]:\n\s*(.*)", output)
+    by_reason: defaultdict[str, list[str]] = defaultdict(list)
     for address, why in dict.fromkeys(sources):
-        told[why.replace(f"({address})", "").strip()].append(address)
+        by_reason[why.replace(f"({address})", "").strip()].append(address)
     others = [line for line in lines if line and line not in ("[[[", "]]]")]
-    return "; ".join(f"{', '.join(dict.fromkeys(addresses))}: {why}" for why, addresses in told.items()) or (
+    return "; ".join(f"{', '.join(dict.fromkeys(addresses))}: {why}" for why, addresses in by_reason.items()) or (
         others[-1] if others else ""
     )
 
@@ -134,11 +138,11 @@ def failure(command: list[str], environment: dict[str, str]) -> str:
     """Why a call of rosdep failed; empty if it did not. A server that is too busy is asked again."""
     for pause in (*PAUSES, 0):
         done = subprocess.run(command, env=environment, capture_output=True)
-        said = done.stderr.decode(errors="replace")
-        if not (done.returncode and pause and BUSY.search(said)):
+        output = done.stderr.decode(errors="replace")
+        if not (done.returncode and pause and BUSY.search(output)):
             break
         time.sleep(pause)
-    return (reasons(said) or f"rosdep ended with {done.returncode}") if done.returncode else ""
+    return (reasons(output) or f"rosdep ended with {done.returncode}") if done.returncode else ""
 
 
 class Rosdep:
@@ -182,11 +186,11 @@ class Rosdep:
         except KeyError:
             near = difflib.get_close_matches(key, {*self._view.keys(), *others}, 3, 0.8)
             return f"there is {' or '.join(near)}" if near else "no list has it", False
-        there = [name for name, rule in rules.items() if rule is not None and name != system]
-        own = rules.get(system)
-        if isinstance(own, dict) and not any(installer in own for installer in installers):
-            there += [f"{system} {name}" for name, rule in own.items() if rule is not None and name != version]
-        return f"there is one for {', '.join(map(str, there)) or 'no other system'}", True
+        systems = [name for name, rule in rules.items() if rule is not None and name != system]
+        rule_here = rules.get(system)
+        if isinstance(rule_here, dict) and not any(installer in rule_here for installer in installers):
+            systems += [f"{system} {name}" for name, rule in rule_here.items() if rule is not None and name != version]
+        return f"there is one for {', '.join(map(str, systems)) or 'no other system'}", True
 
     @property
     def system(self) -> str:
@@ -230,9 +234,9 @@ class Rosdep:
 
     def _own_index(self) -> str:
         """The address of the index of distributions: the folder's, or of an empty one."""
-        given = self._index / "index-v4.yaml"
-        if self._distribution and given.exists():
-            return f"file://{given}"
+        index_file = self._index / "index-v4.yaml"
+        if self._distribution and index_file.exists():
+            return f"file://{index_file}"
         empty = self._scratch / EMPTY
         empty.write_text("%YAML 1.1\n---\ndistributions: {}\ntype: index\nversion: 4\n")
         return f"file://{empty}"
@@ -242,8 +246,8 @@ class Rosdep:
         command = ["rosdep", "update"]
         if self._distribution and not index.endswith(EMPTY):
             command.append(f"--rosdistro={self._distribution}")
-        given = {"ROSDEP_SOURCE_PATH": sources, "ROSDISTRO_INDEX_URL": index} if index else {}
-        self.failure = failure(command, {**os.environ, **given}) or self.failure
+        variables = {"ROSDEP_SOURCE_PATH": sources, "ROSDISTRO_INDEX_URL": index} if index else {}
+        self.failure = failure(command, {**os.environ, **variables}) or self.failure
         try:
             lookup = RosdepLookup.create_from_rospkg(sources_loader=SourcesListLoader.create_default())
             self._view = lookup.get_rosdep_view(DEFAULT_VIEW_KEY)
@@ -266,10 +270,10 @@ def answers(
     for package, kinds in packages.items():
         for key in set().union(*kinds.values()) - packages.keys() - skipped:
             asking[key].add(package)
-    found, unknown = {}, []
+    rules, unknown = {}, []
     for key in sorted(asking):
         try:
-            found[key] = rosdep.find(key)
+            rules[key] = rosdep.find(key)
         except KeyError:
             if key not in plain:
                 unknown.append(key)
@@ -280,7 +284,7 @@ def answers(
             )
     if unknown:
         explain({key: asking[key] for key in unknown}, packages, rosdep)
-    return found
+    return rules
 
 
 OTHER = {
@@ -337,11 +341,11 @@ def explain(unknown: dict[str, set[str]], packages: Iterable[str], rosdep: Rosde
 def main(folder: Path, left_out: Path, index: Path, scratch: Path, out: Path) -> None:
     packages = read(folder, left_out)
     skipped = set(re.split(r"[\s,]+", os.environ.get("SKIP_KEYS", ""))) - {""}
-    found = answers(packages, skipped | provided(), Rosdep(index, scratch), manifests.plain(folder))
+    answers_by_key = answers(packages, skipped | provided(), Rosdep(index, scratch), manifests.plain(folder))
     lists: defaultdict[str, set[str]] = defaultdict(set)
     for kinds in packages.values():
         for kind, keys in kinds.items():
-            for answer in (answer for key in keys if key in found for answer in found[key]):
+            for answer in (answer for key in keys if key in answers_by_key for answer in answers_by_key[key]):
                 lists[f"{kind}.{answer.installer}"].update(answer.names)
     for place, called in (("packages", tuple(KINDS)), (DOWNSTREAM, (DOWNSTREAM,))):
         (out / place).mkdir(parents=True)
@@ -353,11 +357,11 @@ def main(folder: Path, left_out: Path, index: Path, scratch: Path, out: Path) ->
             for name, kinds in sorted(packages.items())
             if DOWNSTREAM not in kinds
         },
-        "keys": {key: [answer._asdict() for answer in found[key]] for key in sorted(found)},
+        "keys": {key: [answer._asdict() for answer in answers_by_key[key]] for key in sorted(answers_by_key)},
         "skipped": sorted(skipped),
     }
     (out / "dependencies.json").write_text(json.dumps(described, indent=2, sort_keys=True) + "\n")
-    print(f"{len(packages)} packages, {len(found)} keys of rosdep")
+    print(f"{len(packages)} packages, {len(answers_by_key)} keys of rosdep")
 
 
 if __name__ == "__main__":

@@ -172,7 +172,7 @@ class Lacking:
         for root in self._roots:
             self._before.add(root)
         shells = (elf(runtime / name) for name in ("usr/bin/dash", "bin/dash", "usr/bin/bash", "bin/bash"))
-        self._machine = next((found.machine for found in shells if found), None)
+        self._machine = next((shell.machine for shell in shells if shell), None)
         self._seen: set[Path] = set()
         self.lost: set[str] = set()
         self.absent: set[str] = set()
@@ -204,10 +204,10 @@ class Lacking:
             self.lost.add(f"{self._shown(path)} is a link to {target}, which is in no image")
 
     def _file(self, path: Path) -> None:
-        found = elf(path)
-        if found:
-            if self._machine in (None, found.machine):  # otherwise it is for another processor
-                for name in found.needed:
+        binary = elf(path)
+        if binary:
+            if self._machine in (None, binary.machine):  # otherwise it is for another processor
+                for name in binary.needed:
                     if os.path.basename(name) not in self._image.libraries and not DRIVER.fullmatch(name):
                         self._say(path, name, self._before.libraries.get(os.path.basename(name), ""))
         elif os.access(path, os.X_OK) and re.match(rb"#![^\n]*\r\n", _bytes(path, LINE)):
@@ -239,12 +239,12 @@ class Lacking:
         program = words[0]
         if os.path.basename(program) == "env":
             program = next((word for word in words[1:] if not word.startswith("-") and "=" not in word), "")
-            there, before = program in self._image.commands, self._before.commands.get(program, "")
+            exists, before = program in self._image.commands, self._before.commands.get(program, "")
         else:
             place = program.lstrip("/")
-            there = os.path.lexists((self._root if place.startswith(INSTALL) else self._runtime) / place)
+            exists = os.path.lexists((self._root if place.startswith(INSTALL) else self._runtime) / place)
             before = place if any(os.path.lexists(root / place) for root in self._roots) else ""
-        if program and not there:
+        if program and not exists:
             self._say(path, f"{program} to start", before)
 
     def _launch(self, path: Path, package: str, program: str) -> None:
@@ -260,8 +260,8 @@ class Lacking:
             return
         folders = [self._install / below / kind / package for below in ("", package) for kind in ("share", "lib")]
         if not any(os.path.exists(folder / name) for folder in folders for name in (file, os.path.basename(file))):
-            there = [folder for folder, name in self._before.manifests.items() if name == package]
-            before = [f"{folder}/{file}" for folder in there if os.path.exists(self._root / folder / file)]
+            folders_of_package = [folder for folder, name in self._before.manifests.items() if name == package]
+            before = [f"{folder}/{file}" for folder in folders_of_package if os.path.exists(self._root / folder / file)]
             self._say(path, f"{file} of {package}", min(before, default=""))
 
     def _before_of(self, places: Iterable[str], package: str) -> str:
@@ -274,15 +274,15 @@ class Lacking:
         Args:
             layer: the files of the app; what it has itself does not count.
         """
-        own, of_image = Files().add(layer).modules, self._of_image.modules
-        found: dict[str, str] = {}
+        of_app, of_image = Files().add(layer).modules, self._of_image.modules
+        imports: dict[str, str] = {}
         for path in sorted(self._install.rglob("*")):
             if path.is_symlink() or not path.is_file() or not _is_python(path):
                 continue
             for name in (name.partition(".")[0] for name in _absolute(path)):
-                if name in of_image and name not in own and name not in STANDARD:
-                    found.setdefault(name, self._shown(path))
-        return found
+                if name in of_image and name not in of_app and name not in STANDARD:
+                    imports.setdefault(name, self._shown(path))
+        return imports
 
     def distributions(self, layer: Path) -> set[str]:
         """Names of packages of Python that the image has, and the app has not itself.
@@ -295,7 +295,7 @@ class Lacking:
     def forgotten(self) -> dict[str, str]:
         """Launch files and programs that no image has: `PACKAGE NAME`, with the place of each in the sources or the build. Nothing
         may start them: whoever writes the command knows."""
-        found = {}
+        places_by_name = {}
         for before, image in (
             (self._before.launches, self._image.launches),
             (self._before.programs, self._image.programs),
@@ -303,8 +303,8 @@ class Lacking:
             for name, places in before.items():
                 for package in {self._before.owner(place) for place in places if WORK.match(place)} & self._packages:
                     if not _is_of(image.get(name, []), package):
-                        found[f"{package} {name}"] = self._before_of(places, package)
-        return found
+                        places_by_name[f"{package} {name}"] = self._before_of(places, package)
+        return places_by_name
 
     def _entry_points(self, path: Path) -> None:
         group = ""
@@ -387,8 +387,8 @@ def _launched(path: Path) -> Iterator[tuple[str, str]]:
             yield node.get("pkg", ""), node.get("type", "") or node.get("exec", "")
         return
     for call in (node for line in _body(path) for node in ast.walk(line) if isinstance(node, ast.Call)):
-        said = {word.arg: word.value.value for word in call.keywords if isinstance(word.value, ast.Constant)}
-        package, program = said.get("package"), said.get("executable")
+        arguments = {word.arg: word.value.value for word in call.keywords if isinstance(word.value, ast.Constant)}
+        package, program = arguments.get("package"), arguments.get("executable")
         if isinstance(package, str) and isinstance(program, str):
             yield package, program
 

@@ -46,14 +46,14 @@ def files() -> Iterator[Path]:
 
 def modules() -> Iterator[str]:
     """Modules of Python that entry points of the install space name."""
-    found = set()
+    names = set()
     for path in INSTALL.rglob("entry_points.txt"):
         for line in path.read_text("utf-8", "replace").split("\n"):
             target = line.partition("=")[2].partition("[")[0].strip()
             module = target.partition(":")[0].strip()
             if re.fullmatch(r"\w+(\.\w+)*", module):
-                found.add(module)
-    yield from sorted(found)
+                names.add(module)
+    yield from sorted(names)
 
 
 def sources() -> Iterator[Path]:
@@ -108,25 +108,25 @@ def called(command: list[str]) -> tuple[int, str]:
 
 def linked(path: Path) -> list[str]:
     """What the linker does not find for a file."""
-    said = called(["ldd", "-r", str(path)])[1]
+    output = called(["ldd", "-r", str(path)])[1]
     name = str(path.relative_to(INSTALL))
-    lines = (ADDRESS.sub("", line).strip() for line in said.split("\n"))
+    lines = (ADDRESS.sub("", line).strip() for line in output.split("\n"))
     return [f"{name}: {line[:LINE]}" for line in lines if LACKS.search(line)]
 
 
 def imported(module: str) -> list[str]:
     """What Python says if a module cannot be imported."""
-    code, said = called([sys.executable, "-c", f"import {module}"])
-    lines = [line for line in said.split("\n") if line.strip()]
+    code, output = called([sys.executable, "-c", f"import {module}"])
+    lines = [line for line in output.split("\n") if line.strip()]
     return [f"import {module}: {lines[-1].strip()[:LINE] if lines else f'exit code {code}'}"] if code else []
 
 
 def main(out: str) -> None:
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        found = [line for lines in pool.map(linked, files()) for line in lines]
-        found += [line for lines in pool.map(imported, modules()) for line in lines]
-    found += not_found()
-    text = "".join(json.dumps(line, ensure_ascii=True) + "\n" for line in sorted({*found}))
+        problems = [line for lines in pool.map(linked, files()) for line in lines]
+        problems += [line for lines in pool.map(imported, modules()) for line in lines]
+    problems += not_found()
+    text = "".join(json.dumps(line, ensure_ascii=True) + "\n" for line in sorted({*problems}))
     Path(out).write_text(text, encoding="ascii")
 
 

@@ -34,7 +34,7 @@ def _manifests(folder: Path) -> list[Path]:
     folders that are in no package, the CMakeLists.txt.
 
     A folder behind a link is one of them, once, unless the link leads out."""
-    found = []
+    paths = []
     seen = set()
     top = os.path.realpath(folder)
     for path, folders, names in os.walk(folder, followlinks=True):
@@ -45,11 +45,11 @@ def _manifests(folder: Path) -> list[Path]:
         seen.add(real)
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         ignored = IGNORED & set(names)
-        there = [name for name in ("package.xml", "CMakeLists.txt") if name in names and not ignored]
-        found += [Path(path, name) for name in there[:1]]
+        candidates = [name for name in ("package.xml", "CMakeLists.txt") if name in names and not ignored]
+        paths += [Path(path, name) for name in candidates[:1]]
         if ignored or "package.xml" in names:
             folders.clear()
-    return found
+    return paths
 
 
 def shown(place: Path) -> Path:
@@ -70,19 +70,19 @@ def _parsed(path: Path, name: Path) -> Any:
 
 def all_packages(folder: Path) -> dict[str, tuple[Path, Any]]:
     """All packages by name: the place of each below the folder, and its manifest."""
-    found: dict[str, tuple[Path, Any]] = {}
+    by_name: dict[str, tuple[Path, Any]] = {}
     for path in _manifests(folder):
         if path.name != "package.xml":
             continue
         place = path.parent.relative_to(folder)
         package = _parsed(path, shown(place) / path.name)
-        if package.name in found:
+        if package.name in by_name:
             fail(
-                f"two packages are called {package.name}: {shown(found[package.name][0])} and {shown(place)}",
+                f"two packages are called {package.name}: {shown(by_name[package.name][0])} and {shown(place)}",
                 "put COLCON_IGNORE into one",
             )
-        found[package.name] = place, package
-    return found
+        by_name[package.name] = place, package
+    return by_name
 
 
 def plain(folder: Path) -> set[str]:
@@ -93,12 +93,12 @@ def plain(folder: Path) -> set[str]:
 
 def packages(folder: Path, left_out: Path) -> list[tuple[Path, Any]]:
     """The packages that count, each with its place."""
-    found = all_packages(folder)
+    by_name = all_packages(folder)
     names = left_out.read_text().split()
     for name in names:
-        if name not in found:  # a list may be older than the sources
+        if name not in by_name:  # a list may be older than the sources
             print(f"warning: no package is called {name}, which is to be left out", file=sys.stderr)
-    counting = [found[name] for name in found if name not in names]
+    counting = [by_name[name] for name in by_name if name not in names]
     if not any(place.parts[:1] != ("downstream",) for place, _package in counting):
         fail("there is no package left to build", "leave fewer out")
     return counting

@@ -78,15 +78,15 @@ SHA256 = re.compile("[0-9a-f]{64}")
 def digest(archive: dict[str, Any]) -> str:
     """The SHA-256 of an archive; empty where pip says none, or another kind of hash alone."""
     kind, _, value = archive.get("hash", "").partition("=")
-    found = archive.get("hashes", {}).get("sha256", value if kind == "sha256" else "")
-    return found if SHA256.fullmatch(found) else ""
+    sha256 = archive.get("hashes", {}).get("sha256", value if kind == "sha256" else "")
+    return sha256 if SHA256.fullmatch(sha256) else ""
 
 
 def fragment(sha256: str, info: dict[str, Any]) -> str:
     """The end of an address: the hash of an archive, and the folder in it that has the package."""
-    named = (("sha256", sha256), ("subdirectory", info.get("subdirectory", "")))
-    said = "&".join(f"{name}={value}" for name, value in named if value)
-    return f"#{said}" if said else ""
+    parameters = (("sha256", sha256), ("subdirectory", info.get("subdirectory", "")))
+    text = "&".join(f"{name}={value}" for name, value in parameters if value)
+    return f"#{text}" if text else ""
 
 
 def run(arguments: Sequence[str]) -> None:
@@ -126,14 +126,14 @@ def reported(arguments: Sequence[str]) -> list[str]:
 
 def installed() -> set[str]:
     """What is installed, as lines without hashes. A folder that does not say which package it is counts for none, as for pip."""
-    found = set()
+    lines = set()
     for item in distributions():
         try:
             text = item.read_text(PLACE)
-            found.add(line(item.metadata["Name"], item.version, json.loads(text) if text else {}, bool(text)))
+            lines.add(line(item.metadata["Name"], item.version, json.loads(text) if text else {}, bool(text)))
         except DAMAGED:
             continue
-    return found
+    return lines
 
 
 def compared(arguments: Sequence[str]) -> list[str]:
@@ -151,30 +151,32 @@ def forget_secrets(names: Container[str]) -> None:
     """
     for item in distributions():
         try:
-            found = [file for file in item.files or () if file.name == PLACE and normal(item.metadata["Name"]) in names]
-            facts = json.loads(item.read_text(PLACE) or "{}") if found else {}
+            direct_url_files = [
+                file for file in item.files or () if file.name == PLACE and normal(item.metadata["Name"]) in names
+            ]
+            facts = json.loads(item.read_text(PLACE) or "{}") if direct_url_files else {}
             url = address(facts["url"]) if facts else ""
         except DAMAGED:
             continue
         if not facts or url == facts["url"]:
             continue
         content = json.dumps({**facts, "url": url}).encode()
-        file = Path(str(found[0].locate()))
+        file = Path(str(direct_url_files[0].locate()))
         file.write_bytes(content)
         with file.with_name("RECORD").open(newline="", encoding="utf-8") as stream:
             rows = [row for row in csv.reader(stream) if row]
         state = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
-        own = [str(found[0]), f"sha256={state}", str(len(content))]
+        record = [str(direct_url_files[0]), f"sha256={state}", str(len(content))]
         with file.with_name("RECORD").open("w", newline="", encoding="utf-8") as stream:
-            csv.writer(stream, lineterminator="\n").writerows(own if row[0] == own[0] else row for row in rows)
+            csv.writer(stream, lineterminator="\n").writerows(record if row[0] == record[0] else row for row in rows)
 
 
 def knows_report() -> bool:
     """Whether pip can say what it installed."""
-    said = subprocess.run(
+    output = subprocess.run(
         [sys.executable, "-m", "pip", "--version"], check=True, stdout=subprocess.PIPE
     ).stdout.decode()
-    version = re.match(r"pip (\d+)\.(\d+)", said)
+    version = re.match(r"pip (\d+)\.(\d+)", output)
     return version is not None and (int(version[1]), int(version[2])) >= (22, 2)
 
 
@@ -258,7 +260,7 @@ def take_locked(
 
 def hashes_of(lines: Iterable[str]) -> set[str]:
     """The hashes in lines of a lock file."""
-    return {found for item in lines for found in SHA256.findall(item)}
+    return {sha256 for item in lines for sha256 in SHA256.findall(item)}
 
 
 def without_others(place: str, names: Container[str], hashes: Container[str], new: Path) -> str:
@@ -295,7 +297,7 @@ def require_locked(locked: Iterable[str], arguments: Sequence[str]) -> None:
     lines = list(locked)
     names, hashes = {normal(re.split("[ =]", item, maxsplit=1)[0]) for item in lines}, hashes_of(lines)
     names |= {normal(item.metadata["Name"] or "") for item in distributions()}  # what is there, pip leaves alone
-    for word in asked(arguments):
+    for word in requested(arguments):
         file = Path(url2pathname(word[len("file:") :]) if word.startswith("file:") else word.partition("#")[0])
         if ARCHIVE.fullmatch(file.name) and file.is_file():
             lacking = sha256_of(file) not in hashes
@@ -310,9 +312,9 @@ ASKED = re.compile(r"([A-Za-z0-9](?:[A-Za-z0-9._-]*[A-Za-z0-9])?)(?:\[[^]]*\])?(
 """A requirement by its name. pip alone knows whether one with a marker counts here."""
 
 
-def asked(arguments: Sequence[str], depth: int = 0) -> list[str]:
+def requested(arguments: Sequence[str], depth: int = 0) -> list[str]:
     """What is asked for among arguments of pip, and in the files of requirements that they name."""
-    found: list[str] = []
+    requirements: list[str] = []
     words = iter(arguments)
     for word in words:
         name, equals, value = word.partition("=")
@@ -321,15 +323,15 @@ def asked(arguments: Sequence[str], depth: int = 0) -> list[str]:
             for text in file.read_text("utf-8", "replace").splitlines() if depth < DEEPEST and file.is_file() else []:
                 line = re.sub(r"(^|\s)#.*", "", text).strip()
                 if not line.startswith("-"):
-                    found += [line] if line else []
+                    requirements += [line] if line else []
                 elif words_of(line)[:1] in (["-r"], ["--requirement"]):
-                    found += asked(["-r", str(file.parent / " ".join(words_of(line)[1:]))], depth + 1)
+                    requirements += requested(["-r", str(file.parent / " ".join(words_of(line)[1:]))], depth + 1)
         elif word.startswith("-"):
             if name in VALUED and not equals:
                 next(words, "")
         else:
-            found.append(word)
-    return found
+            requirements.append(word)
+    return requirements
 
 
 VALUED = (*PLACES, "-c", "--constraint", "-e", "--editable", "-t", "--target")

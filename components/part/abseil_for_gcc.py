@@ -4,7 +4,7 @@
 * On arm64 Clang defines __ARM_ACLE: their hash reverses bits where GCC's reverses bytes. A map of protobuf that the library
   filled would not find its keys in a program that GCC compiled: nothing is found, or a check ends the program.
 * Clang 18 and GCC give some templates different names. Headers say that the library has them, so that GCC makes none, and
-  programs with `LOG(INFO) << 1` or a check of protobuf's did not link. GCC makes its own here.
+  programs with `LOG(INFO) << 1` or a check of protobuf's did not link. GCC makes its for_others here.
 
 The files' records follow.
 """
@@ -58,7 +58,7 @@ def hashed_alike(text: str) -> str:
     return text.replace(OLD, NEW)
 
 
-def own(promise: re.Match[str]) -> str:
+def for_others(promise: re.Match[str]) -> str:
     """What compilers other than Clang read in the place of a promise: nothing where the header has the template's body."""
     instead = ""
     if promise.re is PROMISES[CORD]:
@@ -77,7 +77,7 @@ def main() -> None:
             continue
         text = header.read_text()
         if path in PROMISES:
-            adapted = PROMISES[path].sub(own, text)
+            adapted = PROMISES[path].sub(for_others, text)
         else:
             adapted = hashed_alike(text) if os.environ["TARGETARCH"] == "arm64" else text
         if adapted != text:

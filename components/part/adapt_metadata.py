@@ -42,8 +42,8 @@ def adapt(package: str, name: str, bound: str) -> None:
 
 
 def main() -> None:
-    for found in LINE.finditer(Path(os.environ["LOCK"]).read_text(encoding="utf-8")):
-        adapt(found["package"], found["name"], found["bound"].strip())
+    for match in LINE.finditer(Path(os.environ["LOCK"]).read_text(encoding="utf-8")):
+        adapt(match["package"], match["name"], match["bound"].strip())
 
 
 if __name__ == "__main__":

@@ -72,10 +72,10 @@ def releases(wheel: str) -> dict[str, str]:
     Raises:
         SystemExit: that is no release.
     """
-    found = re.search(r"-(\d+)\.(\d+)\.(\d+)([^-]*)\.dist-info$", wheel)
-    if not found:
+    match = re.search(r"-(\d+)\.(\d+)\.(\d+)([^-]*)\.dist-info$", wheel)
+    if not match:
         sys.exit(f"complete_tensorflow: {wheel} names no release")
-    major, minor, patch, suffix = found.groups()
+    major, minor, patch, suffix = match.groups()
     return {
         "TF_MAJOR_VERSION": major,
         "TF_MINOR_VERSION": minor,

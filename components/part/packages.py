@@ -49,25 +49,25 @@ def show(lock: Path) -> None:
 def required(metadata: Path) -> Iterator[tuple[str, str, str]]:
     """What a package asks for, whatever its extras: name, range of versions, and the marker of when."""
     for line in HeaderParser().parsestr(metadata.read_text(encoding="utf-8")).get_all("Requires-Dist", ()):
-        found = REQUIREMENT.fullmatch(line.strip())
-        if found is None:
+        match = REQUIREMENT.fullmatch(line.strip())
+        if match is None:
             sys.exit(f"packages: {metadata.parent.name} has a requirement that nobody can read: {line}")
-        marker = found["marker"] or ""
-        if found["range"].strip() and not re.search(r"\bextra\b", marker):
-            yield normal(found["name"]), re.sub(r"\s", "", found["range"]), marker
+        marker = match["marker"] or ""
+        if match["range"].strip() and not re.search(r"\bextra\b", marker):
+            yield normal(match["name"]), re.sub(r"\s", "", match["range"]), marker
 
 
 def constraints() -> list[str]:
     """The slot's lines: packages that keep their version (torch==2.10.0+cpu), then what others are held to."""
-    kept, wanted = records.patterns("pins.txt") or ["*"], set()
+    kept, requirements = records.patterns("pins.txt") or ["*"], set()
     pinned: dict[str, str] = {}
     for folder in records.SITE.glob("*.dist-info"):
         name, version = folder.stem.rsplit("-", 1)
         if records.matching(normal(name), kept):
             pinned[normal(name)] = version
         if (folder / "METADATA").exists():  # a link leads to a part that is not here
-            wanted |= set(required(folder / "METADATA"))
-    held = sorted(item for item in wanted if item[0] not in pinned)
+            requirements |= set(required(folder / "METADATA"))
+    held = sorted(item for item in requirements if item[0] not in pinned)
     return [
         *(f"{name}=={version}" for name, version in sorted(pinned.items())),
         *(f"{name}{bounds}{marker and f'; {marker}'}" for name, bounds, marker in held),

@@ -40,9 +40,9 @@ def patterns(name: str) -> list[str]:
     return [line.strip() for line in lines if line.strip() and not line.startswith("#")]
 
 
-def matching(path: str, wanted: list[str]) -> str | None:
+def matching(path: str, globs: list[str]) -> str | None:
     """The first pattern that a path matches, if any."""
-    return next((pattern for pattern in wanted if fnmatch.fnmatchcase(path, pattern)), None)
+    return next((pattern for pattern in globs if fnmatch.fnmatchcase(path, pattern)), None)
 
 
 def read(record: Path) -> list[list[str]]:
@@ -79,15 +79,15 @@ NOT_KEPT = "what keep.txt does not name"
 
 def prune() -> None:
     """Removes files, and folders that are empty then; says what that saves."""
-    wanted, kept_alone = patterns("prune.txt"), patterns("keep.txt")
-    saved = {pattern: [0, 0] for pattern in wanted}
+    pruned, kept_alone = patterns("prune.txt"), patterns("keep.txt")
+    saved = {pattern: [0, 0] for pattern in pruned}
     if kept_alone:
         saved[NOT_KEPT] = [0, 0]
     for record in sorted(SITE.glob("*.dist-info/RECORD")):
         rows, kept = read(record), []
         for row in rows:
             file = SITE / row[0]
-            pattern = matching(row[0], wanted)
+            pattern = matching(row[0], pruned)
             if pattern is None and kept_alone and matching(row[0], kept_alone) is None:
                 pattern = NOT_KEPT
             if pattern is None:
@@ -117,16 +117,16 @@ def link(target: str, *paths: str) -> None:
     here: dict[str, list[list[str]]] = {path: [] for path in paths}
     for record in sorted(SITE.glob("*.dist-info/RECORD")):
         rows = read(record)
-        for path, found in here.items():
+        for path, recorded_rows in here.items():
             inside = [row for row in rows if row[0] == path or row[0].startswith(f"{path}/")]
             if inside:
-                found += inside
+                recorded_rows += inside
                 rows = [row for row in rows if row not in inside] + [[path, "", ""]]
                 write(record, rows)
-    for path, found in here.items():
+    for path, recorded_rows in here.items():
         place = SITE / path
         files = [file for file in place.rglob("*") if not file.is_dir()] if place.is_dir() else [place]
-        recorded = {row[0]: (row[1], int(row[2])) for row in found}
+        recorded = {row[0]: (row[1], int(row[2])) for row in recorded_rows}
         wrong = [str(name) for file in files if recorded.get(name := str(file.relative_to(SITE))) != digest(file)]
         if wrong or len(recorded) != len(files):
             sys.exit(
@@ -134,9 +134,9 @@ def link(target: str, *paths: str) -> None:
             )
         shutil.rmtree(place) if place.is_dir() else place.unlink()
         place.symlink_to(f"{target}/{path}")
-    said = OUT / EXPECTED.lstrip("/") / Path(target).name
-    said.parent.mkdir(parents=True, exist_ok=True)
-    said.write_text(f"{summary(row for found in here.values() for row in found)}\n")
+    summary_file = OUT / EXPECTED.lstrip("/") / Path(target).name
+    summary_file.parent.mkdir(parents=True, exist_ok=True)
+    summary_file.write_text(f"{summary(row for recorded_rows in here.values() for row in recorded_rows)}\n")
 
 
 def alias(name: str, wheel: str) -> None:

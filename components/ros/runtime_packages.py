@@ -29,31 +29,31 @@ class Archive:
     """What apt knows of packages, by name: their sections and dependencies."""
 
     def __init__(self) -> None:
-        said = subprocess.run(["apt-cache", "dumpavail"], capture_output=True, check=True).stdout.decode(
+        output = subprocess.run(["apt-cache", "dumpavail"], capture_output=True, check=True).stdout.decode(
             errors="replace"
         )
-        self._known: dict[str, tuple[str, list[str]]] = {}
+        self._packages: dict[str, tuple[str, list[str]]] = {}
         self._providers: dict[str, str] = {}
-        for text in said.split("\n\n"):
+        for text in output.split("\n\n"):
             fields = dict(re.findall(r"^(Package|Section|Pre-Depends|Depends|Provides): (.*)$", text, re.MULTILINE))
             groups = f"{fields.get('Pre-Depends', '')},{fields.get('Depends', '')}".split(",")
             # Of alternatives the first, as apt chooses.
-            wanted = [found[0] for group in groups if (found := re.match(r"[^\s:(|]+", group.strip()))]
-            self._known[fields.get("Package", "")] = fields.get("Section", "").rpartition("/")[2], wanted
+            depends = [name[0] for group in groups if (name := re.match(r"[^\s:(|]+", group.strip()))]
+            self._packages[fields.get("Package", "")] = fields.get("Section", "").rpartition("/")[2], depends
             for virtual in re.findall(r"[^\s,(]+", re.sub(r"\([^()]*\)", "", fields.get("Provides", ""))):
                 self._providers.setdefault(virtual, fields.get("Package", ""))
 
     def real(self, name: str) -> str:
         """The package that is installed for a name: itself, or the first that provides it; empty where apt knows neither."""
-        return name if name in self._known else self._providers.get(name, "")
+        return name if name in self._packages else self._providers.get(name, "")
 
     def section(self, name: str) -> str:
         """The section that a package is in; empty where apt does not know it."""
-        return self._known.get(name, ("", []))[0]
+        return self._packages.get(name, ("", []))[0]
 
     def needs(self, name: str) -> list[str]:
         """What a package depends on, without what that depends on in turn."""
-        return self._known.get(name, ("", []))[1]
+        return self._packages.get(name, ("", []))[1]
 
     def compiles(self, name: str) -> bool:
         """Whether a compiler comes with a package."""
@@ -73,7 +73,7 @@ def needed(packages: Iterable[str], archive: Archive) -> list[str]:
     todo = list(packages)
     while todo:
         seen.update(todo)
-        found = []
+        dependencies = []
         for item in todo:
             name = archive.real(item)
             section = archive.section(name)
@@ -82,10 +82,10 @@ def needed(packages: Iterable[str], archive: Archive) -> list[str]:
             if not name:
                 kept.add(item)
             elif HEADERS.fullmatch(name) or (section == "libdevel" and not name.startswith("python3-")):
-                found += archive.needs(name)
+                dependencies += archive.needs(name)
             elif section != "devel" or not archive.compiles(name):
                 kept.add(item)
-        todo = sorted(set(found) - seen)
+        todo = sorted(set(dependencies) - seen)
     return sorted(kept)
 
 

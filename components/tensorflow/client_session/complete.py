@@ -20,10 +20,10 @@ def declared(header: str) -> Counter[str]:
         ValueError: the header declares no such class.
     """
     text = re.sub(r"//[^\n]*|/\*.*?\*/", "", header, flags=re.DOTALL)
-    found = re.search(r"\bclass\s+(?:\w+\s+)?ClientSession\s*\{(.*?)\n\};", text, flags=re.DOTALL)
-    if not found:
+    match = re.search(r"\bclass\s+(?:\w+\s+)?ClientSession\s*\{(.*?)\n\};", text, flags=re.DOTALL)
+    if not match:
         raise ValueError("no class ClientSession is there")
-    sections = re.split(r"\b(public|protected|private)\s*:", found[1])
+    sections = re.split(r"\b(public|protected|private)\s*:", match[1])
     public = "".join(sections[index + 1] for index in range(1, len(sections), 2) if sections[index] == "public")
     # A function with a body is defined in the header.
     public = re.sub(r"\)((?:\s|const|noexcept)*)\{[^{}]*\}", r")\1{};", public)
@@ -45,13 +45,15 @@ def defined(symbols: str) -> Counter[str]:
 
 def main() -> None:
     header = Path(sys.argv[1])
-    wanted, there = declared(header.read_text()), defined(sys.stdin.read())
-    if missing := wanted - there:
+    declarations, definitions = declared(header.read_text()), defined(sys.stdin.read())
+    if missing := declarations - definitions:
         sys.exit(
             f"{header}: declares functions of ClientSession that client_session.cc does not define: "
-            + ", ".join(f"{name} ({wanted[name]} declared, {there[name]} defined)" for name in sorted(missing))
+            + ", ".join(
+                f"{name} ({declarations[name]} declared, {definitions[name]} defined)" for name in sorted(missing)
+            )
         )
-    if not wanted:
+    if not declarations:
         sys.exit(f"{header}: no public function of ClientSession could be read from it")
 
 
