@@ -134,7 +134,7 @@ def archive(files: Sequence[str], content: str) -> bytes:
 def ros(distribution: str = "ros1-bookworm", component: str = "core", python: str = "3.11", **more: object) -> Tiny:
     """A ROS image. `more`: what else `Tiny` has."""
     said = {
-        **labels.named(distribution, component, "1", "none", None, []),
+        **labels.about_image(distribution, component, "1", "none", None, []),
         "org.opencontainers.image.licenses": "Apache-2.0",
         "io.rosml.distribution": distribution,
         "io.rosml.framework": "none",

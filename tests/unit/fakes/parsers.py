@@ -716,7 +716,7 @@ def config_of(document: bytes, folder: Path) -> object:
             json.dumps([{"Id": DIGEST, "Config": found.config.content.get("config")}]).encode(), folder
         ),
         lambda: told.require(found.labels, "a"),
-        lambda: restricted.named(found.labels),
+        lambda: restricted.parts_of(found.labels),
         lambda: checks.require_fit(found, BASE_OF_APP),
         lambda: image.moved(found, BASE_OF_APP, {}),
         lambda: image.moved(BASE_OF_APP, found, {}),

@@ -112,7 +112,7 @@ def test_a_variable_adds_to_the_matrix() -> None:
 
 @given(st.text(min_size=1))
 def test_anything_in_the_label_is_a_restriction(text: str) -> None:
-    found = restricted.named({labels.RESTRICTED: text})
+    found = restricted.parts_of({labels.RESTRICTED: text})
     assert found
     assert all(len(name) <= 64 and name.isprintable() for name in found)
 
@@ -136,7 +136,7 @@ def test_labels_of_a_join_are_those_of_a_build(real: ImageSet) -> None:
                     said(name) for name in (image.parent, *(image_set.part_by_name[x].target for x in image.parts))
                 ]
                 joined = labels.together(
-                    [one[labels.LICENSES] for one in below], [x for one in below for x in restricted.named(one)]
+                    [one[labels.LICENSES] for one in below], [x for one in below for x in restricted.parts_of(one)]
                 )
                 assert joined == said(image.target), image.target
                 kinds = [image_set.part_by_name[name].kind for name in image.parts]
@@ -223,8 +223,8 @@ def test_an_image_of_two_platforms_is_held_by_one(apps: Apps) -> None:
     index = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": members}
     apps.registry.put_manifest("rosml/ros", "both", index, oci.INDEX)
     name = f"{apps.server.address}/rosml/ros:both"
-    assert restricted.named(app_base.find(name, apps.services, ("linux/amd64", "linux/arm64")).labels) == ("torch",)
-    assert restricted.named(app_base.find(name, apps.services, ("linux/amd64",)).labels) == ()
+    assert restricted.parts_of(app_base.find(name, apps.services, ("linux/amd64", "linux/arm64")).labels) == ("torch",)
+    assert restricted.parts_of(app_base.find(name, apps.services, ("linux/amd64",)).labels) == ()
 
 
 class Asked(Exception):

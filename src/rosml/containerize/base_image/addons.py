@@ -244,7 +244,7 @@ class _Search:
         """
         matrix, onto = _matrix(), self._onto()
         stack = wanted.stack or onto.stack
-        if onto.known(matrix) and (reason := rules.system_reason(matrix, onto.distribution, stack, wanted.addon)):
+        if onto.exists_in(matrix) and (reason := rules.system_reason(matrix, onto.distribution, stack, wanted.addon)):
             raise RosmlError(reason, f"{self.before}{choice.instead(matrix, onto, wanted.addon)}", exit_code=2)
 
     def _missing(self, name: str, text: str) -> RosmlError:
@@ -258,7 +258,7 @@ class _Search:
         stack = wanted.stack or onto.stack
         place, _, _ = repository(self.base).rpartition(f"/{PARTS}")
         host, _, namespace = place.partition("/")
-        if not onto.known(matrix):
+        if not onto.exists_in(matrix):
             return RosmlError(text, f"publish it there; '{PAGE}' has more", exit_code=2)
         there = self.base.labels.get(labels.PARTS, "").split()
         parts = choice.parts(matrix, onto.distribution, wanted.addon, stack, there)

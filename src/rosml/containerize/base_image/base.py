@@ -310,7 +310,7 @@ def _read(registry: Registry, place: references.Reference, found: oci.Manifest, 
     config = configs[platforms[0]] if platforms else next(iter(configs.values()))
     base = _base(str(place), found.digest, config.facts.config)
     taken = [config for name, config in configs.items() if not platforms or name in platforms]
-    held = {name: "" for known in taken for name in restricted.named(known.labels)}
+    held = {name: "" for known in taken for name in restricted.parts_of(known.labels)}
     return replace(base, labels={**base.labels, RESTRICTED: " ".join(held)}) if held else base
 
 

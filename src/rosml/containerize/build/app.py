@@ -550,7 +550,7 @@ class App:
         declared = functools.cache(restricted.of_this_machine)
         for base in filter(None, bases):
             for place in map(references.parse, sorted(places)):
-                if parts := restricted.named({**base.labels, **(base.addons.labels if base.addons else {})}):
+                if parts := restricted.parts_of({**base.labels, **(base.addons.labels if base.addons else {})}):
                     told = restricted.require(parts, base.name, place.host, place.repository, declared())
                     if told:
                         self._say(told)

@@ -273,7 +273,7 @@ def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
         f"{labels.PREFIX}ros": str(image.ros),
         **{f"{labels.PREFIX}{item.name}": item.version for item in image.brought},
         **labels.about_gpus(image.gpu),
-        **labels.named(
+        **labels.about_image(
             image.distribution,
             image.component,
             str(image.ros),

@@ -50,16 +50,16 @@ def fitting(matrix: Matrix, image: Image) -> Iterator[Fitting]:
             place = image.distribution, image.framework, stack
             if addon in image.addons or rules.stack_reason(matrix, *place, addon):
                 continue
-            there = [name for name in rules.architectures(matrix, *place, addon) if name in image.architectures]
+            architectures = [name for name in rules.architectures(matrix, *place, addon) if name in image.architectures]
             kinds = rules.parts(matrix, matrix.carrying(image.framework, addon), matrix.stacks[stack])
             entries = [matrix.part[kind] for kind in kinds]
             parts = [names.part_name(x.name, stack, ANY_PYTHON if x.any_python else image.python) for x in entries]
-            if there:
+            if architectures:
                 yield Fitting(
                     addon=addon,
                     called=addon if image.stack else f"{addon}-{stack}",
                     parts=tuple(part for part in parts if part not in image.parts),
-                    platforms=tuple(matrix.architectures[name].platform for name in there),
+                    platforms=tuple(matrix.architectures[name].platform for name in architectures),
                     restricted=any(entry.restricted for entry in entries),
                 )
 
@@ -86,10 +86,10 @@ class Onto:
     framework: str
     stack: str
 
-    def known(self, matrix: Matrix) -> bool:
+    def exists_in(self, matrix: Matrix) -> bool:
         """Whether a matrix has all that it is made of."""
-        there = self.distribution in matrix.distributions and self.framework in matrix.frameworks
-        return there and self.component in matrix.components and (not self.stack or self.stack in matrix.stacks)
+        exists = self.distribution in matrix.distributions and self.framework in matrix.frameworks
+        return exists and self.component in matrix.components and (not self.stack or self.stack in matrix.stacks)
 
 
 @dataclass(frozen=True)
@@ -119,15 +119,15 @@ def refused(matrix: Matrix, onto: Onto, name: str) -> RosmlError | None:
     Args:
         name: as `read` takes it.
     """
-    wanted = read(matrix, name)
-    if not wanted.addon:
-        text, _, known = unknown("add-on", name, matrix.addons).partition("; ")
+    addon = read(matrix, name)
+    if not addon.addon:
+        text, _, remedy = unknown("add-on", name, matrix.addons).partition("; ")
         if (ours := names.our_word(matrix, name)) in matrix.addons:
-            known = f"it is called {ours}"
-        return RosmlError(text, known or f"there is {listed([*matrix.addons])}", exit_code=2)
-    if not onto.known(matrix):
+            remedy = f"it is called {ours}"
+        return RosmlError(text, remedy or f"there is {listed([*matrix.addons])}", exit_code=2)
+    if not onto.exists_in(matrix):
         return None
-    stack = wanted.stack or onto.stack
+    stack = addon.stack or onto.stack
     text = ""
     if not stack:
         text = f"{onto.name} has no stack, so the add-on needs one"
@@ -135,9 +135,9 @@ def refused(matrix: Matrix, onto: Onto, name: str) -> RosmlError | None:
         text = f"{onto.name} is of stack {onto.stack}, and takes no add-on of {stack}"
     elif stack not in matrix.stacks:
         text = unknown("stack", stack, matrix.stacks).partition("; ")[0]
-    elif reason := rules.stack_reason(matrix, onto.distribution, onto.framework, stack, wanted.addon):
-        text = f"{onto.name} cannot have the add-on {wanted.addon} of stack {stack}: {reason}"
-    return RosmlError(text, instead(matrix, onto, wanted.addon), exit_code=2) if text else None
+    elif reason := rules.stack_reason(matrix, onto.distribution, onto.framework, stack, addon.addon):
+        text = f"{onto.name} cannot have the add-on {addon.addon} of stack {stack}: {reason}"
+    return RosmlError(text, instead(matrix, onto, addon.addon), exit_code=2) if text else None
 
 
 def instead(matrix: Matrix, onto: Onto, addon: str) -> str:
@@ -176,24 +176,24 @@ def _tag(matrix: Matrix, onto: Onto, framework: str, stack: str) -> str:
         for end in ("", *(f"-{it}" for it in matrix.addons))
     }
     where = f"{place}{slash}" if name.partition(":")[0] in ours else ""
-    there = matrix.distributions[onto.distribution].components
-    component = onto.component if onto.component in there else next(iter(there))
+    components = matrix.distributions[onto.distribution].components
+    component = onto.component if onto.component in components else next(iter(components))
     tag = names.main_tag(onto.distribution, component, stack or None)
     return f"{where}{matrix.frameworks[framework].repository}:{tag}"
 
 
-def parts(matrix: Matrix, distribution: str, addon: str, stack: str, there: Collection[str] = ()) -> list[str]:
+def parts(matrix: Matrix, distribution: str, addon: str, stack: str, present: Collection[str] = ()) -> list[str]:
     """The names of an add-on's parts and of those that they need, in the order in which they are joined.
 
     Args:
-        there: the parts that the image has already, without a stack: `common`.
+        present: the parts that the image has already, without a stack: `common`.
     """
     python = matrix.operating_systems[matrix.distributions[distribution].os].python
     kinds = rules.parts(matrix, matrix.carrying(rules.plain(matrix), addon), matrix.stacks[stack])
     return [
         names.part_name(kind, stack, ANY_PYTHON if matrix.part[kind].any_python else python)
         for kind in kinds
-        if kind not in there
+        if kind not in present
     ]
 
 

@@ -45,15 +45,19 @@ def _unusable_defaults(matrix: Matrix, images: Sequence[Place]) -> Iterator[tupl
     """Default stacks and targets that do not exist."""
     carried = {(image.kind.distribution, image.kind.stack) for image in images if len(image.kind.parts) > 1}
     for name, distribution in matrix.distributions.items():
-        there = {stack for row, stack in carried if row == name and stack}
+        stacks = {stack for row, stack in carried if row == name and stack}
         for default_stack in distribution.default_stacks:
-            if there and default_stack not in there:
-                text = f"no framework exists for {name} on stack {default_stack}; there is {listed(sorted(there))}"
+            if stacks and default_stack not in stacks:
+                text = f"no framework exists for {name} on stack {default_stack}; there is {listed(sorted(stacks))}"
                 yield ("distributions", name, "default_stack"), text
-    known = {image.target for image in images}
-    named = {"targets": matrix.default.targets, "group": matrix.default.group}
-    targets = [(("default", key, index), name) for key, found in named.items() for index, name in enumerate(found)]
+    targets_of_set = {image.target for image in images}
+    defaults = {"targets": matrix.default.targets, "group": matrix.default.group}
+    targets = [
+        (("default", key, index), name)
+        for key, target_names in defaults.items()
+        for index, name in enumerate(target_names)
+    ]
     for path, name in targets:
-        if name not in known:
+        if name not in targets_of_set:
             image_set = expand(matrix)
             yield path, why_not(image_set, name) or unknown("image", name, image_set.by_target)

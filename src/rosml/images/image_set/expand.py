@@ -124,8 +124,8 @@ def _with_addon(matrix: Matrix, addon: str, latest: str | None) -> Iterator[Plac
                 seen.add((framework, python))
                 for component in matrix.components:
                     if component in chosen and component in distribution.present:
-                        named = bool(tagged and listed and component in tagged.components)
-                        yield _place(matrix, kind, component, latest, named)
+                        tagged_component = bool(tagged and listed and component in tagged.components)
+                        yield _place(matrix, kind, component, latest, tagged_component)
 
 
 @rules.remembered
@@ -144,8 +144,8 @@ def _lowest(matrix: Matrix, name: str) -> list[str]:
     """The components of a distribution that stand on no other one and build programs; in all distributions but those without it,
     there is one."""
     present = matrix.distributions[name].present
-    there = [link for link in matrix.components if link in present and not rules.only_runs(matrix, link)]
-    return [link for link in there if len(_chain(matrix, name, link)) == 1]
+    links = [link for link in matrix.components if link in present and not rules.only_runs(matrix, link)]
+    return [link for link in links if len(_chain(matrix, name, link)) == 1]
 
 
 @rules.remembered
@@ -166,8 +166,8 @@ def _kind(matrix: Matrix, name: str, framework: str, stack: str | None, addon: s
         and set(architectures) <= set(rules.architectures(matrix, name, other, stack))
     }
     covering = sorted((other for other in more if set(kinds) < set(more[other])), key=lambda other: -len(more[other]))
-    known = rules.versions(matrix, matrix.stacks[stack])
-    versions = {name: known[name] for name in rules.counted(matrix, facts) if name in known}
+    release_versions = rules.versions(matrix, matrix.stacks[stack])
+    versions = {name: release_versions[name] for name in rules.counted(matrix, facts) if name in release_versions}
     brought = rules.brought(matrix, kinds, matrix.stacks[stack])
     short = stack == rules.default_stack(matrix, name, framework, addon)
     return Kind(
@@ -230,7 +230,7 @@ def _image(matrix: Matrix, place: Place) -> Image:
         packages="" if kind.stack else _packages(matrix, name, distribution, component),
         wheels=() if kind.stack else distribution.wheels,
         parts=kind.part_names,
-        tests=(*tests.own, *(tests.carried if carries else ())),
+        tests=(*tests.of_image, *(tests.carried if carries else ())),
         shared=(*tests.below, *(() if carries else tests.carried)),
         carried=tests.carried,
         carriers=tests.carriers,
@@ -263,13 +263,13 @@ class _Tests:
     once in each distribution, with its lowest component and all frameworks of a stack. If you ask for one image alone, it runs all.
 
     Attributes:
-        own: tests that depend on the image as a whole.
+        of_image: tests that depend on the image as a whole.
         below: the tests of the ROS image below it.
         carried: tests that one image of a distribution runs for the others.
         carriers: the images that may run them, the best first.
     """
 
-    own: tuple[str, ...]
+    of_image: tuple[str, ...]
     below: tuple[str, ...]
     carried: tuple[str, ...]
     carriers: tuple[str, ...]
@@ -284,24 +284,24 @@ def _tests(matrix: Matrix, name: str, component: str, kind: Kind) -> _Tests:
     distribution = matrix.distributions[name]
     ros, runtime = f"ros{distribution.ros}", rules.only_runs(matrix, component)
     entries = [matrix.part[part.kind] for part in kind.parts]
-    own = ["contract", "runtime" if runtime else "tools"]
-    own += [f"{ros}-wheels"] if distribution.wheels else [ros, f"{ros}-beside"]
-    own += [entry.name for entry in entries if entry.tested]
+    of_image = ["contract", "runtime" if runtime else "tools"]
+    of_image += [f"{ros}-wheels"] if distribution.wheels else [ros, f"{ros}-beside"]
+    of_image += [entry.name for entry in entries if entry.tested]
     lowest = next(iter(_lowest(matrix, name)), component)
     frameworks = (*kind.covering, kind.framework) if kind.stack or not runtime else ()
     carriers = tuple(kind.target(lowest, framework) for framework in frameworks)
     if runtime:  # other tests need a compiler
-        return _Tests(tuple(own), (), (), carriers)
+        return _Tests(tuple(of_image), (), (), carriers)
     # What an add-on does not bring was tested without it.
     mine = matrix.addons[kind.addon].parts if kind.addon else tuple(entry.name for entry in entries)
     carried = [f"{entry.name}-build" for entry in entries if entry.compiled and entry.name in mine]
     if distribution.wheels:
-        return _Tests(tuple(own), (), (*carried, "pip"), carriers)
+        return _Tests(tuple(of_image), (), (*carried, "pip"), carriers)
     chain = [f"{ros}-{link}" for link in _chain(matrix, name, component)]
     of_ros = [*chain, f"{ros}-components"]
     below = of_ros if kind.stack else of_ros[:-2]
     workspace = [] if kind.addon else [f"{ros}-workspace"]
-    return _Tests((*own, *of_ros[len(below) :]), tuple(below), (*carried, *workspace, "pip"), carriers)
+    return _Tests((*of_image, *of_ros[len(below) :]), tuple(below), (*carried, *workspace, "pip"), carriers)
 
 
 @rules.remembered
@@ -361,8 +361,8 @@ def _wheels_of(matrix: Matrix, name: str, architectures: tuple[str, ...]) -> tup
     distribution = matrix.distributions[name]
     python = matrix.operating_systems[distribution.os].python
     locks = tuple(names.lock_path(name, architecture, python, names.ROS) for architecture in architectures)
-    found = Wheels(name, distribution.os, python, distribution.wheels, architectures, locks)
-    return (found,) if distribution.wheels else ()
+    wheels = Wheels(name, distribution.os, python, distribution.wheels, architectures, locks)
+    return (wheels,) if distribution.wheels else ()
 
 
 @rules.remembered
@@ -399,11 +399,11 @@ def parts_of(matrix: Matrix, images: Iterable[Place]) -> tuple[Part, ...]:
     for kind in {id(place.kind): place.kind for place in images}.values():
         python = matrix.operating_systems[matrix.distributions[kind.distribution].os].python
         by_stack.setdefault((kind.stack, python), []).append(kind)
-    wanted: dict[tuple[str, str, str], set[str]] = {}
+    needed_parts: dict[tuple[str, str, str], set[str]] = {}
     for kind in (kind for kinds in by_stack.values() for kind in kinds):
         for part in kind.parts:
-            wanted.setdefault((part.kind, part.stack, part.python), set()).update(kind.architectures)
+            needed_parts.setdefault((part.kind, part.stack, part.python), set()).update(kind.architectures)
     return tuple(
         _part(matrix, *key, tuple(name for name in matrix.architectures if name in architectures))
-        for key, architectures in wanted.items()
+        for key, architectures in needed_parts.items()
     )

@@ -72,8 +72,8 @@ def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.en
         head = f"{image.target} {'exists' if image.locked else 'exists, but cannot be built yet'}:"
         return Explained(image.target, True, tuple(_facts(image_set.matrix, image, environ)), head)
     part_tag = re.fullmatch(r"(?:.*/)?part:(.+)", name)
-    if found := _addon(image_set.matrix, name):
-        return found
+    if addon_image := _addon(image_set.matrix, name):
+        return addon_image
     if part := image_set.part_by_name.get(part_tag[1] if part_tag else name.removeprefix("part-")):
         users = sum(part.name in image.parts for image in image_set.images)
         text = f"{part.name}: {part.kind} of stack {part.stack}, built from {listed(part.locks)}, in {counted(users, 'image')};"
@@ -101,17 +101,19 @@ def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.en
     if reason := why_not(image_set, name):
         return Explained(name, False, (reason,))
     text = unknown("image", name, _alike(image_set, name))
-    own = f"; for an image of your own: rosml explain {name} --addons onnx" if re.search("[:/]", name) else ""
-    raise RosmlError(text, f"see all with: rosml list{own}", exit_code=2)
+    suggestion = (
+        f"; for an image of your own: rosml explain {name} --addons onnx" if re.search("[:/]", name) else ""
+    )
+    raise RosmlError(text, f"see all with: rosml list{suggestion}", exit_code=2)
 
 
 def _addon(matrix: Matrix, name: str) -> Explained | None:
     """Which images can have an add-on of a stack: `onnx-cu130`. None if the name is of none."""
-    wanted = addons.read(matrix, name)
-    if not wanted.addon or wanted.stack not in matrix.stacks:
+    addon = addons.read(matrix, name)
+    if not addon.addon or addon.stack not in matrix.stacks:
         return None
-    head = f"{name} is an add-on of stack {wanted.stack}; docs/addons.md says how to add it:"
-    return Explained(name, True, tuple(addons.described(matrix, wanted.addon, wanted.stack)), head)
+    head = f"{name} is an add-on of stack {addon.stack}; docs/addons.md says how to add it:"
+    return Explained(name, True, tuple(addons.described(matrix, addon.addon, addon.stack)), head)
 
 
 def _no_part(matrix: Matrix, name: str) -> str | None:
@@ -127,55 +129,57 @@ def _no_part(matrix: Matrix, name: str) -> str | None:
     return None
 
 
-def with_addons(matrix: Matrix, image: Image, name: str, wanted: Sequence[str]) -> Explained:
+def with_addons(matrix: Matrix, image: Image, name: str, addon_names: Sequence[str]) -> Explained:
     """Whether an image can have add-ons, and how it gets them; or why not, and what to take instead.
 
     Args:
         name: the user's name of the image.
-        wanted: names of add-ons, with a stack if the image has none: `onnx-cpu`.
+        addon_names: names of add-ons, with a stack if the image has none: `onnx-cpu`.
     """
     onto = addons.Onto(name, image.distribution, image.component, image.framework, image.stack or "")
-    for item in wanted:
+    for item in addon_names:
         if refused := addons.refused(matrix, onto, item):
             return Explained(name, False, (f"{refused.message}; {refused.remedy}.",))
-    read = [addons.read(matrix, item) for item in wanted]
+    read = [addons.read(matrix, item) for item in addon_names]
     stacks = {image.stack or item.stack for item in read}
     if len(stacks) > 1:
         return Explained(name, False, (f"an image has one stack, and these are of {listed(sorted(stacks))}.",))
     [stack] = stacks
-    there = matrix.carrying(image.framework, *image.addons).parts
-    parts = [part for item in read for part in addons.parts(matrix, image.distribution, item.addon, stack, there)]
+    carried_parts = matrix.carrying(image.framework, *image.addons).parts
+    parts = [
+        part for item in read for part in addons.parts(matrix, image.distribution, item.addon, stack, carried_parts)
+    ]
     if not parts:
-        return Explained(name, True, (f"{name} has {listed(wanted)} already",))
+        return Explained(name, True, (f"{name} has {listed(addon_names)} already",))
     held = [part for item in read for part in matrix.addons[item.addon].parts if matrix.part[part].restricted]
-    lines = [*added(image.tags[0] if image.tags else name, wanted, [*dict.fromkeys(parts)])]
+    lines = [*added(image.tags[0] if image.tags else name, addon_names, [*dict.fromkeys(parts)])]
     lines += [f"the licence of {listed(held)} keeps the result out of public registries"] if held else []
     for architecture, addon in product(image.architectures, (item.addon for item in read)):
         place = image.distribution, image.framework, stack, architecture, addon
         if reason := rules.architecture_reason(matrix, *place):
             lines.append(f"not for {architecture}: {reason}")
-    return Explained(name, True, tuple(lines), can_have(name, wanted))
+    return Explained(name, True, tuple(lines), can_have(name, addon_names))
 
 
-def can_have(name: str, wanted: Sequence[str]) -> str:
+def can_have(name: str, addon_names: Sequence[str]) -> str:
     """The first line of the answer that an image can have add-ons."""
-    return f"{name} can have {listed(wanted)}:"
+    return f"{name} can have {listed(addon_names)}:"
 
 
-def added(image: str, wanted: Sequence[str], parts: Sequence[str], place: str = "REGISTRY/part") -> Iterator[str]:
+def added(image: str, addon_names: Sequence[str], parts: Sequence[str], place: str = "REGISTRY/part") -> Iterator[str]:
     """Lines about the two ways in which an image gets add-ons.
 
     Args:
         image: its name for commands.
-        wanted: names of add-ons.
+        addon_names: names of add-ons.
         parts: the names of parts that it lacks.
         place: the repository of parts.
     """
     yield f"it lacks {'the part' if len(parts) == 1 else 'the parts'} {listed(parts)}"
-    yield f"for your packages: rosml containerize --base-image {image} --addons {','.join(wanted)}"
+    yield f"for your packages: rosml containerize --base-image {image} --addons {','.join(addon_names)}"
     complete = image if "/" in image else f"REGISTRY/{image}"
     every = parts[0] if len(parts) == 1 else f"{{{','.join(parts)}}}"
-    yield f"in a registry: rosml join {complete} {place}:{every} --tag {complete}-with-{wanted[0]}"
+    yield f"in a registry: rosml join {complete} {place}:{every} --tag {complete}-with-{addon_names[0]}"
 
 
 def _alike(image_set: ImageSet, name: str) -> list[str]:
@@ -194,8 +198,8 @@ def why_not(image_set: ImageSet, name: str) -> str | None:
             return f"{name} is called {row}."
     if image_set.base and (sentence := _not_chosen(image_set.matrix, image_set.base, name)):
         return sentence
-    for wanted in _readings(image_set.matrix, name):
-        if sentence := _reason(image_set, name, wanted):
+    for reading in _readings(image_set.matrix, name):
+        if sentence := _reason(image_set, name, reading):
             return sentence
     if sentence := _with_addon(image_set.matrix, name):
         return sentence
@@ -213,19 +217,19 @@ def _with_addon(matrix: Matrix, name: str) -> str | None:
     for addon in matrix.addons:
         short = re.sub(rf"-{addon}(?=-|:|$)", "", name)
         bare = re.sub(rf"(?<=-){addon}-(?={'|'.join(matrix.stacks)}$)", f"{rules.plain(matrix)}-", name)
-        for wanted in (item for text in (short, bare) if text != name for item in _readings(matrix, text)):
-            row, component, framework, stack = wanted.distribution, wanted.component, wanted.framework, wanted.stack
+        for reading in (item for text in (short, bare) if text != name for item in _readings(matrix, text)):
+            row, component, framework, stack = reading.distribution, reading.component, reading.framework, reading.stack
             if reason := rules.component_reason(matrix, row, component):
                 return f"{name} does not exist: {reason}."
             stacks = [stack] if stack else [*matrix.stacks]
             reasons = {item: rules.stack_reason(matrix, row, framework, item, addon) for item in stacks}
-            if not (there := [item for item, reason in reasons.items() if reason is None]):
+            if not (possible := [item for item, reason in reasons.items() if reason is None]):
                 why = "; ".join(dict.fromkeys(reason for reason in reasons.values() if reason))
                 onto = addons.Onto(name, row, component, framework, "")
                 return f"{name} does not exist: {why}; {addons.instead(matrix, onto, addon)}."
             facts = matrix.frameworks[framework]
-            base = f"{facts.repository}:{names.main_tag(row, component, there[0] if facts.parts else None)}"
-            called = addon if facts.parts else f"{addon}-{there[0]}"
+            base = f"{facts.repository}:{names.main_tag(row, component, possible[0] if facts.parts else None)}"
+            called = addon if facts.parts else f"{addon}-{possible[0]}"
             return f"{name} has no tag: {addon} is an add-on; take {base}, and --addons {called}, or join its parts: rosml join --help."
     return None
 
@@ -237,27 +241,31 @@ def _not_chosen(matrix: Matrix, base: Matrix, name: str) -> str | None:
         matrix: the set's.
         base: the matrix that it extends.
     """
-    for wanted in _readings(base, name):
-        row, component, stack = wanted.distribution, wanted.component, wanted.stack
-        there = matrix.distributions.get(row)
+    for reading in _readings(base, name):
+        row, component, stack = reading.distribution, reading.component, reading.stack
+        distribution = matrix.distributions.get(row)
         left_out = [
-            *(() if there else [f"the distribution {row}"]),
-            *([f"the component {component} of {row}"] if there and component not in there.components else ()),
-            *(() if wanted.framework in matrix.frameworks else [f"the framework {wanted.framework}"]),
+            *(() if distribution else [f"the distribution {row}"]),
+            *(
+                [f"the component {component} of {row}"]
+                if distribution and component not in distribution.components
+                else ()
+            ),
+            *(() if reading.framework in matrix.frameworks else [f"the framework {reading.framework}"]),
             *([f"the stack {stack}"] if stack and stack not in matrix.stacks else ()),
         ]
-        reason = rules.component_reason(base, row, component) or _stack_reason(base, wanted)
+        reason = rules.component_reason(base, row, component) or _stack_reason(base, reading)
         if left_out and not rules.component_reason(base, row, component):
             end = f", and is not in rosml either: {reason}." if reason else "; it is in rosml: name it in set.yaml."
             return f"{name} does not exist in this set, which does not choose {listed(left_out)}{end}"
     return None
 
 
-def _stack_reason(matrix: Matrix, wanted: Wanted) -> str | None:
+def _stack_reason(matrix: Matrix, reading: Wanted) -> str | None:
     """Why no stack that a name can mean carries the framework."""
-    several = matrix.frameworks[wanted.framework].parts and not wanted.stack
-    stacks = tuple(matrix.stacks) if several else (wanted.stack,)
-    reasons = [rules.stack_reason(matrix, wanted.distribution, wanted.framework, stack) for stack in stacks]
+    several = matrix.frameworks[reading.framework].parts and not reading.stack
+    stacks = tuple(matrix.stacks) if several else (reading.stack,)
+    reasons = [rules.stack_reason(matrix, reading.distribution, reading.framework, stack) for stack in stacks]
     return None if None in reasons else "; ".join(dict.fromkeys(filter(None, reasons)))
 
 
@@ -281,20 +289,20 @@ def image(image_set: ImageSet, name: str) -> Image:
     return image_set.image(name)
 
 
-def _reason(image_set: ImageSet, name: str, wanted: Wanted) -> str | None:
+def _reason(image_set: ImageSet, name: str, reading: Wanted) -> str | None:
     matrix = image_set.matrix
-    if reason := rules.component_reason(matrix, wanted.distribution, wanted.component):
-        base = image_set.base if image_set.base and wanted.distribution in image_set.base.distributions else matrix
+    if reason := rules.component_reason(matrix, reading.distribution, reading.component):
+        base = image_set.base if image_set.base and reading.distribution in image_set.base.distributions else matrix
         return (
-            f"{name} does not exist: {rules.component_reason(base, wanted.distribution, wanted.component) or reason}."
+            f"{name} does not exist: {rules.component_reason(base, reading.distribution, reading.component) or reason}."
         )
-    row, facts = wanted.distribution, matrix.frameworks[wanted.framework]
-    if wanted.stack or not facts.parts:
-        if reason := rules.stack_reason(matrix, row, wanted.framework, wanted.stack):
+    row, facts = reading.distribution, matrix.frameworks[reading.framework]
+    if reading.stack or not facts.parts:
+        if reason := rules.stack_reason(matrix, row, reading.framework, reading.stack):
             return f"{name} does not exist: {reason}."
-        target = names.image_target(wanted.distribution, wanted.component, wanted.framework, wanted.stack)
+        target = names.image_target(reading.distribution, reading.component, reading.framework, reading.stack)
         if ":" in name and target in image_set.by_target:
-            stack = rules.default_stack(matrix, row, wanted.framework)
+            stack = rules.default_stack(matrix, row, reading.framework)
             why = (
                 f"short ones are for stack {stack} alone"
                 if stack
@@ -302,10 +310,10 @@ def _reason(image_set: ImageSet, name: str, wanted: Wanted) -> str | None:
             )
             return f"there is no tag {name}: {why}; take {image_set.by_target[target].tags[0]}."
         return f"{name} is called {target}."
-    reasons = {stack: rules.stack_reason(matrix, row, wanted.framework, stack) for stack in matrix.stacks}
-    image = wanted.distribution, wanted.component, wanted.framework
-    if there := [names.image_target(*image, stack) for stack, reason in reasons.items() if reason is None]:
-        return f"{name} names no stack; there is {listed(there)}."
+    reasons = {stack: rules.stack_reason(matrix, row, reading.framework, stack) for stack in matrix.stacks}
+    image = reading.distribution, reading.component, reading.framework
+    if targets := [names.image_target(*image, stack) for stack, reason in reasons.items() if reason is None]:
+        return f"{name} names no stack; there is {listed(targets)}."
     why = "; ".join(dict.fromkeys(reason for reason in reasons.values() if reason)) or "there is no stack"
     return f"{name} does not exist on any stack: {why}."
 
@@ -332,16 +340,16 @@ def _readings(matrix: Matrix, name: str) -> Iterator[Wanted]:
 def _where_from(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator[str]:
     """ROS's apt repository: that of matrix.yaml, or another one for this call."""
     this_time = bool(environ.get("ROS_CHANNEL") or environ.get("ROS_SNAPSHOT"))
-    found = apt_repository.of(matrix, image.distribution, environ)
-    if found and (this_time or not image.stack):
+    archive = apt_repository.of(matrix, image.distribution, environ)
+    if archive and (this_time or not image.stack):
         kinds = {
             "live": "ROS's live apt repository",
             "testing": "ROS's testing repository, before they are released",
             "final": "ROS's apt snapshot: final, which gets no updates",
-            apt_repository.ARCHIVE: f"the suite {found.codename} of an apt archive",
+            apt_repository.ARCHIVE: f"the suite {archive.codename} of an apt archive",
         }
-        kind = kinds.get(found.channel, f"ROS's apt snapshot: of {found.day}")
-        yield f"{'this time, ' * this_time}packages come from {kind}, {found.address}"
+        kind = kinds.get(archive.channel, f"ROS's apt snapshot: of {archive.day}")
+        yield f"{'this time, ' * this_time}packages come from {kind}, {archive.address}"
 
 
 def _of_addon(image_set: ImageSet, addon: str) -> Iterator[str]:
@@ -352,12 +360,14 @@ def _of_addon(image_set: ImageSet, addon: str) -> Iterator[str]:
     if any(entry.restricted for entry in entries):
         yield "its licence keeps it out of public registries: docs/licences.md"
     for stack in matrix.stacks:
-        there = [part for part in image_set.parts if (part.kind, part.stack) == (entries[-1].name, stack)]
-        platforms = dict.fromkeys(platform for part in there for platform in part.platforms)
-        pythons = sorted({part.python for part in there} - {ANY_PYTHON}, key=lambda text: [*map(int, text.split("."))])
+        parts_of_stack = [part for part in image_set.parts if (part.kind, part.stack) == (entries[-1].name, stack)]
+        platforms = dict.fromkeys(platform for part in parts_of_stack for platform in part.platforms)
+        pythons = sorted(
+            {part.python for part in parts_of_stack} - {ANY_PYTHON}, key=lambda text: [*map(int, text.split("."))]
+        )
         brought = rules.brought(matrix, [entries[-1].name], matrix.stacks[stack])
         what = listed([f"{item.title} {item.version}" for item in brought]) or entries[-1].title or addon
-        if there:
+        if parts_of_stack:
             yield f"{stack}: {what} for {listed([*platforms])}{f', Python {listed(pythons)}' if pythons else ''}"
     images = [image for image in image_set.images if addon in image.addons]
     tags = [image.tags[0] for image in images if image.tags]
@@ -378,12 +388,12 @@ def _containerize(image: Image, addon: addons.Fitting) -> str:
 
 def _taken(matrix: Matrix, image: Image) -> Iterator[str]:
     """The add-ons that an image with a tag can take, each with its commands."""
-    found = [*addons.fitting(matrix, image)] if image.tags else []
-    if found and not image.stack:
-        called = listed([item.called for item in found])
-        yield f"add-ons that it can take: {called}; for example: {_containerize(image, found[0])}"
+    fitting = [*addons.fitting(matrix, image)] if image.tags else []
+    if fitting and not image.stack:
+        called = listed([item.called for item in fitting])
+        yield f"add-ons that it can take: {called}; for example: {_containerize(image, fitting[0])}"
         return
-    for item in found:
+    for item in fitting:
         only = f" for {listed(item.platforms)}" * (item.platforms != image.platforms)
         private = " (private registries alone)" * item.restricted
         yield f"it can take the add-on {item.addon}{only}{private}: {_containerize(image, item)}, or {item.joins(image.tags[0])}"

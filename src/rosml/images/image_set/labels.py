@@ -64,7 +64,7 @@ COVERED = f"{PREFIX}sbom."
 """The prefix of an image's annotations in its index that name the SBOMs of its ROS image and parts, by repository and digest."""
 
 
-def named(
+def about_image(
     distribution: str,
     component: str,
     ros: str,
@@ -116,15 +116,15 @@ def about_gpus(facts: Mapping[str, str]) -> dict[str, str]:
     return {GPU + name: value for name, value in facts.items()}
 
 
-def licensed(entries: Iterable[PartEntry], own: str = "") -> dict[str, str]:
+def licensed(entries: Iterable[PartEntry], own_licences: str = "") -> dict[str, str]:
     """The labels about licences of a part, or of an image with parts.
 
     Args:
-        own: the licences of the image without the parts.
+        own_licences: the licences of the image without the parts.
     """
-    known = list(entries)
-    spdx = [own, *(entry.licence.spdx for entry in known if entry.licence)]
-    return together(spdx, [entry.name for entry in known if entry.restricted])
+    all_entries = list(entries)
+    spdx = [own_licences, *(entry.licence.spdx for entry in all_entries if entry.licence)]
+    return together(spdx, [entry.name for entry in all_entries if entry.restricted])
 
 
 def together(licences: Iterable[str], restricted: Iterable[str]) -> dict[str, str]:
@@ -135,8 +135,11 @@ def together(licences: Iterable[str], restricted: Iterable[str]) -> dict[str, st
         restricted: their restricted parts.
     """
     terms = (term.strip() for text in licences for term in (f"({text})" if " OR " in text else text).split(" AND "))
-    said = {LICENSES: " AND ".join(dict.fromkeys(filter(None, terms))), RESTRICTED: " ".join(dict.fromkeys(restricted))}
-    return {name: text for name, text in said.items() if text}
+    values = {
+        LICENSES: " AND ".join(dict.fromkeys(filter(None, terms))),
+        RESTRICTED: " ".join(dict.fromkeys(restricted)),
+    }
+    return {name: text for name, text in values.items() if text}
 
 
 def variable(name: str) -> str:

@@ -48,8 +48,8 @@ def load_one(file: Path, name: str, root: Path = ROOT) -> ImageSet:
     few = [place for place in checked.places if place.target in targets or tag in place.tags]
     if not few:
         return _locked(checked.expanded(), root)
-    wanted = {place.target for place in few}.union(*(carriers(checked.matrix, place) for place in few))
-    places = tuple(place for place in checked.places if place.target in wanted)
+    targets = {place.target for place in few}.union(*(carriers(checked.matrix, place) for place in few))
+    places = tuple(place for place in checked.places if place.target in targets)
     return _of_few(replace(checked, places=places).expanded(), root)
 
 
@@ -110,10 +110,10 @@ def lacking_keys(matrix: Matrix, root: Path) -> Iterator[tuple[KeyPath, str]]:
         if archive := distribution.archive:
             file = root / KEYS / archive.key
             try:
-                there = BEGIN in file.read_text(errors="replace")
+                has_key = BEGIN in file.read_text(errors="replace")
             except OSError:
-                there = False
-            if not there:
+                has_key = False
+            if not has_key:
                 text = f"{KEYS}/{archive.key} is no armored public key; put it there: gpg --armor --export KEY"
                 yield ("distributions", name, "archive", "key"), text
 

@@ -70,13 +70,13 @@ def current(text: str, part: Part, matrix: Matrix, architecture: str) -> bool:
 @remembered
 def _beside(matrix: Matrix, stack: str, kind: str) -> dict[str, str]:
     """The packages that go with releases of a stack and are in a part: in the one that takes them, or else in the release's own."""
-    found: dict[str, str] = {}
+    versions: dict[str, str] = {}
     for family, version in matrix.stacks[stack].releases.items():
-        for name, wanted in matrix.releases[family][version].company(stack).items():
+        for name, requirement in matrix.releases[family][version].company(stack).items():
             takers = [part.name for part in matrix.parts if any(fnmatchcase(name, pattern) for pattern in part.takes)]
             if kind in (takers or [family]):
-                found[name] = wanted
-    return found
+                versions[name] = requirement
+    return versions
 
 
 def _adapted(comments: str, release: Release, package: str) -> bool:
@@ -97,4 +97,6 @@ def current_wheels(text: str, wheels: Wheels, architecture: str) -> bool:
     if not text.startswith(f"{head}\n") or not _WHOLE.fullmatch(text):
         return False
     pinned = versions(text)
-    return all(pinned.get(package_name(wanted)) == wanted.partition("==")[2] for wanted in wheels.requirements)
+    return all(
+        pinned.get(package_name(requirement)) == requirement.partition("==")[2] for requirement in wheels.requirements
+    )

@@ -35,9 +35,9 @@ def waiting(matrix: Matrix, parts: Iterable[Part]) -> frozenset[str]:
                 asking.add(lock)
             else:
                 others.add((stack, architecture, python))
-    known = {by_lock[lock][:3] for lock in asking} - others
+    rows = {by_lock[lock][:3] for lock in asking} - others
     return frozenset(
-        asking | {lock for lock, (*key, kind) in by_lock.items() if matrix.part[kind].shared and tuple(key) in known}
+        asking | {lock for lock, (*key, kind) in by_lock.items() if matrix.part[kind].shared and tuple(key) in rows}
     )
 
 
@@ -57,10 +57,10 @@ def on(thing: Image | Part, architecture: str) -> list[str]:
 
 def reason(image: Image) -> str:
     """The missing locks of an image, in words: `locks/cpu/amd64/3.11/torch.txt is missing`."""
-    return _told(image.unlocked, image.damaged, listed)
+    return _described(image.unlocked, image.damaged, listed)
 
 
-def _told(locks: Sequence[str], damaged: Collection[str], names: Callable[[list[str]], str]) -> str:
+def _described(locks: Sequence[str], damaged: Collection[str], names: Callable[[list[str]], str]) -> str:
     """The problems of locks in words: first missing ones, then unusable ones.
 
     Args:
@@ -70,7 +70,11 @@ def _told(locks: Sequence[str], damaged: Collection[str], names: Callable[[list[
         ("missing", [lock for lock in locks if lock not in damaged]),
         ("damaged, or not of the release that matrix.yaml names", [lock for lock in locks if lock in damaged]),
     )
-    return "; ".join(f"{names(found)} {'is' if len(found) == 1 else 'are'} {what}" for what, found in kinds if found)
+    return "; ".join(
+        f"{names(locks_of_kind)} {'is' if len(locks_of_kind) == 1 else 'are'} {what}"
+        for what, locks_of_kind in kinds
+        if locks_of_kind
+    )
 
 
 def remedy(image: Image) -> str:
@@ -86,4 +90,4 @@ def lost(image_set: ImageSet) -> RosmlError | None:
     locks = list(dict.fromkeys(lock for image in image_set.images for lock in image.lost))
     damaged = {lock for image in image_set.images for lock in image.damaged}
     cannot = f"{counted(len(images), 'image')} cannot be built ({some(images)})"
-    return RosmlError(f"{cannot}: {_told(locks, damaged, some)}", RESTORE)
+    return RosmlError(f"{cannot}: {_described(locks, damaged, some)}", RESTORE)

@@ -63,8 +63,8 @@ def chosen(
 
     Args:
         image_set: rosml's own.
-        distributions: those to keep; that of rosml's default image if none is named.
-        frameworks: those to keep beside images without one; that of rosml's default image if none is named.
+        distributions: those to keep; that of rosml's default image if none is names.
+        frameworks: those to keep beside images without one; that of rosml's default image if none is names.
         registry: where images go.
         source: the address of the set's repository; may be empty.
         accelerator: `cuda` or `cpu`: only stacks with it; both if empty.
@@ -76,13 +76,13 @@ def chosen(
     default = image_set.image(matrix.default.targets[0])
     distributions = tuple(dict.fromkeys(distributions)) or (default.distribution,)
     frameworks = tuple(dict.fromkeys(frameworks)) or (default.framework,)
-    for kind, named, known in (
+    for kind, names, section in (
         ("distribution", distributions, matrix.distributions),
         ("framework", frameworks, matrix.frameworks),
     ):
-        for name in named:
-            if name not in known:
-                raise RosmlError(unknown(kind, name, known), f"there are {listed(list(known))}", exit_code=2)
+        for name in names:
+            if name not in section:
+                raise RosmlError(unknown(kind, name, section), f"there are {listed(list(section))}", exit_code=2)
     plain = tuple(name for name, facts in matrix.frameworks.items() if not facts.parts)
     frameworks = tuple(name for name in frameworks if name not in plain)
     stacks = tuple(
@@ -91,7 +91,7 @@ def chosen(
         if accelerator in ("", matrix.stacks[name].accelerator)
     )
     components = _components(matrix, default.component)
-    wanted = [
+    images = [
         item
         for item in image_set.images
         if item.distribution == distributions[0]
@@ -99,26 +99,26 @@ def chosen(
         and item.component in components
         and item.stack in (None, *stacks)
     ]
-    if not wanted:
+    if not images:
         text = f"{distributions[0]} has no images with {listed(frameworks, 'or') or 'these'}{f' for {accelerator}' * bool(accelerator)}"
         raise RosmlError(text, f"see why: rosml list {distributions[0]}", exit_code=2)
-    image = next((item for item in wanted if item.component == default.component), wanted[0])
+    image = next((item for item in images if item.component == default.component), images[0])
     return Chosen(distributions, components, (*plain, *frameworks), stacks, image, registry, source)
 
 
 def _components(matrix: Matrix, top: str) -> tuple[str, ...]:
     """A component, those below it, and those for programs that are built."""
-    found: list[str] = []
+    components: list[str] = []
     name: str | None = top
     while name:
-        found.insert(0, name)
+        components.insert(0, name)
         name = matrix.components[name].builds_on
-    return (*found, *(name for name, facts in matrix.components.items() if facts.runtime_of in found))
+    return (*components, *(name for name, facts in matrix.components.items() if facts.runtime_of in components))
 
 
 def _stacks(matrix: Matrix, distributions: Sequence[str], frameworks: Sequence[str]) -> tuple[str, ...]:
     """For each distribution and framework, the stack of its short tags and the first one for the CPU."""
-    wanted: list[str] = []
+    stacks: list[str] = []
     for distribution in distributions:
         for framework in frameworks:
             usual = rules.default_stack(matrix, distribution, framework)
@@ -130,58 +130,58 @@ def _stacks(matrix: Matrix, distributions: Sequence[str], frameworks: Sequence[s
                 ),
                 None,
             )
-            wanted += [name for name in (usual, cpu) if name]
-    return tuple(name for name in matrix.stacks if name in wanted)
+            stacks += [name for name in (usual, cpu) if name]
+    return tuple(name for name in matrix.stacks if name in stacks)
 
 
-def files(image_set: ImageSet, found: Chosen, upstream: Upstream) -> dict[str, str]:
+def files(image_set: ImageSet, choice: Chosen, upstream: Upstream) -> dict[str, str]:
     """The texts of the set's files by their paths. Those on GitHub get the workflow; others a script for cron or CI."""
     native = next(iter(image_set.matrix.architectures))
     nightly = (
-        {WORKFLOW: _workflow(found, upstream)} if upstream.on_github else {NIGHT: _NIGHT.replace("@native@", native)}
+        {WORKFLOW: _workflow(choice, upstream)} if upstream.on_github else {NIGHT: _NIGHT.replace("@native@", native)}
     )
     return {
-        SET: _set(image_set, found),
+        SET: _set(image_set, choice),
         COMMAND: _command(upstream),
-        "README.md": _readme(found, upstream, native),
+        "README.md": _readme(choice, upstream, native),
         ".gitignore": "/.rosml/\n/night.log\n",
         **nightly,
     }
 
 
-def _set(image_set: ImageSet, found: Chosen) -> str:
+def _set(image_set: ImageSet, choice: Chosen) -> str:
     matrix = image_set.matrix
 
     def entries(names: Sequence[str]) -> str:
         return "".join(f"  {name}:\n" for name in names)
 
     rows = ""
-    for name in found.distributions:
+    for name in choice.distributions:
         facts = matrix.distributions[name]
-        kept = [item for item in facts.components if item in found.components] or facts.components[:1]
+        kept = [item for item in facts.components if item in choice.components] or facts.components[:1]
         rows += f"  {name}: {{components: [{', '.join(kept)}]}}\n"
     plain = next(
         item
         for item in image_set.images
-        if (item.distribution, item.component, item.stack) == (found.image.distribution, found.image.component, None)
+        if (item.distribution, item.component, item.stack) == (choice.image.distribution, choice.image.component, None)
     )
-    stacks = f"\nstacks:\n{entries(found.stacks)}" if found.stacks else ""
-    source = f"source: {found.source}" if found.source else "# source: https://github.com/me/images"
+    stacks = f"\nstacks:\n{entries(choice.stacks)}" if choice.stacks else ""
+    source = f"source: {choice.source}" if choice.source else "# source: https://github.com/me/images"
     return f"""\
 # The images of this set: what differs from rosml's matrix.yaml. What this file does not name is as in rosml.
 # distributions, frameworks and stacks choose: only those that are named here exist, and nothing after a colon means "as in rosml".
 # ./rosml list shows all images of it, ./rosml explain NAME says why there is one, or none.
 extends: rosml
-registry: {found.registry} # where rosml plan, publish and status look, unless --registry says otherwise
+registry: {choice.registry} # where rosml plan, publish and status look, unless --registry says otherwise
 {source} # the address of this repository, a label of the images
 default:
-  targets: [{found.image.target}] # ./rosml image builds it
+  targets: [{choice.image.target}] # ./rosml image builds it
   group: [{plain.target}]
 
 distributions:
 {rows}
 frameworks:
-{entries(found.frameworks)}{stacks}"""
+{entries(choice.frameworks)}{stacks}"""
 
 
 _COMMAND = """\
@@ -256,12 +256,12 @@ def _command(upstream: Upstream) -> str:
     return text
 
 
-def _workflow(found: Chosen, upstream: Upstream) -> str:
-    host, _, namespace = found.registry.partition("/")
+def _workflow(choice: Chosen, upstream: Upstream) -> str:
+    host, _, namespace = choice.registry.partition("/")
     ours = host == "ghcr.io"
     place = f"      namespace: {namespace}\n"
     place = place if ours else f"      registry: {host}\n{place}"
-    told = "" if ours else " # ROSML_USER and ROSML_PASSWORD: who publishes there"
+    secrets_note = "" if ours else " # ROSML_USER and ROSML_PASSWORD: who publishes there"
     secrets = "".join(f"      {name}: ${{{{ secrets.{name} }}}}\n" for name in ("ROSML_USER", "ROSML_PASSWORD"))
     return f"""\
 # Builds, tests and publishes what is missing or outdated in the set, every night. To move to a newer rosml, take a newer commit.
@@ -296,14 +296,14 @@ jobs:
     with:
       only: ${{{{ inputs.only || '' }}}}
       force: ${{{{ inputs.force || false }}}}
-{place}    secrets:{told}
+{place}    secrets:{secrets_note}
 {secrets}"""
 
 
-def _readme(found: Chosen, upstream: Upstream, native: str) -> str:
+def _readme(choice: Chosen, upstream: Upstream, native: str) -> str:
     nightly = (
         f"Every night, `{WORKFLOW}` builds, tests and publishes what is missing or outdated. Start it by hand at first, with one image:"
-        f' Actions, `images`, "Run workflow", with `only` = `{found.image.target}`.\n'
+        f' Actions, `images`, "Run workflow", with `only` = `{choice.image.target}`.\n'
         if upstream.on_github
         else f"Call `{NIGHT}` every night, by cron or CI. It also scans for known vulnerabilities; the line for cron is in it.\n"
     )
@@ -315,13 +315,13 @@ def _readme(found: Chosen, upstream: Upstream, native: str) -> str:
     return f"""\
 # Images with ROS and machine learning
 
-A set of images in `{found.registry}`, which extends [rosml]({upstream.repository}). `{SET}` says which images there are.
+A set of images in `{choice.registry}`, which extends [rosml]({upstream.repository}). `{SET}` says which images there are.
 
 ```sh
 ./rosml list                                # all images of the set
 ./rosml setup                               # a registry and a builder on this machine
 ./rosml plan --everywhere --shards 4        # what is to be built, how long it takes, how large the registry gets
-./rosml image {found.image.target}
+./rosml image {choice.image.target}
 ./rosml publish all --serve {native}        # builds, tests and publishes what is missing, for this architecture alone
 ```
 

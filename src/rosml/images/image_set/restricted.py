@@ -48,15 +48,15 @@ class Declared:
         Raises:
             RosmlError: the variable names no registry, or a public one (exit code 2).
         """
-        named = environment.get(VARIABLE, "").lower().split()
-        for host in named:
+        words = environment.get(VARIABLE, "").lower().split()
+        for host in words:
             if not re.fullmatch(HOST, host):
                 text = f"{VARIABLE} has {host[:100]!r}, which is no host of a registry"
                 raise RosmlError(text, "name hosts alone, such as registry.example.com:5000", exit_code=2)
             if registries.is_public(host):
                 text = f"{VARIABLE} names {host}, which is a public registry"
                 raise RosmlError(text, f"leave it out; {PAGE} says what you can declare in set.yaml", exit_code=2)
-        return cls((*matrix.private, *named), matrix.i_have_the_rights)
+        return cls((*matrix.private, *words), matrix.i_have_the_rights)
 
     def keeps(self, host: str) -> bool:
         """Whether a registry is private, or on this machine."""
@@ -77,7 +77,7 @@ def of_this_machine() -> Declared:
     return Declared.of(validate(extends.read(MATRIX)))
 
 
-def named(labels: Mapping[str, str]) -> tuple[str, ...]:
+def parts_of(labels: Mapping[str, str]) -> tuple[str, ...]:
     """The restricted parts of an image with these labels."""
     text = labels.get(RESTRICTED, "")
     words = text.split() or [text][: len(text)]
@@ -106,14 +106,14 @@ def refused(
     Raises:
         RosmlError: the variable with private registries is wrong (exit code 2).
     """
-    declared, found, told = Declared.of(image_set.matrix), dict[str, RosmlError](), ""
+    declared, errors, note = Declared.of(image_set.matrix), dict[str, RosmlError](), ""
     for image in images:
         parts = of(image_set.matrix, [image_set.part_by_name[name].kind for name in image.parts])
         try:
-            told = told or require(parts, image.target, host, repository, declared)
+            note = note or require(parts, image.target, host, repository, declared)
         except RosmlError as error:
-            found[image.target] = error
-    return found, told
+            errors[image.target] = error
+    return errors, note
 
 
 def require(parts: Sequence[str], what: str, host: str, repository: str, declared: Declared) -> str:

@@ -23,17 +23,17 @@ def select(image_set: ImageSet, only: Sequence[str]) -> tuple[Image, ...]:
     """
     if not only:
         return image_set.images
-    wanted: set[str] = set()
+    targets: set[str] = set()
     for pattern in only:
-        found = fnmatch.filter(image_set.by_target, pattern)
-        if not found and ":" in pattern:
-            found = [image.target for image in image_set.images if fnmatch.filter(image.tags, pattern)]
-        if not found and pattern in image_set.groups:
-            found = [name for name in image_set.groups[pattern] if name in image_set.by_target]
-        if not found:
+        matches = fnmatch.filter(image_set.by_target, pattern)
+        if not matches and ":" in pattern:
+            matches = [image.target for image in image_set.images if fnmatch.filter(image.tags, pattern)]
+        if not matches and pattern in image_set.groups:
+            matches = [name for name in image_set.groups[pattern] if name in image_set.by_target]
+        if not matches:
             raise RosmlError(unknown("image", pattern, image_set.by_target), "see all with: rosml list", exit_code=2)
-        wanted.update(found)
-    return tuple(image for image in image_set.images if image.target in wanted)
+        targets.update(matches)
+    return tuple(image for image in image_set.images if image.target in targets)
 
 
 def require_architectures(image_set: ImageSet, names: Iterable[str]) -> None:
@@ -42,10 +42,12 @@ def require_architectures(image_set: ImageSet, names: Iterable[str]) -> None:
     Raises:
         RosmlError: the matrix has no architecture of that name (exit code 2).
     """
-    known = image_set.matrix.architectures
+    architectures = image_set.matrix.architectures
     for name in names:
-        if name not in known:
-            raise RosmlError(unknown("architecture", name, known), f"there is {', '.join(known)}", exit_code=2)
+        if name not in architectures:
+            raise RosmlError(
+                unknown("architecture", name, architectures), f"there is {', '.join(architectures)}", exit_code=2
+            )
 
 
 def groups_of(image_set: ImageSet) -> list[str]:
@@ -60,15 +62,15 @@ def members(image_set: ImageSet, groups: Sequence[str] = ()) -> tuple[Image, ...
     Raises:
         RosmlError: there is no such group (exit code 2).
     """
-    known = groups_of(image_set)
+    groups_by_name = groups_of(image_set)
     for name in groups:
-        if name not in known:
-            raise _no_group(image_set, name, groups, known)
-    wanted = set(groups)
-    return tuple(image for image in image_set.images if wanted <= {*image.groups, *image.architectures})
+        if name not in groups_by_name:
+            raise _no_group(image_set, name, groups, groups_by_name)
+    names_asked = set(groups)
+    return tuple(image for image in image_set.images if names_asked <= {*image.groups, *image.architectures})
 
 
-def _no_group(image_set: ImageSet, name: str, groups: Sequence[str], known: Sequence[str]) -> RosmlError:
+def _no_group(image_set: ImageSet, name: str, groups: Sequence[str], group_names: Sequence[str]) -> RosmlError:
     """The error about a word that is no group: what people may have meant by it, or all groups."""
     if name.lower() in NVIDIA:
         stacks = [stack for stack, facts in image_set.matrix.stacks.items() if facts.cuda]
@@ -79,15 +81,15 @@ def _no_group(image_set: ImageSet, name: str, groups: Sequence[str], known: Sequ
     if image := image_set.by_tag(name):
         return RosmlError(f"{name} is an image, and no group", f"rosml explain {image.target}", exit_code=2)
     parts = [our_word(image_set.matrix, word) for word in re.split(r"[\s,*-]+", name.lower()) if word]
-    if parts and all(part in known for part in parts):
+    if parts and all(part in group_names for part in parts):
         words = [word for group in groups for word in (parts if group == name else [group])]
         return RosmlError(f"no group named {name!r}", f"rosml list {' '.join(words)}", exit_code=2)
-    return RosmlError(unknown("group", name, known), f"there is {listed(known)}", exit_code=2)
+    return RosmlError(unknown("group", name, group_names), f"there is {listed(group_names)}", exit_code=2)
 
 
 def none_in(image_set: ImageSet, groups: Sequence[str]) -> str:
     """The message if no image is in all given groups."""
-    named = {
+    groups_by_kind = {
         kind: [group for group in groups if group in names]
         for kind, names in (
             ("distribution", image_set.matrix.distributions),
@@ -96,11 +98,11 @@ def none_in(image_set: ImageSet, groups: Sequence[str]) -> str:
         )
     }
     text = f"no image is in all of {listed(groups)}"
-    if len(named["framework"]) > 1:
+    if len(groups_by_kind["framework"]) > 1:
         stack = next((stack for stack, facts in image_set.matrix.stacks.items() if facts.cuda), "")
-        return f"{text}: {listed(named['framework'])} are different images; a stack such as {stack} says which CUDA is beside"
-    row = next(iter(named["distribution"]), "<distribution>")
-    rest = [*named["component"][:1], *named["framework"]] or ["<component>", "<framework>"]
+        return f"{text}: {listed(groups_by_kind['framework'])} are different images; a stack such as {stack} says which CUDA is beside"
+    row = next(iter(groups_by_kind["distribution"]), "<distribution>")
+    rest = [*groups_by_kind["component"][:1], *groups_by_kind["framework"]] or ["<component>", "<framework>"]
     example = "-".join([row, *rest])
     return f"{text}; see why: rosml explain {example}"
 
@@ -111,8 +113,10 @@ def architecture_of(image_set: ImageSet, platform: str) -> str:
     Raises:
         RosmlError: the matrix has no such platform (exit code 2).
     """
-    known = {facts.platform: name for name, facts in image_set.matrix.architectures.items()}
-    named = our_word(image_set.matrix, platform.lower().removeprefix("linux/").removesuffix("/v8"))
-    if named not in image_set.matrix.architectures:
-        raise RosmlError(unknown("platform", platform, known), f"take {listed(list(known), 'or')}", exit_code=2)
-    return named
+    by_platform = {facts.platform: name for name, facts in image_set.matrix.architectures.items()}
+    name = our_word(image_set.matrix, platform.lower().removeprefix("linux/").removesuffix("/v8"))
+    if name not in image_set.matrix.architectures:
+        raise RosmlError(
+            unknown("platform", platform, by_platform), f"take {listed(list(by_platform), 'or')}", exit_code=2
+        )
+    return name

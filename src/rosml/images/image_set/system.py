@@ -62,7 +62,7 @@ NEEDED = {
 def system(release: str, ros: Collection[str] = (), tools: Collection[str] = tuple(NEEDED)) -> System:
     """The facts in an image's os-release. The text may be a stranger's, so we drop control characters."""
     text = "".join(letter if letter.isprintable() else "\n" for letter in release[:65536])
-    facts = {found[1]: found[3].strip()[:80] for line in text.splitlines() if (found := _LINE.fullmatch(line.strip()))}
+    facts = {match[1]: match[3].strip()[:80] for line in text.splitlines() if (match := _LINE.fullmatch(line.strip()))}
     return System(
         facts.get("ID", ""),
         facts.get("VERSION_ID", ""),
@@ -73,11 +73,11 @@ def system(release: str, ros: Collection[str] = (), tools: Collection[str] = tup
     )
 
 
-def rows(matrix: Matrix, found: System) -> dict[str, Distribution]:
+def rows(matrix: Matrix, system: System) -> dict[str, Distribution]:
     """The distributions for a system, the default first: long-term releases before others, those with the longest support before
     others, experimental ones last."""
-    names = {f"{found.id}:{found.version}", f"{found.id}:{found.codename}"}
-    systems = {name for name, facts in matrix.operating_systems.items() if _named(facts.image) in names}
+    names = {f"{system.id}:{system.version}", f"{system.id}:{system.codename}"}
+    systems = {name for name, facts in matrix.operating_systems.items() if _bare_name(facts.image) in names}
 
     def order(item: tuple[str, Distribution]) -> tuple[bool, bool, datetime.timedelta]:
         facts = item[1]
@@ -88,18 +88,18 @@ def rows(matrix: Matrix, found: System) -> dict[str, Distribution]:
     )
 
 
-def _named(image: str) -> str:
+def _bare_name(image: str) -> str:
     """The name of an operating system's image without its registry: `ubuntu:24.04`."""
     return image.rpartition("/")[2]
 
 
 def choose(
-    image_set: ImageSet, found: System, name: str, ros_distro: str, component: str, architectures: Collection[str]
+    image_set: ImageSet, system: System, name: str, ros_distro: str, component: str, architectures: Collection[str]
 ) -> Image:
     """The ROS image whose ROS we install on an image that is not ours.
 
     Args:
-        found: the system of that image.
+        system: the system of that image.
         name: the image's name.
         ros_distro: the distribution that the user names; empty if they name none.
         component: the component of ROS, such as `core`.
@@ -109,22 +109,22 @@ def choose(
         RosmlError: nothing fits (exit code 2); the message says what would.
     """
     matrix = image_set.matrix
-    what = f"{name} is {found.title or found.id}" if found.id else f"{name} does not say which system it has"
-    if lacking := [thing for thing in NEEDED if thing not in found.tools]:
+    what = f"{name} is {system.title or system.id}" if system.id else f"{name} does not say which system it has"
+    if lacking := [thing for thing in NEEDED if thing not in system.tools]:
         remedy = NEEDED[lacking[0]]
         first = " and no ".join(thing for thing in lacking if NEEDED[thing] == remedy)
         raise RosmlError(f"{name} has no {first}, so ROS cannot be installed on it", remedy, exit_code=2)
-    there = rows(matrix, found)
-    if not there:
-        known = [_named(matrix.operating_systems[facts.os].image) for facts in matrix.distributions.values()]
-        text = f"{what}, and ROS is installed on {listed(sorted(set(known)))} alone"
+    distributions = rows(matrix, system)
+    if not distributions:
+        systems = [_bare_name(matrix.operating_systems[facts.os].image) for facts in matrix.distributions.values()]
+        text = f"{what}, and ROS is installed on {listed(sorted(set(systems)))} alone"
         raise RosmlError(text, "name another base image, or one that has ROS", exit_code=2)
-    fits = [row for row, facts in there.items() if not ros_distro or ros_distro in _called(row, facts)]
+    fits = [row for row, facts in distributions.items() if not ros_distro or ros_distro in _called(row, facts)]
     if not fits:
-        raise _unfit(matrix, what, there, ros_distro)
+        raise _unfit(matrix, what, distributions, ros_distro)
     row = fits[0]
-    if component not in there[row].components or rules.only_runs(matrix, component):
-        full = [item for item in there[row].components if not rules.only_runs(matrix, item)]
+    if component not in distributions[row].components or rules.only_runs(matrix, component):
+        full = [item for item in distributions[row].components if not rules.only_runs(matrix, item)]
         raise RosmlError(unknown("component", component, full), f"{row} has {listed(full)}", exit_code=2)
     image = next(
         image
@@ -139,17 +139,17 @@ def choose(
 
 def _called(row: str, facts: Distribution) -> set[str]:
     """All names of a distribution."""
-    own = facts.ros_distro or row
-    return {row, own, *facts.aliases, *([CALLED] if own == DEBIAN else [])}
+    ros_name = facts.ros_distro or row
+    return {row, ros_name, *facts.aliases, *([CALLED] if ros_name == DEBIAN else [])}
 
 
-def _unfit(matrix: Matrix, what: str, there: dict[str, Distribution], wanted: str) -> RosmlError:
+def _unfit(matrix: Matrix, what: str, distributions: dict[str, Distribution], request: str) -> RosmlError:
     """The error for a distribution that is not for the system."""
-    every = {name: facts for name, facts in matrix.distributions.items() if wanted in _called(name, facts)}
-    has = listed([name for name, facts in there.items() if not facts.experimental] or [*there])
+    every = {name: facts for name, facts in matrix.distributions.items() if request in _called(name, facts)}
+    has = listed([name for name, facts in distributions.items() if not facts.experimental] or [*distributions])
     if not every:
         names = {name for row, facts in matrix.distributions.items() for name in _called(row, facts)}
-        return RosmlError(unknown("ROS distribution", wanted, names), f"{what}, which has {has}", exit_code=2)
-    stands = listed([_named(matrix.operating_systems[facts.os].image) for facts in every.values()])
-    text = f"{what}, which has {has}; {wanted} stands on {stands}"
+        return RosmlError(unknown("ROS distribution", request, names), f"{what}, which has {has}", exit_code=2)
+    stands = listed([_bare_name(matrix.operating_systems[facts.os].image) for facts in every.values()])
+    text = f"{what}, which has {has}; {request} stands on {stands}"
     return RosmlError(text, "name another --ros-distro, or another base image", exit_code=2)

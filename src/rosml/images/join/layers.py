@@ -349,7 +349,7 @@ def _brought(parts: Sequence[Source]) -> tuple[Brought, ...]:
 
 def _labels(ros: Source, content: _Content, stack: str, brought: Sequence[Brought]) -> dict[str, str]:
     place = ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT], ros.labels[_ROS], content.framework, stack
-    named = labels.named(*place, brought, content.addons)
+    named = labels.about_image(*place, brought, content.addons)
     if content.there:
         named[labels.VERSION] = names.spelled_tag(ros.labels.get(labels.VERSION, ""), labels.spelled(brought))
         titles = [f"{item.title} {item.version}" for item in brought if item.title]
@@ -370,7 +370,7 @@ def _about_gpus(parts: Sequence[Source]) -> dict[str, str]:
 def _licensed(sources: Sequence[Source]) -> dict[str, str]:
     """The labels about licences of an image of these sources."""
     licences = [source.labels.get(labels.LICENSES, "") for source in sources]
-    return labels.together(licences, [name for source in sources for name in restricted.named(source.labels)])
+    return labels.together(licences, [name for source in sources for name in restricted.parts_of(source.labels)])
 
 
 def _config(

@@ -189,7 +189,7 @@ class Transfer:
         Raises:
             RosmlError: it may not (exit code 2).
         """
-        if parts := restricted.named(labels):
+        if parts := restricted.parts_of(labels):
             told = restricted.require(parts, name, where.host, where.repository, self._declared())
             with self._lock:
                 new = told not in self._said

@@ -58,100 +58,103 @@ def read(file: Path, base: Path = ROOT / "matrix.yaml") -> Document:
     return extended(document, source.read(base))
 
 
-def extended(own: Document, base: Document) -> Document:
+def extended(document: Document, base: Document) -> Document:
     """The whole matrix of a set. Its problems have places in the set's file.
 
     Raises:
         InputError: the set chooses what the base does not have, and does not describe it either.
     """
-    wanted = {key: value for key, value in own.data.items() if key != KEY}
+    choice = {key: value for key, value in document.data.items() if key != KEY}
     data = dict(base.data)
-    for key, value in wanted.items():
+    for key, value in choice.items():
         data[key] = (_chosen if key in CHOSEN else _parts if key == "parts" else _merged)(data.get(key), value)
     if missing := [
-        own.problem((section, name), unknown(f"{noun} in rosml", name, _mapping(base.data.get(section))))
+        document.problem((section, name), unknown(f"{noun} in rosml", name, _mapping(base.data.get(section))))
         for section, noun in CHOSEN.items()
-        for name, entry in _mapping(wanted.get(section)).items()
+        for name, entry in _mapping(choice.get(section)).items()
         if not entry and name not in _mapping(base.data.get(section))
     ]:
-        raise InputError(own.name, [*own.problems, *missing])
+        raise InputError(document.name, [*document.problems, *missing])
     if lists := [
-        own.problem((section,), "it is a list; write each name on its own line with a colon after it")
+        document.problem((section,), "it is a list; write each name on its own line with a colon after it")
         for section in CHOSEN
-        if isinstance(wanted.get(section), tuple)
+        if isinstance(choice.get(section), tuple)
     ]:
-        raise InputError(own.name, [*own.problems, *lists])
+        raise InputError(document.name, [*document.problems, *lists])
     plain = {name for name, facts in base.data["frameworks"].items() if not _names(facts)}
-    chosen = _mapping(wanted.get("frameworks"))
+    chosen = _mapping(choice.get("frameworks"))
     if chosen and not plain & chosen.keys():
         text = f"add '{min(plain)}:', since images with a framework stand on those without one"
-        raise InputError(own.name, [*own.problems, own.problem(("frameworks",), text)])
-    data["addons"] = _addons(_mapping(data.get("addons")) if "addons" in wanted else {}, data)
-    _forget(data, base.data, wanted)
+        raise InputError(document.name, [*document.problems, document.problem(("frameworks",), text)])
+    data["addons"] = _addons(_mapping(data.get("addons")) if "addons" in choice else {}, data)
+    _forget(data, base.data, choice)
     if torn := [
-        own.problem((section, name), f"none of the stacks of this set has its part {part}; add one that has it")
+        document.problem((section, name), f"none of the stacks of this set has its part {part}; add one that has it")
         for section in ("frameworks", "addons")
         for name, facts in _mapping(data[section]).items()
         for part in set(_lost(data, base.data)).intersection(_names(facts))
     ]:
-        raise InputError(own.name, [*own.problems, *torn])
+        raise InputError(document.name, [*document.problems, *torn])
     items = data["parts"] if isinstance(data["parts"], tuple) else ()
-    numbers = _numbers(own, items)
-    own_numbers = {number: place for place, number in numbers.items()}
+    numbers = _numbers(document, items)
+    places_by_number = {number: place for place, number in numbers.items()}
     called: dict[KeyPath, str] = {
-        ("parts", number): f"parts[{_name(part) or own_numbers.get(number, number)}]"
+        ("parts", number): f"parts[{_name(part) or places_by_number.get(number, number)}]"
         for number, part in enumerate(items)
     }
-    return replace(own, data=data, places=_places(own, numbers), called=called, base=base)
+    return replace(document, data=data, places=_places(document, numbers), called=called, base=base)
 
 
 def _mapping(value: Any) -> Mapping[str, Any]:
     return value if isinstance(value, Mapping) else {}
 
 
-def _merged(base: Any, own: Any) -> Any:
+def _merged(base: Any, ours: Any) -> Any:
     """The base's value with the set's over it, key by key."""
-    if not isinstance(base, Mapping) or not isinstance(own, Mapping):
-        return own
-    both = {**base, **{key: _merged(base.get(key), value) for key, value in own.items()}}
+    if not isinstance(base, Mapping) or not isinstance(ours, Mapping):
+        return ours
+    both = {**base, **{key: _merged(base.get(key), value) for key, value in ours.items()}}
     return {key: value for key, value in both.items() if value is not None}
 
 
-def _chosen(base: Any, own: Any) -> Any:
+def _chosen(base: Any, ours: Any) -> Any:
     """The entries that the set names, in the set's order."""
-    if not isinstance(own, Mapping):
-        return own
-    known = _mapping(base)
-    return {name: known.get(name) if entry is None else _merged(known.get(name), entry) for name, entry in own.items()}
+    if not isinstance(ours, Mapping):
+        return ours
+    defaults = _mapping(base)
+    return {
+        name: defaults.get(name) if entry is None else _merged(defaults.get(name), entry)
+        for name, entry in ours.items()
+    }
 
 
-def _parts(base: Any, own: Any) -> Any:
+def _parts(base: Any, ours: Any) -> Any:
     """The base's parts, changed by name, and the set's own after them: in this order they are joined."""
-    if not isinstance(own, tuple) or not all(isinstance(part, Mapping) for part in own):
-        return own
-    known = {part["name"] for part in base}
-    changes = {_name(part): part for part in own}
+    if not isinstance(ours, tuple) or not all(isinstance(part, Mapping) for part in ours):
+        return ours
+    base_names = {part["name"] for part in base}
+    changes = {_name(part): part for part in ours}
     return (
         *(_merged(part, changes.get(part["name"], {})) for part in base),
-        *(part for part in own if _name(part) not in known),
+        *(part for part in ours if _name(part) not in base_names),
     )
 
 
 def _addons(addons: Mapping[str, Any], data: Mapping[str, Any]) -> dict[str, Any]:
     """Add-ons with the tags of images that the set has."""
-    found: dict[str, Any] = {}
+    addons_of_set: dict[str, Any] = {}
     for name, facts in addons.items():
         tags = {
             key: tuple(item for item in value if item in _mapping(data.get(key))) if isinstance(value, tuple) else value
             for key, value in _mapping(_mapping(facts).get("tags")).items()
         }
         beside = tuple(item for item in _mapping(facts).get("beside", ()) if item in _mapping(data.get("frameworks")))
-        found[name] = _without(facts, ("tags", "beside"))
+        addons_of_set[name] = _without(facts, ("tags", "beside"))
         if isinstance(facts, Mapping):
-            found[name] |= ({"tags": tags} if tags and all(tags.values()) else {}) | (
+            addons_of_set[name] |= ({"tags": tags} if tags and all(tags.values()) else {}) | (
                 {"beside": beside} if beside else {}
             )
-    return found
+    return addons_of_set
 
 
 def _name(part: Any) -> str:
@@ -160,26 +163,26 @@ def _name(part: Any) -> str:
     return name if isinstance(name, str) else ""
 
 
-def _numbers(own: Document, parts: Sequence[Any]) -> dict[int, int]:
+def _numbers(document: Document, parts: Sequence[Any]) -> dict[int, int]:
     """The indexes of the set's own parts, and those that they have in the whole matrix."""
     by_name = {_name(part): number for number, part in enumerate(parts)}
     by_identity = {id(part): number for number, part in enumerate(parts)}
-    listed = own.data.get("parts")
-    found = {
+    listed = document.data.get("parts")
+    indexes = {
         place: by_identity.get(id(part), by_name.get(_name(part)))
         for place, part in enumerate(listed if isinstance(listed, tuple) else ())
     }
-    return {place: number for place, number in found.items() if number is not None}
+    return {place: number for place, number in indexes.items() if number is not None}
 
 
-def _places(own: Document, numbers: Mapping[int, int]) -> dict[KeyPath, Place]:
+def _places(document: Document, numbers: Mapping[int, int]) -> dict[KeyPath, Place]:
     """The places of the set's values in the whole matrix.
 
     Args:
         numbers: as `_numbers` gives them.
     """
     places: dict[KeyPath, Place] = {}
-    for path, place in own.places.items():
+    for path, place in document.places.items():
         if path[:1] == ("parts",) and len(path) > 1 and isinstance(path[1], int):
             if path[1] in numbers:
                 places["parts", numbers[path[1]], *path[2:]] = place
@@ -188,22 +191,22 @@ def _places(own: Document, numbers: Mapping[int, int]) -> dict[KeyPath, Place]:
     return places
 
 
-def _forget(data: dict[str, Any], base: Mapping[str, Any], wanted: Mapping[str, Any]) -> None:
+def _forget(data: dict[str, Any], base: Mapping[str, Any], choice: Mapping[str, Any]) -> None:
     """Leaves out what only belongs to stacks and frameworks of the base that the set did not choose."""
     stacks = set(base["stacks"]) - set(data["stacks"]) if isinstance(data["stacks"], Mapping) else set[str]()
     data["releases"] = _releases(data["releases"], stacks)
-    if isinstance(wanted.get("architectures"), Mapping):
+    if isinstance(choice.get("architectures"), Mapping):
         gone = set(base["architectures"]) - set(data["architectures"])
         data["distributions"] = {
             name: facts
             for name, facts in _mapping(data["distributions"]).items()
-            if name in _mapping(wanted.get("distributions"))
+            if name in _mapping(choice.get("distributions"))
             or not gone.issuperset(_mapping(facts).get("architectures") or data["architectures"])
         }
         _forget_architectures(data, gone)
         _forget_releases(data, base)
     if lost := set(_lost(data, base)):
-        if "frameworks" not in wanted:
+        if "frameworks" not in choice:
             data["frameworks"] = {
                 name: facts for name, facts in data["frameworks"].items() if not lost & {*_names(facts)}
             }
@@ -225,10 +228,10 @@ def _forget(data: dict[str, Any], base: Mapping[str, Any], wanted: Mapping[str, 
             parts = {stack: _without(sizes, gone) for stack, sizes in parts.items()}
         data["disk"] = {**disk, "parts": parts, "budgets": budgets}
     if isinstance(data["distributions"], Mapping):
-        own = _mapping(wanted.get("distributions"))
+        chosen = _mapping(choice.get("distributions"))
         data["distributions"] = {
             name: facts
-            if "default_stack" in _mapping(own.get(name))
+            if "default_stack" in _mapping(chosen.get(name))
             else _with_stacks(
                 facts, tuple(stack for stack in _mapping(data["stacks"]) if _fits(data, _mapping(facts), stack))
             )
@@ -244,19 +247,19 @@ def _releases(value: Any, stacks: Collection[str]) -> Any:
     """Releases with the wheels of the stacks that are left; without those that have none."""
     if not isinstance(value, Mapping):
         return value
-    found: dict[str, Any] = {}
+    releases: dict[str, Any] = {}
     for family, versions in value.items():
         kept = {version: _release(facts, stacks) for version, facts in _mapping(versions).items()}
         if kept := {version: facts for version, facts in kept.items() if _has_wheels(facts)}:
-            found[family] = kept
-    return found
+            releases[family] = kept
+    return releases
 
 
 def _release(facts: Any, stacks: Collection[str]) -> Any:
     if not isinstance(facts, Mapping):
         return facts
-    left = {key: _without(it, stacks) if key in ("wheels", "elsewhere") else it for key, it in facts.items()}
-    return left if left.get("elsewhere") else _without(left, ("elsewhere", "requires"))
+    release = {key: _without(it, stacks) if key in ("wheels", "elsewhere") else it for key, it in facts.items()}
+    return release if release.get("elsewhere") else _without(release, ("elsewhere", "requires"))
 
 
 def _lost(data: Mapping[str, Any], base: Mapping[str, Any]) -> Iterator[str]:
@@ -290,16 +293,16 @@ def _with_stacks(facts: Any, chosen: tuple[str, ...]) -> Any:
 def _forget_architectures(data: dict[str, Any], gone: set[str]) -> None:
     """Leaves out architectures wherever the base names them."""
 
-    def left(value: Any) -> Any:
+    def remaining(value: Any) -> Any:
         if isinstance(value, tuple):
             return tuple(item for item in value if item not in gone)
         if not isinstance(value, Mapping):
             return value
-        kept = {key: left(item) for key, item in value.items() if key not in gone}
+        kept = {key: remaining(item) for key, item in value.items() if key not in gone}
         return {key: item for key, item in kept.items() if item or not value[key] or key in ("wheels", "elsewhere")}
 
     for section in ("operating_systems", "distributions", "stacks", "releases"):
-        data[section] = left(data[section])
+        data[section] = remaining(data[section])
     data["releases"] = _releases(data["releases"], ())
 
 
@@ -308,43 +311,43 @@ def _forget_releases(data: dict[str, Any], base: Mapping[str, Any]) -> None:
     kept = _mapping(data["releases"])
 
     def gone(family: str, version: Any) -> bool:
-        known = isinstance(version, str) and version in base["releases"].get(family, ())
-        return known and version not in _mapping(kept.get(family))
+        is_of_base = isinstance(version, str) and version in base["releases"].get(family, ())
+        return is_of_base and version not in _mapping(kept.get(family))
 
     for name, facts in _mapping(data["stacks"]).items():
         releases = _mapping(_mapping(facts).get("releases"))
         lost = {family for family, version in releases.items() if gone(family, version)}
         if lost:
-            left = {
+            remaining = {
                 **facts,
                 "releases": _without(releases, lost),
                 "packages": _without(facts.get("packages", {}), lost),
             }
-            data["stacks"] = {**data["stacks"], name: _without(left, ("apart",))}
+            data["stacks"] = {**data["stacks"], name: _without(remaining, ("apart",))}
 
 
 def _fits(data: Mapping[str, Any], facts: Mapping[str, Any], stack: str) -> bool:
     """Whether a framework of the set exists for a distribution on a stack: one of its releases has wheels for that Python."""
-    named = data["parts"] if isinstance(data["parts"], tuple) else ()
-    parts = {part.get("name"): part for part in named if isinstance(part, Mapping)}
+    parts_of_data = data["parts"] if isinstance(data["parts"], tuple) else ()
+    parts = {part.get("name"): part for part in parts_of_data if isinstance(part, Mapping)}
     python = _mapping(_mapping(data["operating_systems"]).get(str(facts.get("os")))).get("python")
     of_stack = _mapping(_mapping(data["stacks"]).get(stack))
     releases = _mapping(of_stack.get("releases"))
     for framework in map(_mapping, _mapping(data["frameworks"]).values()):
         carried = [parts[name] for name in _names(framework) if name in parts]
         families = {str(part["release"]) for part in carried if part.get("release")}
-        known = [
+        releases_of_stack = [
             _mapping(_mapping(_mapping(data["releases"]).get(family)).get(str(releases.get(family))))
             for family in families or releases
         ]
         if (
             carried
-            and known
+            and releases_of_stack
             and of_stack.get("accelerator") in (framework.get("accelerators") or [of_stack.get("accelerator")])
             and (all if families else any)(
                 python in (release.get("python") or ())
                 and any(_mapping(release.get(key)).get(stack) for key in ("wheels", "elsewhere"))
-                for release in known
+                for release in releases_of_stack
             )
         ):
             return True

@@ -286,8 +286,8 @@ class PartEntry(Facts):
         """Requirements of packages that no release asks for, e.g. `nvidia-cuda-cccl-cu12==12.8.*` for CUDA 12.8.90."""
         generation, *rest = (cuda or "").split(".")
         release = ".".join([generation, *rest[:1], "*"])
-        wanted = self.adds.get(generation, ())
-        return tuple(item if re.search("[<=>]", item) else f"{item}=={release}" for item in wanted)
+        requirements = self.adds.get(generation, ())
+        return tuple(item if re.search("[<=>]", item) else f"{item}=={release}" for item in requirements)
 
 
 class Framework(Facts):
@@ -605,10 +605,10 @@ class Matrix(Facts):
 
     def _with_addon(self, framework: str, addon: str) -> Framework:
         facts = self.frameworks[framework]
-        wanted = {*facts.parts, *self.needed(self.addons[addon].parts)}
+        names = {*facts.parts, *self.needed(self.addons[addon].parts)}
         return Framework(
             repository=f"{facts.repository}-{addon}",
-            parts=tuple(part.name for part in self.parts if part.name in wanted),
+            parts=tuple(part.name for part in self.parts if part.name in names),
             accelerators=facts.accelerators,
         )
 
@@ -618,12 +618,12 @@ class Matrix(Facts):
 
     def needed(self, parts: Iterable[str]) -> set[str]:
         """Parts, and all that they need."""
-        found, todo = set[str](), [*parts]
+        needed_parts, todo = set[str](), [*parts]
         while todo:
-            if (name := todo.pop()) not in found and name in self.part:
-                found.add(name)
+            if (name := todo.pop()) not in needed_parts and name in self.part:
+                needed_parts.add(name)
                 todo += self.part[name].needs
-        return found
+        return needed_parts
 
     @cached_property
     def families(self) -> tuple[str, ...]:

@@ -27,17 +27,17 @@ def our_words(matrix: Matrix) -> dict[str, str]:
     """Words that people try in names and groups, and ours for each: titles of parts, parts of add-ons, names of repositories, machines."""
     titles = {part.title.lower(): part.name for part in matrix.parts if part.title}
     for addon, entry in matrix.addons.items():
-        known = dict.fromkeys(entry.parts, addon)
-        titles |= known | {title: known[part] for title, part in titles.items() if part in known}
+        names = dict.fromkeys(entry.parts, addon)
+        titles |= names | {title: names[part] for title, part in titles.items() if part in names}
     repositories = {facts.repository.removeprefix(f"{ROS}-"): name for name, facts in matrix.frameworks.items()}
     return {**titles, **repositories, "x86_64": "amd64", "aarch64": "arm64"}
 
 
 def our_word(matrix: Matrix, word: str) -> str:
     """Our word for one that people try, also with a version at its end: `tensorflow2`. The word itself if we have no other."""
-    ours, said = our_words(matrix), word.lower()
-    bare = said.rstrip(".0123456789")
-    return ours.get(said) or (ours.get(bare) if bare != ROS else None) or said  # ros1 is no framework
+    ours, lower = our_words(matrix), word.lower()
+    bare = lower.rstrip(".0123456789")
+    return ours.get(lower) or (ours.get(bare) if bare != ROS else None) or lower  # ros1 is no framework
 
 
 def image_target(
@@ -52,8 +52,8 @@ def image_target(
     Args:
         framework: left out if it is none.
     """
-    named = [name for name in (framework, *addons) if name != NONE]
-    return "-".join([distribution, component, *([*named, stack] if stack else [])])
+    parts_of_name = [name for name in (framework, *addons) if name != NONE]
+    return "-".join([distribution, component, *([*parts_of_name, stack] if stack else [])])
 
 
 def main_tag(distribution: str, component: str, stack: str | None = None) -> str:

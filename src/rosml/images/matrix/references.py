@@ -40,12 +40,12 @@ def findings(matrix: Matrix) -> Iterator[Finding]:
         yield from check(matrix)
 
 
-def _each(path: KeyPath, kind: str, used: Iterable[str], known: Iterable[str]) -> Iterator[Finding]:
+def _each(path: KeyPath, kind: str, used: Iterable[str], allowed: Iterable[str]) -> Iterator[Finding]:
     """Names of a list that must exist."""
-    known = dict.fromkeys(known)
+    allowed = dict.fromkeys(allowed)
     for index, name in enumerate(used):
-        if name not in known:
-            yield (*path, index), unknown(kind, name, known)
+        if name not in allowed:
+            yield (*path, index), unknown(kind, name, allowed)
 
 
 def _default(matrix: Matrix) -> Iterator[Finding]:
@@ -83,11 +83,11 @@ def _registries(matrix: Matrix) -> Iterator[Finding]:
 def _architectures(matrix: Matrix) -> Iterator[Finding]:
     """An architecture's name is the second word of its platform: build steps get that word from BuildKit, and find locks by it."""
     for name, architecture in matrix.architectures.items():
-        told = architecture.platform.split("/")[1]
-        if told != name:
+        named_by_platform = architecture.platform.split("/")[1]
+        if named_by_platform != name:
             yield (
                 ("architectures", name, "platform"),
-                f"BuildKit calls the architecture of {architecture.platform} {told!r}, and locks are found by that name;"
+                f"BuildKit calls the architecture of {architecture.platform} {named_by_platform!r}, and locks are found by that name;"
                 f" rename {name!r} to it, or correct the platform",
             )
 
@@ -169,8 +169,8 @@ def _frameworks(matrix: Matrix) -> Iterator[Finding]:
                     yield (*path, "parts"), f"{part.name} needs the part {need}; add it to 'parts'{instead}"
         plain += not framework.parts
     if plain != 1:
-        found = f"{plain} have" if plain else "none has"
-        yield ("frameworks",), f"exactly one framework has no parts: the ROS images that all others stand on; {found}"
+        owners = f"{plain} have" if plain else "none has"
+        yield ("frameworks",), f"exactly one framework has no parts: the ROS images that all others stand on; {owners}"
 
 
 def _addons(matrix: Matrix) -> Iterator[Finding]:
@@ -195,12 +195,12 @@ def _addons(matrix: Matrix) -> Iterator[Finding]:
         for stack, systems in addon.systems.items():
             yield from _each((*path, "systems", stack), "operating system", systems, matrix.operating_systems)
         if addon.tags:
-            for key, known in (
+            for key, section in (
                 ("distributions", matrix.distributions),
                 ("components", matrix.components),
                 ("stacks", matrix.stacks),
             ):
-                yield from _each((*path, "tags", key), key[:-1], getattr(addon.tags, key), known)
+                yield from _each((*path, "tags", key), key[:-1], getattr(addon.tags, key), section)
 
 
 def _parts(matrix: Matrix) -> Iterator[Finding]:
@@ -318,9 +318,9 @@ def _released(matrix: Matrix, name: str, family: str) -> Iterator[Finding]:
             problem = unknown("architecture", architecture, matrix.architectures)
             yield (*path, "packages", family, architecture), problem
     wheels = releases[version].architectures(name) if version in releases else ()
-    named = package if isinstance(package, dict) else dict.fromkeys(wheels)
+    names = package if isinstance(package, dict) else dict.fromkeys(wheels)
     for architecture in wheels:
-        if architecture not in named and architecture in matrix.architectures:
+        if architecture not in names and architecture in matrix.architectures:
             text = f"{family} {version} has a wheel for {architecture}; name its package"
             yield (*path, "packages", family), text
 
@@ -395,11 +395,11 @@ def _wheels(path: KeyPath, name: str, distribution: Distribution) -> Iterator[Fi
 def _no_apt(path: KeyPath, distribution: Distribution, os: OperatingSystem) -> Iterator[Finding]:
     """If packages are named after a ROS distribution, such as ros-jazzy-ros-core, no system's own archive has them."""
     if "{ros_distro}" in (distribution.packages or "") and not distribution.archive and not distribution.wheels:
-        known = "'apt: {channel: live}', 'apt: {channel: snapshot, date: …}', past the end of life 'apt: {channel: final}', or "
+        channels = "'apt: {channel: live}', 'apt: {channel: snapshot, date: …}', past the end of life 'apt: {channel: final}', or "
         yield (
             path,
             f"{distribution.os} does not have ROS's packages itself, and no other source is named; "
-            f"add {known * bool(os.codename)}'archive: {{address: …, suite: …, key: …}}'",
+            f"add {channels * bool(os.codename)}'archive: {{address: …, suite: …, key: …}}'",
         )
 
 
@@ -413,11 +413,11 @@ def _apt(path: KeyPath, distribution: Distribution, os: OperatingSystem) -> Iter
         yield path, f"the live channel needs a pinned {package} for {distribution.os}; {remedy}"
 
 
-def _placeholders(path: KeyPath, template: str, known: tuple[str, ...]) -> Iterator[Finding]:
+def _placeholders(path: KeyPath, template: str, allowed: tuple[str, ...]) -> Iterator[Finding]:
     try:
         fields = [field for _, field, _, _ in string.Formatter().parse(template) if field is not None]
     except ValueError:
-        yield path, f"unpaired braces in {template!r}; placeholders: {listed(known) or 'none'}"
+        yield path, f"unpaired braces in {template!r}; placeholders: {listed(allowed) or 'none'}"
         return
     if "{{" in template or "}}" in template:
         yield path, f"double braces in {template!r} are no placeholder; write them once"
@@ -425,8 +425,8 @@ def _placeholders(path: KeyPath, template: str, known: tuple[str, ...]) -> Itera
         if word.startswith("-") or word.endswith("-"):
             yield path, f"no package is called {word!r}: apt would take it for an option, or remove it"
     for field in fields:
-        if field not in known:
-            remedy = near(field, known) if known else "no placeholders are filled in here"
+        if field not in allowed:
+            remedy = near(field, allowed) if allowed else "no placeholders are filled in here"
             yield path, f"no placeholder {{{field}}}; {remedy}"
 
 
@@ -443,9 +443,9 @@ def _disk(matrix: Matrix) -> Iterator[Finding]:
         *(facts.parts for facts in matrix.addons.values()),
     ]
     for name, stack in matrix.stacks.items():
-        known = [[matrix.part[part] for part in parts if part in matrix.part] for parts in together]
-        there = [parts for parts in known if all(part.release in (None, *stack.releases) for part in parts)]
-        used = matrix.needed(part.name for parts in there for part in parts)
+        candidates = [[matrix.part[part] for part in parts if part in matrix.part] for parts in together]
+        available = [parts for parts in candidates if all(part.release in (None, *stack.releases) for part in parts)]
+        used = matrix.needed(part.name for parts in available for part in parts)
         needed = [part.name for part in matrix.parts if part.name in used and _has(stack, part)]
         yield from _forecasts(("disk", "parts", name), "part", matrix.disk.parts.get(name, ()), matrix.part, needed)
     carrying = [*(name for name, facts in matrix.frameworks.items() if facts.parts), *matrix.addons]
@@ -464,12 +464,12 @@ def _has(stack: Stack, part: PartEntry) -> bool:
 
 
 def _forecasts(
-    path: KeyPath, kind: str, forecasts: Collection[str], known: Collection[str], needed: Collection[str]
+    path: KeyPath, kind: str, forecasts: Collection[str], allowed: Collection[str], needed: Collection[str]
 ) -> Iterator[Finding]:
     """Everything that is needed has a forecast, and nothing unknown has one."""
     for name in forecasts:
-        if name not in known:
-            yield (*path, name), unknown(kind, name, known)
+        if name not in allowed:
+            yield (*path, name), unknown(kind, name, allowed)
     for name in needed:
         if name not in forecasts:
             yield (

@@ -20,7 +20,7 @@ def name_of(host: str) -> str:
 def is_public(host: str) -> bool:
     """Whether a registry shows images to everybody."""
     name = name_of(host)
-    return any(name == known or name.endswith(f".{known}") for known in PUBLIC)
+    return any(name == suffix or name.endswith(f".{suffix}") for suffix in PUBLIC)
 
 
 def is_here(host: str) -> bool:

@@ -203,8 +203,8 @@ def shown(matrix: Matrix, part: str) -> str:
 
     A part that only repeats another one is not shown. Empty if there is none.
     """
-    found = (matrix.part[need] for need in matrix.part[part].needs)
-    return next((need.name for need in found if need.any_python and need.takes), "")
+    needs = (matrix.part[need] for need in matrix.part[part].needs)
+    return next((need.name for need in needs if need.any_python and need.takes), "")
 
 
 def versions(matrix: Matrix, stack: Stack) -> dict[str, str]:
@@ -215,13 +215,13 @@ def versions(matrix: Matrix, stack: Stack) -> dict[str, str]:
 
 def brought(matrix: Matrix, parts: Iterable[str], stack: Stack) -> tuple[Brought, ...]:
     """The software that parts of a stack bring, each once: releases first, then facts of the stack."""
-    known, found = versions(matrix, stack), dict[str, Brought]()
+    releases, items = versions(matrix, stack), dict[str, Brought]()
     for item in (item for name in parts for item in brought_by(matrix.part[name])):
-        if item.name in known and (item.title or item.name not in found):
-            version = known[item.name]
+        if item.name in releases and (item.title or item.name not in items):
+            version = releases[item.name]
             environment = matrix.releases[item.name][version].environment if item.released else {}
-            found[item.name] = replace(item, version=version, environment=environment)
-    return tuple(sorted(found.values(), key=lambda item: not item.released))
+            items[item.name] = replace(item, version=version, environment=environment)
+    return tuple(sorted(items.values(), key=lambda item: not item.released))
 
 
 def brought_by(part: PartEntry) -> Iterator[Brought]:
@@ -234,9 +234,9 @@ def brought_by(part: PartEntry) -> Iterator[Brought]:
 def wheels(matrix: Matrix, architecture: str, releases: Iterable[Release]) -> str:
     """uv's name of the wheel platform of an architecture, with the glibc that some releases ask for: `aarch64-manylinux_2_34`."""
     oldest = matrix.architectures[architecture].wheels
-    asked = [int(release.glibc.partition(".")[2]) for release in releases if release.glibc]
+    minors = [int(release.glibc.partition(".")[2]) for release in releases if release.glibc]
     machine, _, second = oldest.rpartition("_")
-    return f"{machine}_{max([int(second), *asked])}"
+    return f"{machine}_{max([int(second), *minors])}"
 
 
 def company(matrix: Matrix, stack: str | None, families: Iterable[str]) -> dict[str, str]:
@@ -269,16 +269,18 @@ def releases_of(matrix: Matrix, stack: str, part: str) -> Iterator[Release]:
 def gpu(matrix: Matrix, stack: str | None, parts: Iterable[str]) -> dict[str, str]:
     """The facts about GPUs of parts of a stack: the oldest driver, and the GPUs for which each release was built on an
     architecture: `{"driver": "580", "torch.amd64": "sm_80 sm_90"}`. Empty on a stack without CUDA."""
-    facts, found = matrix.stacks[stack] if stack else None, dict[str, str]()
+    facts, facts_of_gpu = matrix.stacks[stack] if stack else None, dict[str, str]()
     if facts is None or facts.accelerator != "cuda":
-        return found
+        return facts_of_gpu
     for entry in (matrix.part[name] for name in parts):
         if "cuda" in entry.versions and (driver := matrix.drivers.get((facts.cuda or "").partition(".")[0])):
-            found["driver"] = driver
+            facts_of_gpu["driver"] = driver
         if entry.release == entry.name:
             built = matrix.releases[entry.name][facts.releases[entry.name]].gpus
-            found |= {f"{entry.name}.{architecture}": " ".join(built[architecture]) for architecture in sorted(built)}
-    return found
+            facts_of_gpu |= {
+                f"{entry.name}.{architecture}": " ".join(built[architecture]) for architecture in sorted(built)
+            }
+    return facts_of_gpu
 
 
 @remembered
@@ -361,13 +363,15 @@ def _accelerator(name: str, framework: Framework, stack: str, facts: Stack) -> s
 
 
 def _parts(matrix: Matrix, name: str, framework: Framework, stack: str) -> str | None:
-    found = parts(matrix, framework, matrix.stacks[stack])
-    return None if found else f"stack {stack} has nothing that framework {name} takes"
+    parts_of_stack = parts(matrix, framework, matrix.stacks[stack])
+    return None if parts_of_stack else f"stack {stack} has nothing that framework {name} takes"
 
 
 def _addon_parts(matrix: Matrix, addon: str, stack: str) -> str | None:
-    own = matrix.addons[addon].parts if addon else ()
-    lacking = [name for name in own if matrix.part[name].accelerator not in (None, matrix.stacks[stack].accelerator)]
+    addon_parts = matrix.addons[addon].parts if addon else ()
+    lacking = [
+        name for name in addon_parts if matrix.part[name].accelerator not in (None, matrix.stacks[stack].accelerator)
+    ]
     return f"stack {stack} has no {listed(lacking)}, which add-on {addon} takes" if lacking else None
 
 
@@ -428,5 +432,5 @@ def _available(matrix: Matrix, framework: Framework, stack: str) -> Iterator[tup
     for family in carried:
         yield f"{family} {facts.releases[family]}", wheels.get(family, ())
     if not carried:  # CUDA's libraries come with any of the releases
-        anywhere = [architecture for found in wheels.values() for architecture in found]
+        anywhere = [architecture for architectures in wheels.values() for architecture in architectures]
         yield f"CUDA {facts.cuda}", tuple(name for name in matrix.architectures if name in anywhere)

@@ -32,7 +32,7 @@ def checked(document: Document, top: type[Top], meaning: Mapping[str, str]) -> T
     """
     problems = list(document.problems)
     try:
-        found = top.model_validate(document.data)
+        model = top.model_validate(document.data)
     except ValidationError as error:
         details = _first_errors(error.errors(include_url=False))
         if other := [
@@ -53,7 +53,7 @@ def checked(document: Document, top: type[Top], meaning: Mapping[str, str]) -> T
         ) from None
     if problems:
         raise InputError(document.name, problems)
-    return found
+    return model
 
 
 _OTHER_VERSION = "take the rosml of the checkout that the file is from, or a newer one"
@@ -86,7 +86,7 @@ def _problem(document: Document, error: Any, top: type[BaseModel], meaning: Mapp
     pattern = _pattern(path, top)
     scalar = not isinstance(value, (tuple, Mapping))
     if kind == "string_type" and scalar and pattern in meaning and not re.search(pattern, written):  # in quotes neither
-        return document.problem(path, f"expected {meaning[pattern]}, found {_found(value, written)}")
+        return document.problem(path, f"expected {meaning[pattern]}, found {_described(value, written)}")
     return document.problem(
         path, _complaint(kind, context, value, written, error["msg"], meaning, _example(path, kind, top))
     )
@@ -113,23 +113,23 @@ def _complaint(
         remedy = f'write it in quotes: "{written}"' if quoted else ""
         if isinstance(value, tuple):
             remedy = "write it without brackets"
-        return _join(f"expected text, found {_found(value, written)}", remedy)
+        return _join(f"expected text, found {_described(value, written)}", remedy)
     if kind == "string_pattern_mismatch":
-        return f"expected {meaning.get(context['pattern'], 'text')}, found {_found(value)}"
+        return f"expected {meaning.get(context['pattern'], 'text')}, found {_described(value)}"
     if kind == "literal_error":
-        known = str(context["expected"]).replace("'", "").replace(" or ", ", ").split(", ")
-        return f"expected {listed(known, last='or')}, found {_found(value, written)}"
+        words = str(context["expected"]).replace("'", "").replace(" or ", ", ").split(", ")
+        return f"expected {listed(words, last='or')}, found {_described(value, written)}"
     if kind in _EXPECTED:
         expected = f"{_EXPECTED[kind]}, such as {example}" if example else _EXPECTED[kind]
-        return f"expected {expected}, found {_found(value, written)}"
+        return f"expected {expected}, found {_described(value, written)}"
     if kind in ("greater_than_equal", "less_than_equal"):
         bound = "at least" if kind.startswith("greater") else "at most"
-        return f"expected {bound} {context.get('ge', context.get('le'))}, found {_found(value, written)}"
+        return f"expected {bound} {context.get('ge', context.get('le'))}, found {_described(value, written)}"
     if kind == "too_short":
         return f"nothing is there; add at least one entry, such as {example}"
     if kind == "string_too_long":
         return f"too long: {len(value)} characters, at most {context['max_length']} are allowed"
-    return f"{otherwise[:1].lower()}{otherwise[1:]}, found {_found(value, written)}"
+    return f"{otherwise[:1].lower()}{otherwise[1:]}, found {_described(value, written)}"
 
 
 _EXPECTED = {
@@ -142,7 +142,7 @@ _EXPECTED = {
 }
 
 
-def _found(value: Any, written: str = "") -> str:
+def _described(value: Any, written: str = "") -> str:
     if value is None:
         return "nothing"
     if isinstance(value, Mapping):
