@@ -298,10 +298,10 @@ target "part-cuda-cu128" {
     "io.rosml.python"                      = "any"
     "io.rosml.cuda"                        = "12.8.90"
     "io.rosml.cudnn"                       = "9.10.2.21"
-    "io.rosml.gpu.driver"                  = "525"
     "io.rosml.brings"                      = "cuda:cuda:CUDA cudnn::"
     "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.frameworks"                  = "cuda=cuda* torch=cuda*,common,torch tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.gpu.driver"                  = "525"
   }
   tags = [
     "${REGISTRY}/part:cuda-cu128"
@@ -332,10 +332,10 @@ target "part-cuda-cu130" {
     "io.rosml.python"                      = "any"
     "io.rosml.cuda"                        = "13.0.96"
     "io.rosml.cudnn"                       = "9.24.0.43"
-    "io.rosml.gpu.driver"                  = "580"
     "io.rosml.brings"                      = "cuda:cuda:CUDA cudnn::"
     "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.frameworks"                  = "cuda=cuda* torch=cuda*,common,torch"
+    "io.rosml.gpu.driver"                  = "580"
   }
   tags = [
     "${REGISTRY}/part:cuda-cu130"
@@ -398,10 +398,10 @@ target "part-cuda-cu132" {
     "io.rosml.python"                      = "any"
     "io.rosml.cuda"                        = "13.2.86"
     "io.rosml.cudnn"                       = "9.26.0.51"
-    "io.rosml.gpu.driver"                  = "580"
     "io.rosml.brings"                      = "cuda:cuda:CUDA cudnn::"
     "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.frameworks"                  = "cuda=cuda* torch=cuda*,common,torch"
+    "io.rosml.gpu.driver"                  = "580"
   }
   tags = [
     "${REGISTRY}/part:cuda-cu132"
@@ -464,10 +464,10 @@ target "part-cuda-cu121" {
     "io.rosml.python"                      = "any"
     "io.rosml.cuda"                        = "12.1.105"
     "io.rosml.cudnn"                       = "9.1.0.70"
-    "io.rosml.gpu.driver"                  = "525"
     "io.rosml.brings"                      = "cuda:cuda:CUDA cudnn::"
     "org.opencontainers.image.licenses"    = "LicenseRef-NVIDIA-Proprietary"
     "io.rosml.frameworks"                  = "cuda=cuda* torch=cuda*,common,torch"
+    "io.rosml.gpu.driver"                  = "525"
   }
   tags = [
     "${REGISTRY}/part:cuda-cu121"
@@ -530,11 +530,11 @@ target "part-torch-cu121-py38" {
     "io.rosml.stack"                       = "cu121"
     "io.rosml.python"                      = "3.8"
     "io.rosml.torch"                       = "2.4.1"
-    "io.rosml.gpu.torch.amd64"             = "sm_50 sm_60 sm_70 sm_75 sm_80 sm_86 sm_90"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
+    "io.rosml.gpu.torch.amd64"             = "sm_50 sm_60 sm_70 sm_75 sm_80 sm_86 sm_90"
   }
   tags = [
     "${REGISTRY}/part:torch-cu121-py38"
@@ -629,11 +629,11 @@ target "part-onnxruntime-cu121-py38" {
     "io.rosml.stack"                       = "cu121"
     "io.rosml.python"                      = "3.8"
     "io.rosml.onnxruntime"                 = "1.19.2"
-    "io.rosml.gpu.onnxruntime.amd64"       = "sm_52 sm_60 sm_61 sm_70 sm_75 sm_80 compute_52 compute_60 compute_61 compute_70 compute_75 compute_80"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+    "io.rosml.gpu.onnxruntime.amd64"       = "sm_52 sm_60 sm_61 sm_70 sm_75 sm_80 compute_52 compute_60 compute_61 compute_70 compute_75 compute_80"
   }
   tags = [
     "${REGISTRY}/part:onnxruntime-cu121-py38"
@@ -859,11 +859,11 @@ target "part-torch-cu128-py310" {
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.10"
     "io.rosml.torch"                       = "2.10.0"
-    "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
   }
   tags = [
     "${REGISTRY}/part:torch-cu128-py310"
@@ -958,11 +958,11 @@ target "part-tensorflow-cu128-py310" {
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.10"
     "io.rosml.tensorflow"                  = "2.20.0"
-    "io.rosml.gpu.tensorflow.amd64"        = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
     "io.rosml.frameworks"                  = "tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.gpu.tensorflow.amd64"        = "sm_60 sm_70 sm_80 sm_89 compute_90"
   }
   tags = [
     "${REGISTRY}/part:tensorflow-cu128-py310"
@@ -1027,11 +1027,11 @@ target "part-onnxruntime-cu128-py310" {
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.10"
     "io.rosml.onnxruntime"                 = "1.23.2"
-    "io.rosml.gpu.onnxruntime.amd64"       = "sm_60 sm_70 sm_75 sm_80 sm_86 sm_90a compute_90"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+    "io.rosml.gpu.onnxruntime.amd64"       = "sm_60 sm_70 sm_75 sm_80 sm_86 sm_90a compute_90"
   }
   tags = [
     "${REGISTRY}/part:onnxruntime-cu128-py310"
@@ -1128,12 +1128,12 @@ target "part-torch-cu130-py310" {
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "3.10"
     "io.rosml.torch"                       = "2.14.1"
-    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
   }
   tags = [
     "${REGISTRY}/part:torch-cu130-py310"
@@ -1758,11 +1758,11 @@ target "part-torch-cu128-py312" {
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.12"
     "io.rosml.torch"                       = "2.10.0"
-    "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
   }
   tags = [
     "${REGISTRY}/part:torch-cu128-py312"
@@ -1824,11 +1824,11 @@ target "part-tensorflow-cu128-py312" {
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.12"
     "io.rosml.tensorflow"                  = "2.20.0"
-    "io.rosml.gpu.tensorflow.amd64"        = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
     "io.rosml.frameworks"                  = "tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.gpu.tensorflow.amd64"        = "sm_60 sm_70 sm_80 sm_89 compute_90"
   }
   tags = [
     "${REGISTRY}/part:tensorflow-cu128-py312"
@@ -1859,11 +1859,11 @@ target "part-onnxruntime-cu128-py312" {
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.12"
     "io.rosml.onnxruntime"                 = "1.23.2"
-    "io.rosml.gpu.onnxruntime.amd64"       = "sm_60 sm_70 sm_75 sm_80 sm_86 sm_90a compute_90"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+    "io.rosml.gpu.onnxruntime.amd64"       = "sm_60 sm_70 sm_75 sm_80 sm_86 sm_90a compute_90"
   }
   tags = [
     "${REGISTRY}/part:onnxruntime-cu128-py312"
@@ -1960,12 +1960,12 @@ target "part-torch-cu130-py312" {
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "3.12"
     "io.rosml.torch"                       = "2.14.1"
-    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
   }
   tags = [
     "${REGISTRY}/part:torch-cu130-py312"
@@ -2064,12 +2064,12 @@ target "part-onnxruntime-cu130-py312" {
     "io.rosml.python"                      = "3.12"
     "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
-    "io.rosml.gpu.onnxruntime.amd64"       = "sm_75 sm_80 sm_86 sm_89 sm_90a sm_120a"
-    "io.rosml.gpu.onnxruntime.arm64"       = "sm_89 sm_90a sm_120a sm_121a"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+    "io.rosml.gpu.onnxruntime.amd64"       = "sm_75 sm_80 sm_86 sm_89 sm_90a sm_120a"
+    "io.rosml.gpu.onnxruntime.arm64"       = "sm_89 sm_90a sm_120a sm_121a"
   }
   tags = [
     "${REGISTRY}/part:onnxruntime-cu130-py312"
@@ -2203,12 +2203,12 @@ target "part-torch-cu132-py312" {
     "io.rosml.stack"                       = "cu132"
     "io.rosml.python"                      = "3.12"
     "io.rosml.torch"                       = "2.15.0"
-    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
   }
   tags = [
     "${REGISTRY}/part:torch-cu132-py312"
@@ -2307,12 +2307,12 @@ target "part-onnxruntime-cu132-py312" {
     "io.rosml.python"                      = "3.12"
     "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
-    "io.rosml.gpu.onnxruntime.amd64"       = "sm_75 sm_80 sm_86 sm_89 sm_90a sm_120a"
-    "io.rosml.gpu.onnxruntime.arm64"       = "sm_89 sm_90a sm_120a sm_121a"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+    "io.rosml.gpu.onnxruntime.amd64"       = "sm_75 sm_80 sm_86 sm_89 sm_90a sm_120a"
+    "io.rosml.gpu.onnxruntime.arm64"       = "sm_89 sm_90a sm_120a sm_121a"
   }
   tags = [
     "${REGISTRY}/part:onnxruntime-cu132-py312"
@@ -2644,11 +2644,11 @@ target "part-torch-cu128-py314" {
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.14"
     "io.rosml.torch"                       = "2.10.0"
-    "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
   }
   tags = [
     "${REGISTRY}/part:torch-cu128-py314"
@@ -2776,12 +2776,12 @@ target "part-torch-cu130-py314" {
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "3.14"
     "io.rosml.torch"                       = "2.14.1"
-    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
   }
   tags = [
     "${REGISTRY}/part:torch-cu130-py314"
@@ -2844,12 +2844,12 @@ target "part-onnxruntime-cu130-py314" {
     "io.rosml.python"                      = "3.14"
     "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
-    "io.rosml.gpu.onnxruntime.amd64"       = "sm_75 sm_80 sm_86 sm_89 sm_90a sm_120a"
-    "io.rosml.gpu.onnxruntime.arm64"       = "sm_89 sm_90a sm_120a sm_121a"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+    "io.rosml.gpu.onnxruntime.amd64"       = "sm_75 sm_80 sm_86 sm_89 sm_90a sm_120a"
+    "io.rosml.gpu.onnxruntime.arm64"       = "sm_89 sm_90a sm_120a sm_121a"
   }
   tags = [
     "${REGISTRY}/part:onnxruntime-cu130-py314"
@@ -2983,12 +2983,12 @@ target "part-torch-cu132-py314" {
     "io.rosml.stack"                       = "cu132"
     "io.rosml.python"                      = "3.14"
     "io.rosml.torch"                       = "2.15.0"
-    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
   }
   tags = [
     "${REGISTRY}/part:torch-cu132-py314"
@@ -3051,12 +3051,12 @@ target "part-onnxruntime-cu132-py314" {
     "io.rosml.python"                      = "3.14"
     "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
-    "io.rosml.gpu.onnxruntime.amd64"       = "sm_75 sm_80 sm_86 sm_89 sm_90a sm_120a"
-    "io.rosml.gpu.onnxruntime.arm64"       = "sm_89 sm_90a sm_120a sm_121a"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+    "io.rosml.gpu.onnxruntime.amd64"       = "sm_75 sm_80 sm_86 sm_89 sm_90a sm_120a"
+    "io.rosml.gpu.onnxruntime.arm64"       = "sm_89 sm_90a sm_120a sm_121a"
   }
   tags = [
     "${REGISTRY}/part:onnxruntime-cu132-py314"
@@ -3320,11 +3320,11 @@ target "part-torch-cu128-py311" {
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.11"
     "io.rosml.torch"                       = "2.10.0"
-    "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
   }
   tags = [
     "${REGISTRY}/part:torch-cu128-py311"
@@ -3386,11 +3386,11 @@ target "part-tensorflow-cu128-py311" {
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.11"
     "io.rosml.tensorflow"                  = "2.20.0"
-    "io.rosml.gpu.tensorflow.amd64"        = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
     "io.rosml.frameworks"                  = "tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.gpu.tensorflow.amd64"        = "sm_60 sm_70 sm_80 sm_89 compute_90"
   }
   tags = [
     "${REGISTRY}/part:tensorflow-cu128-py311"
@@ -3421,11 +3421,11 @@ target "part-onnxruntime-cu128-py311" {
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.11"
     "io.rosml.onnxruntime"                 = "1.23.2"
-    "io.rosml.gpu.onnxruntime.amd64"       = "sm_60 sm_70 sm_75 sm_80 sm_86 sm_90a compute_90"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+    "io.rosml.gpu.onnxruntime.amd64"       = "sm_60 sm_70 sm_75 sm_80 sm_86 sm_90a compute_90"
   }
   tags = [
     "${REGISTRY}/part:onnxruntime-cu128-py311"
@@ -3522,12 +3522,12 @@ target "part-torch-cu130-py311" {
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "3.11"
     "io.rosml.torch"                       = "2.14.1"
-    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
   }
   tags = [
     "${REGISTRY}/part:torch-cu130-py311"
@@ -3590,12 +3590,12 @@ target "part-onnxruntime-cu130-py311" {
     "io.rosml.python"                      = "3.11"
     "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
-    "io.rosml.gpu.onnxruntime.amd64"       = "sm_75 sm_80 sm_86 sm_89 sm_90a sm_120a"
-    "io.rosml.gpu.onnxruntime.arm64"       = "sm_89 sm_90a sm_120a sm_121a"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+    "io.rosml.gpu.onnxruntime.amd64"       = "sm_75 sm_80 sm_86 sm_89 sm_90a sm_120a"
+    "io.rosml.gpu.onnxruntime.arm64"       = "sm_89 sm_90a sm_120a sm_121a"
   }
   tags = [
     "${REGISTRY}/part:onnxruntime-cu130-py311"
@@ -3729,12 +3729,12 @@ target "part-torch-cu132-py311" {
     "io.rosml.stack"                       = "cu132"
     "io.rosml.python"                      = "3.11"
     "io.rosml.torch"                       = "2.15.0"
-    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
   }
   tags = [
     "${REGISTRY}/part:torch-cu132-py311"
@@ -3797,12 +3797,12 @@ target "part-onnxruntime-cu132-py311" {
     "io.rosml.python"                      = "3.11"
     "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
-    "io.rosml.gpu.onnxruntime.amd64"       = "sm_75 sm_80 sm_86 sm_89 sm_90a sm_120a"
-    "io.rosml.gpu.onnxruntime.arm64"       = "sm_89 sm_90a sm_120a sm_121a"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+    "io.rosml.gpu.onnxruntime.amd64"       = "sm_75 sm_80 sm_86 sm_89 sm_90a sm_120a"
+    "io.rosml.gpu.onnxruntime.arm64"       = "sm_89 sm_90a sm_120a sm_121a"
   }
   tags = [
     "${REGISTRY}/part:onnxruntime-cu132-py311"
@@ -4134,11 +4134,11 @@ target "part-torch-cu128-py313" {
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.13"
     "io.rosml.torch"                       = "2.10.0"
-    "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
   }
   tags = [
     "${REGISTRY}/part:torch-cu128-py313"
@@ -4200,11 +4200,11 @@ target "part-tensorflow-cu128-py313" {
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.13"
     "io.rosml.tensorflow"                  = "2.20.0"
-    "io.rosml.gpu.tensorflow.amd64"        = "sm_60 sm_70 sm_80 sm_89 compute_90"
     "io.rosml.brings"                      = "tensorflow:tf:TensorFlow"
     "io.rosml.release"                     = "tensorflow"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND BSD-2-Clause AND BSD-3-Clause AND MIT AND MPL-2.0 AND PSF-2.0"
     "io.rosml.frameworks"                  = "tensorflow=cuda*,common,grpc,tensorflow-cc*,tensorflow ml=cuda*,common,grpc,torch,tensorflow-cc*,tensorflow"
+    "io.rosml.gpu.tensorflow.amd64"        = "sm_60 sm_70 sm_80 sm_89 compute_90"
   }
   tags = [
     "${REGISTRY}/part:tensorflow-cu128-py313"
@@ -4235,11 +4235,11 @@ target "part-onnxruntime-cu128-py313" {
     "io.rosml.stack"                       = "cu128"
     "io.rosml.python"                      = "3.13"
     "io.rosml.onnxruntime"                 = "1.23.2"
-    "io.rosml.gpu.onnxruntime.amd64"       = "sm_60 sm_70 sm_75 sm_80 sm_86 sm_90a compute_90"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+    "io.rosml.gpu.onnxruntime.amd64"       = "sm_60 sm_70 sm_75 sm_80 sm_86 sm_90a compute_90"
   }
   tags = [
     "${REGISTRY}/part:onnxruntime-cu128-py313"
@@ -4336,12 +4336,12 @@ target "part-torch-cu130-py313" {
     "io.rosml.stack"                       = "cu130"
     "io.rosml.python"                      = "3.13"
     "io.rosml.torch"                       = "2.14.1"
-    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
   }
   tags = [
     "${REGISTRY}/part:torch-cu130-py313"
@@ -4404,12 +4404,12 @@ target "part-onnxruntime-cu130-py313" {
     "io.rosml.python"                      = "3.13"
     "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
-    "io.rosml.gpu.onnxruntime.amd64"       = "sm_75 sm_80 sm_86 sm_89 sm_90a sm_120a"
-    "io.rosml.gpu.onnxruntime.arm64"       = "sm_89 sm_90a sm_120a sm_121a"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+    "io.rosml.gpu.onnxruntime.amd64"       = "sm_75 sm_80 sm_86 sm_89 sm_90a sm_120a"
+    "io.rosml.gpu.onnxruntime.arm64"       = "sm_89 sm_90a sm_120a sm_121a"
   }
   tags = [
     "${REGISTRY}/part:onnxruntime-cu130-py313"
@@ -4543,12 +4543,12 @@ target "part-torch-cu132-py313" {
     "io.rosml.stack"                       = "cu132"
     "io.rosml.python"                      = "3.13"
     "io.rosml.torch"                       = "2.15.0"
-    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
-    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
     "io.rosml.brings"                      = "torch:torch:PyTorch"
     "io.rosml.release"                     = "torch"
     "org.opencontainers.image.licenses"    = "Apache-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSD-3-Clause AND BSL-1.0 AND MIT AND MIT-CMU AND PSF-2.0"
     "io.rosml.frameworks"                  = "torch=cuda*,common,torch"
+    "io.rosml.gpu.torch.amd64"             = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "io.rosml.gpu.torch.arm64"             = "sm_80 sm_90 sm_100 sm_110 sm_120"
   }
   tags = [
     "${REGISTRY}/part:torch-cu132-py313"
@@ -4611,12 +4611,12 @@ target "part-onnxruntime-cu132-py313" {
     "io.rosml.python"                      = "3.13"
     "io.rosml.onnxruntime"                 = "1.31.1"
     "io.rosml.onnxruntime.environment"     = "ORT_DISABLE_TELEMETRY=1"
-    "io.rosml.gpu.onnxruntime.amd64"       = "sm_75 sm_80 sm_86 sm_89 sm_90a sm_120a"
-    "io.rosml.gpu.onnxruntime.arm64"       = "sm_89 sm_90a sm_120a sm_121a"
     "io.rosml.brings"                      = "onnxruntime:onnx:onnxruntime"
     "io.rosml.release"                     = "onnxruntime"
     "org.opencontainers.image.licenses"    = "MIT"
     "io.rosml.addons"                      = "onnx=cuda*,common,grpc,onnxruntime-cc*,onnxruntime"
+    "io.rosml.gpu.onnxruntime.amd64"       = "sm_75 sm_80 sm_86 sm_89 sm_90a sm_120a"
+    "io.rosml.gpu.onnxruntime.arm64"       = "sm_89 sm_90a sm_120a sm_121a"
   }
   tags = [
     "${REGISTRY}/part:onnxruntime-cu132-py313"

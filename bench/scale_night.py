@@ -24,7 +24,7 @@ from rosml.images.builds import disk
 from rosml.images.image_set import load
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix import rules, source
-from rosml.images.matrix.model import Size
+from rosml.images.matrix.sizes import Size
 from rosml.images.publish.prune import Pruner
 from rosml.images.publish.shards import Shard, Work, deal
 from rosml.images.publish.steps import join

@@ -134,7 +134,7 @@ def archive(files: Sequence[str], content: str) -> bytes:
 def ros(distribution: str = "ros1-bookworm", component: str = "core", python: str = "3.11", **more: object) -> Tiny:
     """A ROS image. `more`: what else `Tiny` has."""
     said = {
-        **labels.about_image(distribution, component, "1", "none", None, []),
+        **labels.about_image(labels.ImageKind(distribution, component, "1"), []),
         "org.opencontainers.image.licenses": "Apache-2.0",
         "io.rosml.distribution": distribution,
         "io.rosml.framework": "none",
@@ -166,7 +166,7 @@ def part(
     python = ANY_PYTHON if entry.any_python else python
     brought = [replace(item, version=versions[item.name]) for item in rules.brought_by(entry) if item.name in versions]
     gpu = {} if stack.startswith("cpu") else GPU.get(kind)
-    said = labels.of_part(entry, stack, python, brought, taking, gpu, adding)
+    said = labels.of_part(entry, stack, python, brought, taking, adding) | labels.about_gpus(gpu or {})
     return Tiny(said, **{"files": (f"usr/local/share/{kind}",), **more})  # type: ignore[arg-type]
 
 

@@ -66,7 +66,7 @@ def night(mini: Mini, date: str) -> None:
     for item in state.items:
         image = item.thing
         assert isinstance(image, Image)
-        said = labels.about_image(image.distribution, image.component, "1", "none", None, [])
+        said = labels.about_image(labels.ImageKind(image.distribution, image.component, "1"), [])
         said |= {f"org.opencontainers.image.{name}": text for name, text in FACTS.items()}
         path = book.place.path(item.repository)
         digest, size = Tiny(said, salt=date).put_manifest(client, path, f"linux/{HERE}")

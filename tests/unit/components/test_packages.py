@@ -10,7 +10,7 @@ import pytest
 from conftest import ROOT
 from packaging.requirements import Requirement
 
-from rosml.images.matrix.model import SLOTS
+from rosml.images.matrix.patterns import SLOTS
 
 SITE = "usr/local/lib/python3.11/dist-packages"
 LOCK = """\

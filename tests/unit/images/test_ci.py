@@ -26,7 +26,7 @@ from rosml.images.builds import disk
 from rosml.images.image_set import locked, missing
 from rosml.images.image_set.model import ImageSet
 from rosml.images.locks.resolve import Move
-from rosml.images.matrix.model import Size
+from rosml.images.matrix.sizes import Size
 from rosml.images.publish import revision
 from rosml.images.publish.plan import Plan, make_plan, read_plan
 from rosml.images.publish.steps import STEPS

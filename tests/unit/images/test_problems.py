@@ -11,6 +11,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError, Problem, dotted, listed, near
 from rosml.images.image_set import load
 from rosml.images.matrix import model, source
+from rosml.images.matrix.patterns import MEANING
 
 ZEROS = "sha256:" + "1" * 64
 
@@ -715,7 +716,7 @@ def test_every_pattern_has_a_meaning() -> None:
     """Without it a wrong value of that kind says only that text was expected."""
     found = patterns(model.Matrix.model_json_schema())
     assert len(found) > 10
-    assert found - model.MEANING.keys() == set()
+    assert found - MEANING.keys() == set()
 
 
 def test_what_is_nested_without_end() -> None:

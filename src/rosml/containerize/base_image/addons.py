@@ -21,7 +21,8 @@ from rosml.images.join.joiner import Joiner
 from rosml.images.join.layers import Source
 from rosml.images.join.transfer import Transfer
 from rosml.images.matrix import extends, names, rules
-from rosml.images.matrix.model import ANY_PYTHON, NAME, Matrix
+from rosml.images.matrix.model import ANY_PYTHON, Matrix
+from rosml.images.matrix.patterns import NAME
 from rosml.images.matrix.validate import validate
 from rosml.machine.services import NAMESPACE, Services
 from rosml.registry import references

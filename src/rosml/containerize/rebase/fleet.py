@@ -25,8 +25,8 @@ from rosml.containerize.rebase import image
 from rosml.containerize.rebase.rebaser import Plan, Rebased, Rebaser
 from rosml.containerize.rebase.trial import Pair
 from rosml.images.matrix import source, validate
-from rosml.images.matrix.model import Facts
 from rosml.images.matrix.names import DATED, dated
+from rosml.images.matrix.patterns import Facts
 from rosml.images.records import tag_moves
 from rosml.images.records.store import Records
 from rosml.images.records.tag_moves import Move

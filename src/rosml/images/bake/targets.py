@@ -274,13 +274,10 @@ def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
         **{f"{labels.PREFIX}{item.name}": item.version for item in image.brought},
         **labels.about_gpus(image.gpu),
         **labels.about_image(
-            image.distribution,
-            image.component,
-            str(image.ros),
-            image.framework,
-            image.stack,
+            labels.ImageKind(
+                image.distribution, image.component, str(image.ros), image.framework, image.stack, image.addons
+            ),
             image.brought,
-            image.addons,
         ),
     }
     if runtime := rules.runtime(matrix, image.distribution, image.component):
@@ -334,7 +331,8 @@ def _part(matrix: Matrix, part: Part) -> Iterator[tuple[str, Target]]:
         for name, kinds in rules.addons(matrix, part.stack).items()
         if part.kind in matrix.addons[name].parts
     }
-    found = labels.of_part(matrix.part[part.kind], part.stack, part.python, brought, taking, gpu, adding)
+    found = labels.of_part(matrix.part[part.kind], part.stack, part.python, brought, taking, adding)
+    found |= labels.about_gpus(gpu)
     yield names.files_target(part.name), Target("part-files", contexts, arguments, part.platforms)
     tags = (f"{PARTS}:{part.name}",)
     yield part.target, Target("part", contexts, arguments, part.platforms, tags, found)

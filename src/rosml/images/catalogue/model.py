@@ -13,7 +13,7 @@ from pydantic import ConfigDict, Field
 from rosml.base.shapes import Shape
 from rosml.images.image_set import missing
 from rosml.images.image_set.model import Image as Wanted
-from rosml.images.matrix.model import DIGEST
+from rosml.images.matrix.patterns import DIGEST
 from rosml.images.scan.policy import ADVISORY, LONGEST, Severity
 
 FORMAT = 1

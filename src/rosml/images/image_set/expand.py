@@ -9,8 +9,9 @@ from functools import cached_property
 from rosml.images.image_set import labels
 from rosml.images.image_set.model import Image, ImageSet, Part, Wheels
 from rosml.images.matrix import names, rules
-from rosml.images.matrix.model import ANY_PYTHON, Distribution, Framework, Matrix, Size
+from rosml.images.matrix.model import ANY_PYTHON, Distribution, Framework, Matrix
 from rosml.images.matrix.rules import Brought
+from rosml.images.matrix.sizes import Size
 
 
 def expand(matrix: Matrix) -> ImageSet:

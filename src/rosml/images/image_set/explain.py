@@ -101,9 +101,7 @@ def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.en
     if reason := why_not(image_set, name):
         return Explained(name, False, (reason,))
     text = unknown("image", name, _alike(image_set, name))
-    suggestion = (
-        f"; for an image of your own: rosml explain {name} --addons onnx" if re.search("[:/]", name) else ""
-    )
+    suggestion = f"; for an image of your own: rosml explain {name} --addons onnx" if re.search("[:/]", name) else ""
     raise RosmlError(text, f"see all with: rosml list{suggestion}", exit_code=2)
 
 

@@ -7,10 +7,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple
 
 from rosml.images.image_set.model import Image, Part
 from rosml.images.matrix import names
-from rosml.images.matrix.model import ANY_PYTHON, VARIABLE, PartEntry
+from rosml.images.matrix.model import ANY_PYTHON, PartEntry
+from rosml.images.matrix.patterns import VARIABLE
 from rosml.images.matrix.rules import Brought
 
 PREFIX = "io.rosml."
@@ -64,26 +66,25 @@ COVERED = f"{PREFIX}sbom."
 """The prefix of an image's annotations in its index that name the SBOMs of its ROS image and parts, by repository and digest."""
 
 
-def about_image(
-    distribution: str,
-    component: str,
-    ros: str,
-    framework: str,
-    stack: str | None,
-    brought: Sequence[Brought],
-    addons: Sequence[str] = (),
-) -> dict[str, str]:
-    """The labels that describe an image to people.
+class ImageKind(NamedTuple):
+    """What an image is, in the words of the matrix; `ros` is 1 or 2."""
 
-    Args:
-        brought: its software, in the order of the environment.
-    """
+    distribution: str
+    component: str
+    ros: str
+    framework: str = "none"
+    stack: str | None = None
+    addons: Sequence[str] = ()
+
+
+def about_image(image: ImageKind, brought: Sequence[Brought]) -> dict[str, str]:
+    """The labels that describe an image to people. `brought` is its software, in the order of the environment."""
     carried = [f"{item.title} {item.version}" for item in brought if item.title]
     return {
-        TITLE: names.image_target(distribution, component, framework, stack, addons),
-        DESCRIPTION: ", ".join([f"ROS {ros} {component} ({distribution})", *carried]),
-        VERSION: names.spelled_tag(names.main_tag(distribution, component, stack), spelled(brought)),
-        f"{PREFIX}component": component,
+        TITLE: names.image_target(image.distribution, image.component, image.framework, image.stack, image.addons),
+        DESCRIPTION: ", ".join([f"ROS {image.ros} {image.component} ({image.distribution})", *carried]),
+        VERSION: names.spelled_tag(names.main_tag(image.distribution, image.component, image.stack), spelled(brought)),
+        f"{PREFIX}component": image.component,
     }
 
 
@@ -153,16 +154,14 @@ def of_part(
     python: str,
     brought: Sequence[Brought],
     frameworks: Mapping[str, Sequence[PartEntry]],
-    gpu: Mapping[str, str] | None = None,
     addons: Mapping[str, Sequence[PartEntry]] | None = None,
 ) -> dict[str, str]:
-    """The labels of a part.
+    """The labels of a part, without those of `about_gpus`.
 
     Args:
         python: its version of Python; `any` if the part fits every Python.
         brought: its software.
         frameworks: the parts of every framework that takes this one.
-        gpu: its facts about GPUs.
         addons: the add-on whose own part it is, with the parts that this one needs.
     """
     pythons = "any Python" if python == ANY_PYTHON else f"Python {python}"
@@ -174,7 +173,6 @@ def of_part(
         f"{PREFIX}python": python,
         **{f"{PREFIX}{item.name}": item.version for item in brought},
         **{_needs(item.name): _pairs(item.environment) for item in brought if item.environment},
-        **about_gpus(gpu or {}),
         **({BRINGS: called(brought)} if brought else {}),
         **({RELEASE: entry.release} if entry.release else {}),
         **licensed([entry]),

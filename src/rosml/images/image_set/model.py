@@ -8,8 +8,9 @@ from functools import cached_property
 from rosml.base.errors import RosmlError
 from rosml.base.problems import unknown
 from rosml.images.matrix import names
-from rosml.images.matrix.model import Matrix, Size
+from rosml.images.matrix.model import Matrix
 from rosml.images.matrix.rules import Brought
+from rosml.images.matrix.sizes import Size
 
 PARTS = "part"
 """The repository of parts, without the registry's prefix."""

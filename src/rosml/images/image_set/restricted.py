@@ -17,7 +17,8 @@ from rosml.base.problems import some
 from rosml.images.image_set.labels import RESTRICTED
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix import extends, registries
-from rosml.images.matrix.model import HOST, NAME, Matrix
+from rosml.images.matrix.model import Matrix
+from rosml.images.matrix.patterns import HOST, NAME
 from rosml.images.matrix.validate import validate
 
 VARIABLE = "ROSML_PRIVATE"

@@ -7,7 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from rosml.base.errors import RosmlError
 from rosml.images.image_set import labels
-from rosml.images.matrix.model import ANY_PYTHON, NAME, PYTHON, WORD
+from rosml.images.matrix.model import ANY_PYTHON
+from rosml.images.matrix.patterns import NAME, PYTHON, WORD
 
 MOST = 64
 """How many parts or add-ons an image has at most, and how much software a part."""

@@ -348,8 +348,8 @@ def _brought(parts: Sequence[Source]) -> tuple[Brought, ...]:
 
 
 def _labels(ros: Source, content: _Content, stack: str, brought: Sequence[Brought]) -> dict[str, str]:
-    place = ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT], ros.labels[_ROS], content.framework, stack
-    named = labels.about_image(*place, brought, content.addons)
+    place = ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT], ros.labels[_ROS]
+    named = labels.about_image(labels.ImageKind(*place, content.framework, stack, content.addons), brought)
     if content.there:
         named[labels.VERSION] = names.spelled_tag(ros.labels.get(labels.VERSION, ""), labels.spelled(brought))
         titles = [f"{item.title} {item.version}" for item in brought if item.title]

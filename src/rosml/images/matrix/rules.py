@@ -9,7 +9,8 @@ from functools import wraps
 from typing import Concatenate, ParamSpec, TypeVar
 
 from rosml.base.problems import listed
-from rosml.images.matrix.model import Framework, Matrix, PartEntry, Release, RosArchive, Size, Stack
+from rosml.images.matrix.model import Framework, Matrix, PartEntry, Release, RosArchive, Stack
+from rosml.images.matrix.sizes import Size
 
 NVIDIA = ("cuda", "cudnn", "nccl")
 """A stack's facts of CUDA."""

@@ -11,7 +11,8 @@ from typing import Any, TypeVar, Union, get_args, get_origin
 from pydantic import BaseModel, ValidationError
 
 from rosml.base.problems import InputError, KeyPath, Problem, listed, near
-from rosml.images.matrix.model import MEANING, Matrix
+from rosml.images.matrix.model import Matrix
+from rosml.images.matrix.patterns import MEANING
 from rosml.images.matrix.references import findings
 from rosml.images.matrix.source import Document
 
@@ -79,17 +80,13 @@ def _problem(document: Document, error: Any, top: type[BaseModel], meaning: Mapp
         return document.problem(path[:-1], f"'{path[-1]}' is missing; add '{path[-1]}: …'{_purpose(path, top)}")
     if kind == "extra_forbidden":
         return document.problem(path, _join(f"unknown key {path[-1]!r}", near(str(path[-1]), _fields(path[:-1], top))))
-    context, value = error.get("ctx", {}), error["input"]
-    if of_key:
-        value = path[-1]
+    value = path[-1] if of_key else error["input"]
     written = document.place(path).text if not of_key else ""
     pattern = _pattern(path, top)
     scalar = not isinstance(value, (tuple, Mapping))
     if kind == "string_type" and scalar and pattern in meaning and not re.search(pattern, written):  # in quotes neither
         return document.problem(path, f"expected {meaning[pattern]}, found {_described(value, written)}")
-    return document.problem(
-        path, _complaint(kind, context, value, written, error["msg"], meaning, _example(path, kind, top))
-    )
+    return document.problem(path, _complaint(error, value, written, meaning, _example(path, kind, top)))
 
 
 def _first_errors(details: Sequence[Any]) -> list[Any]:
@@ -98,16 +95,9 @@ def _first_errors(details: Sequence[Any]) -> list[Any]:
     return [detail for detail in details if detail["type"] != "too_short" or detail["loc"] not in around]
 
 
-def _complaint(
-    kind: str,
-    context: Mapping[str, Any],
-    value: Any,
-    written: str,
-    otherwise: str,
-    meaning: Mapping[str, str],
-    example: str,
-) -> str:
+def _complaint(error: Any, value: Any, written: str, meaning: Mapping[str, str], example: str) -> str:
     """One sentence: what was expected, what was found, and a remedy."""
+    kind, context, otherwise = error["type"], error.get("ctx", {}), error["msg"]
     if kind == "string_type":
         quoted = isinstance(value, (int, float, date)) and written
         remedy = f'write it in quotes: "{written}"' if quoted else ""

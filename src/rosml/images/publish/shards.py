@@ -18,7 +18,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.shapes import Shape
 from rosml.images.builds import disk
 from rosml.images.image_set.model import Image, ImageSet
-from rosml.images.matrix.model import Size
+from rosml.images.matrix.sizes import Size
 
 Named = Annotated[tuple[str, ...], Field(min_length=1)]
 """Names, at least one: an empty list would mean all."""

@@ -20,7 +20,7 @@ from rosml.images.bake.inputs import TARGET, Inputs
 from rosml.images.builds import base_images, contents, package_state
 from rosml.images.image_set import missing
 from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
-from rosml.images.matrix.model import Size
+from rosml.images.matrix.sizes import Size
 from rosml.images.records.store import INDEX, Entry, Records
 from rosml.machine.services import Services
 from rosml.registry.place import Place

@@ -13,7 +13,7 @@ from pydantic import BeforeValidator, Field
 
 from rosml.base.problems import Problem
 from rosml.images.matrix import source, validate
-from rosml.images.matrix.model import Facts, only_whole
+from rosml.images.matrix.patterns import Facts, only_whole
 
 LONGEST = 128
 """The most characters of each thing that the records say about a finding; the policy's reasons may be longer."""
