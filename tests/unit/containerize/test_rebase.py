@@ -34,7 +34,7 @@ from fakes.stubs import script_of_a_build
 from rosml.base.errors import RosmlError
 from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME, LOCK, REPLACED
 from rosml.containerize.lock import Image, Lock
-from rosml.containerize.rebase import checks, image, variants
+from rosml.containerize.rebase import compatibility, image, variants
 from rosml.images.join import facts, file_lists
 from rosml.images.scan import sbom
 from rosml.registry import oci
@@ -284,7 +284,7 @@ def test_packages_that_are_gone_matter_to_an_app_with_python(place: Place, more:
     ],
 )
 def test_modules_in_a_list_of_files(path: str, name: str) -> None:
-    assert checks.modules_of([path]) == ({name} if name else set())
+    assert compatibility.modules_of([path]) == ({name} if name else set())
 
 
 def test_a_file_whose_name_is_no_unicode_is_found_in_a_base_image(place: Place) -> None:
@@ -350,7 +350,7 @@ def test_a_library_changed(place: Place, library_now: dict[str, Any], verdict: s
     others = [item for item in BASE_FACTS["libraries"] if item["path"] != library_now["path"]]
     new = place.base("newer", changed(BASE_FACTS, libraries=[*others, library_now]))
     _, plan = place.plan(place.app(place.base()), new)
-    assert place.rebase(plan.named, new).verdict == verdict
+    assert place.rebase(plan.app_name, new).verdict == verdict
     assert all("librclcpp.so changed" in reason for reason in plan.judgement.reasons)
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shutil
 import subprocess
-from types import SimpleNamespace
 
 import pytest
 from hypothesis import given, settings
@@ -70,11 +69,11 @@ def test_any_versions_have_the_order_of_dpkg(one: str, other: str) -> None:
     debian.compare(one, other)  # and anything ends without an error
 
 
-def package(name: str, version: str = "1.0", provides: str = "", conflicts: str = "") -> debian.Package:
-    return SimpleNamespace(name=name, version=version, provides=provides, conflicts=conflicts)
+def package(name: str, version: str = "1.0", provides: str = "", conflicts: str = "") -> facts.Package:
+    return facts.Package(name=name, architecture="all", version=version, provides=provides, conflicts=conflicts)
 
 
-KNOWN = debian.Known(
+KNOWN = debian.PackageSet(
     [
         package("libboost1.74", "1.74.0-1", "libboost (= 1.74), boost-abi"),
         package("python3", "3.11.2-1"),
@@ -99,7 +98,7 @@ KNOWN = debian.Known(
     ],
 )
 def test_a_field_is_met(field: str, met: bool) -> None:
-    assert all(KNOWN.met(entry) for entry in debian.relations(field)) is met
+    assert all(KNOWN.meets(entry) for entry in debian.relations(field)) is met
 
 
 def test_packages_that_cannot_stand_together() -> None:
@@ -123,9 +122,9 @@ def test_packages_that_were_made_to_take_long(monkeypatch: pytest.MonkeyPatch) -
         facts.Package(name=f"b{number}", architecture="all", version="1", provides=", ".join(versions))
         for number in range(2)
     ]
-    known = debian.Known(base)
+    known = debian.PackageSet(base)
     with pytest.raises(ValueError, match="more often than any real ones"):
-        known.met(debian.relations(" | ".join(versions).replace("= ", "= x"))[0])
+        known.meets(debian.relations(" | ".join(versions).replace("= ", "= x"))[0])
     app = facts.Package(name="a", architecture="all", version="1", conflicts=", ".join("v (<< 0)" for _ in versions))
     with pytest.raises(ValueError, match="more often than any real ones"):
-        list(debian.Known(base).conflicts(app))
+        list(debian.PackageSet(base).conflicts(app))

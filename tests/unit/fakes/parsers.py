@@ -44,7 +44,8 @@ from rosml.containerize.init import forge, packages
 from rosml.containerize.packages import workspace
 from rosml.containerize.packages.conditions import holds
 from rosml.containerize.packages.ignored import LeftOut
-from rosml.containerize.rebase import checks, fleet, image, trial
+from rosml.containerize.rebase import compatibility, fleet, image, trial
+from rosml.containerize.rebase.attachments import BaseContents
 from rosml.containerize.sources import repos_file, tree, versions
 from rosml.containerize.sources import store as sources_store
 from rosml.delivery import archive, patch
@@ -717,7 +718,7 @@ def config_of(document: bytes, folder: Path) -> object:
         ),
         lambda: told.require(found.labels, "a"),
         lambda: restricted.parts_of(found.labels),
-        lambda: checks.require_fit(found, BASE_OF_APP),
+        lambda: compatibility.require_fit(found, BASE_OF_APP),
         lambda: image.moved(found, BASE_OF_APP, {}),
         lambda: image.moved(BASE_OF_APP, found, {}),
         lambda: image.require_unaltered(found, BASE_OF_APP),
@@ -737,8 +738,9 @@ def config_of(document: bytes, folder: Path) -> object:
 def judged(document: bytes, folder: Path) -> object:
     """Facts of an app, and of a base image."""
     found, other = facts.parse(gzip.compress(document, 1)), facts.Facts.model_validate(FACTS)
-    files = ({"c", "usr/lib/python3/dist-packages/a-1.dist-info/METADATA"}, {"usr"})
-    return [checks.judge(*items, files, ({}, {})) for items in ((found, other, other), (other, found, found))]
+    files = (frozenset({"c", "usr/lib/python3/dist-packages/a-1.dist-info/METADATA"}), frozenset({"usr"}))
+    pairs = ((found, other), (other, found))
+    return [compatibility.judge(app, base, BaseContents((), base, *files), {}, {}) for app, base in pairs]
 
 
 def lists_of_files(document: bytes, folder: Path) -> object:

@@ -17,7 +17,8 @@ from rosml.base.errors import RosmlError
 from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME, LOCK
 from rosml.containerize.lock import Image, Lock
 from rosml.containerize.rebase import image
-from rosml.containerize.rebase.rebaser import Plan, Rebased, Rebaser
+from rosml.containerize.rebase.plan import Plan, Rebased
+from rosml.containerize.rebase.rebaser import Rebaser
 from rosml.images.image_set.labels import APP, REVISION, TITLE
 from rosml.images.join import facts
 from rosml.images.join.joiner import Joiner
@@ -212,8 +213,7 @@ class Place:
         rebaser, plan = self.plan(app, base, tag, platforms)
         with rebaser:
             found = rebaser.push(plan, **more)
-            rebaser.move(plan, found)
-        return found
+            return rebaser.move(plan, found)
 
     def refused(self, *arguments: Any, code: int = 2) -> str:
         """The message with which a move is refused; no manifest was written."""

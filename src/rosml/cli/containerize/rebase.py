@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 from click.core import ParameterSource
@@ -19,16 +20,34 @@ from rosml.cli.command import say
 
 if TYPE_CHECKING:
     from rosml.containerize.rebase.fleet import Outcome
-    from rosml.containerize.rebase.rebaser import Plan, Rebased, Rebaser
+    from rosml.containerize.rebase.plan import Plan, Rebased
+    from rosml.containerize.rebase.rebaser import Rebaser
     from rosml.containerize.rebase.trial import Pair
     from rosml.machine.services import Services
+
+STATES = ("moved", "planned", "there", "held", "unaffected", "refused", "failed")
 
 KEPT = "interrupted: the old tag stands; the next call finds again what was pushed"
 """The message after Ctrl-C."""
 
-STATES = {name: name for name in ("moved", "planned", "there", "held", "unaffected", "refused", "failed")}
-STATES |= {"planned": "would move"}
-"""What became of an app, by the words for people."""
+
+@dataclass(frozen=True)
+class Call:
+    """The command line: its options and their values."""
+
+    app: str
+    base: str
+    tag: str
+    platforms: tuple[str, ...]
+    apps: Path | None
+    back: str | None
+    variants: str | None
+    fixes: str
+    check: str
+    command: str
+    no_sbom: bool
+    dry_run: bool
+    as_json: bool
 
 
 @click.command(
@@ -64,21 +83,7 @@ STATES |= {"planned": "would move"}
 @click.option("--no-sbom", is_flag=True, help="attach no SBOM to the new image")
 @click.option("--dry-run", is_flag=True, help="say what speaks against it, and change nothing")
 @options.JSON
-def main(
-    app: str,
-    base: str,
-    tag: str,
-    platforms: tuple[str, ...],
-    apps: Path | None,
-    back: str | None,
-    variants: str | None,
-    fixes: str,
-    check: str,
-    command: str,
-    no_sbom: bool,
-    dry_run: bool,
-    as_json: bool,
-) -> None:
+def main(**values: Any) -> None:
     """Puts APP on another base image, such as tonight's, and moves its tag there.
 
     APP is a run or slim image of 'rosml containerize' in a registry. The result is the image that a build of the same packages on that
@@ -94,123 +99,170 @@ def main(
       rosml rebase --all apps.yaml --dry-run
       rosml rebase --all apps.yaml --fixes CVE-2026-12345
     """
+    call = Call(**values)
+    _require_sense(call)
     from rosml.containerize.rebase.rebaser import Rebaser
     from rosml.machine.services import Services
     from rosml.registry.client import Registries
 
-    context = click.get_current_context()
-    for name in ("base", "tag"):
-        if not context.params[name] and context.get_parameter_source(name) is ParameterSource.COMMANDLINE:
-            raise RosmlError(f"--{name} is an empty word", "name an image, or leave the option out", exit_code=2)
-    if bool(command) != (check == "run"):
-        raise RosmlError("--check run and --command belong together", "give both, or neither", exit_code=2)
-    one = {
-        "APP": app,
-        "--base": base,
-        "--tag": tag,
-        "--platform": platforms,
-        "--command": command,
-        "--back": back is not None,
-        "--variants": variants is not None,
-        "--check": check != "auto",
-    }
-    given = [name for name, value in one.items() if value]
-    if variants is not None and (base or platforms):
-        raise RosmlError("--variants chooses base images and platforms by itself", "leave the other option out", 2)
-    if apps and given:
-        raise RosmlError(f"--all and {given[0]} exclude each other", "write what holds for an app into the file", 2)
-    if back is not None and (other := [name for name in given if name not in ("APP", "--back")]):
-        raise RosmlError(f"--back and {other[0]} exclude each other", "leave one of them out", exit_code=2)
-    if fixes and not apps:
-        raise RosmlError("--fixes looks at the apps of a file", "name it with --all apps.yaml", exit_code=2)
-    if not apps and not app:
-        raise RosmlError("no app is named", "name one, or a file of them with --all apps.yaml", exit_code=2)
     services = Services.load(ROOT, required=False)
     with Registries(services.ca_bundle) as registries, Rebaser(services, registries, say) as rebaser:
-        if apps:
-            _fleet(rebaser, apps, fixes, with_sbom=not no_sbom, dry_run=dry_run, as_json=as_json)
-            return
-        if back is not None:
-            found = [rebaser.back(app, back, dry_run)]
+        if call.apps:
+            _move_fleet(rebaser, call.apps, call)
+        elif call.back is not None:
+            _move_back(rebaser, call.back, call)
         else:
-            plans = (
-                [rebaser.plan(app, base, tag, platforms)]
-                if variants is None
-                else _variants(rebaser, app, variants, tag)
-            )
-            found = [_moved(rebaser, plan, check, command, not no_sbom, dry_run) for plan in plans]
-    if as_json:
-        documents = [item.to_json() for item in found]
-        terminal.echo(json.dumps(documents[0] if variants is None else documents, indent=2))
-    elif dry_run and back is not None:
-        terminal.echo(f"{found[0].reference} would point at {back}")
-    elif not dry_run:
-        for item in found:
-            _print(item)
+            _move_app(rebaser, call)
 
 
-def _variants(rebaser: Rebaser, app: str, stacks: str, tag: str) -> list[Plan]:
+def _require_sense(call: Call) -> None:
+    """Refuses options that exclude each other."""
+    context = click.get_current_context()
+    for name in ("base", "tag"):
+        if not getattr(call, name) and context.get_parameter_source(name) is ParameterSource.COMMANDLINE:
+            raise RosmlError(f"--{name} is an empty word", "name an image, or leave the option out", exit_code=2)
+    if bool(call.command) != (call.check == "run"):
+        raise RosmlError("--check run and --command belong together", "give both, or neither", exit_code=2)
+    for_one_app = {
+        "APP": call.app,
+        "--base": call.base,
+        "--tag": call.tag,
+        "--platform": call.platforms,
+        "--command": call.command,
+        "--back": call.back is not None,
+        "--variants": call.variants is not None,
+        "--check": call.check != "auto",
+    }
+    present = [name for name, value in for_one_app.items() if value]
+    if call.variants is not None and (call.base or call.platforms):
+        raise RosmlError("--variants chooses base images and platforms by itself", "leave the other option out", 2)
+    if call.apps and present:
+        raise RosmlError(f"--all and {present[0]} exclude each other", "write what holds for an app into the file", 2)
+    if call.back is not None and (others := [name for name in present if name not in ("APP", "--back")]):
+        raise RosmlError(f"--back and {others[0]} exclude each other", "leave one of them out", exit_code=2)
+    if call.fixes and not call.apps:
+        raise RosmlError("--fixes looks at the apps of a file", "name it with --all apps.yaml", exit_code=2)
+    if not call.apps and not call.app:
+        raise RosmlError("no app is named", "name one, or a file of them with --all apps.yaml", exit_code=2)
+
+
+# ---- One app ---------------------------------------------------------------------------------------------------------
+
+
+def _move_back(rebaser: Rebaser, digest: str, call: Call) -> None:
+    rebased = rebaser.back(call.app, digest, call.dry_run)
+    if call.as_json:
+        _print_json(rebased.to_json())
+    elif call.dry_run:
+        terminal.echo(f"{rebased.reference} would point at {digest}")
+    else:
+        _print(rebased)
+
+
+def _move_app(rebaser: Rebaser, call: Call) -> None:
+    """Moves an app, or makes its variants."""
     from rosml.containerize.names import listed
     from rosml.containerize.rebase import variants
 
-    return variants.plans(rebaser, app, listed(stacks), tag)
+    if call.variants is None:
+        plans = [rebaser.plan(call.app, call.base, call.tag, call.platforms)]
+    else:
+        plans = variants.plans(rebaser, call.app, listed(call.variants), call.tag)
+    moved = [_foreseen(plan) if call.dry_run else _carry_out(rebaser, plan, call) for plan in plans]
+    if call.as_json:
+        documents = [rebased.to_json() for rebased in moved]
+        _print_json(documents[0] if call.variants is None else documents)
+    elif not call.dry_run:
+        for rebased in moved:
+            _print(rebased)
 
 
-def _moved(rebaser: Rebaser, plan: Plan, check: str, command: str, with_sbom: bool, dry_run: bool) -> Rebased:
-    """Carries out a plan, or only tells what would come of it."""
-    for reason in plan.judgement.undecided:
-        say(f"check by link: {reason}")
-    if dry_run:
-        if plan.there == plan.digest:
-            say(f"{plan.target} points at {plan.digest} already; nothing would change")
-        else:
-            say(f"{plan.judgement.words}; {plan.target} would point at {plan.digest}")
-        return plan.result
-    links = check in ("link", "run") or (check == "auto" and bool(plan.judgement.undecided))
-    links = links and plan.there != plan.digest
+def _foreseen(plan: Plan) -> Rebased:
+    """Tells what would come of a plan."""
+    _tell_undecided(plan)
+    if plan.changes_nothing:
+        say(f"{plan.target} points at {plan.digest} already; nothing would change")
+    else:
+        say(f"{plan.judgement.words}; {plan.target} would point at {plan.digest}")
+    return plan.rebased
+
+
+def _carry_out(rebaser: Rebaser, plan: Plan, call: Call) -> Rebased:
+    _tell_undecided(plan)
+    links = call.check in ("link", "run") or (call.check == "auto" and bool(plan.judgement.undecided))
+    links = links and not plan.changes_nothing
     if links:
         _builder()  # before anything is pushed
-    found = rebaser.push(plan, with_sbom)
+    rebased = rebaser.push(plan, not call.no_sbom)
     if links:
-        _link(found, rebaser.pairs(plan))
-        found.linked = True
-        if command:
-            _start(found, rebaser.pairs(plan), command)
-    rebaser.move(plan, found)
-    return found
+        _link(rebased, plan.pairs)
+        rebased = replace(rebased, linked=True)
+        if call.command:
+            _start(rebased, plan.pairs, call.command)
+    return rebaser.move(plan, rebased)
 
 
-def _fleet(rebaser: Rebaser, file: Path, fixes: str, with_sbom: bool, dry_run: bool, as_json: bool) -> None:
-    """Moves the apps of a file, or only tells what would become of them.
+def _tell_undecided(plan: Plan) -> None:
+    for reason in plan.judgement.undecided:
+        say(f"check by link: {reason}")
 
-    Raises:
-        SystemExit: one was refused or failed (exit code 1).
-    """
+
+def _print(rebased: Rebased) -> None:
+    from rosml.base.units import duration, size
+
+    terminal.echo(f"{rebased.reference}@{rebased.digest}")
+    if not rebased.moved:
+        terminal.echo("it was there already")
+        return
+    terminal.echo(f"base    {_in_full(rebased.base, rebased.base_digest)}")
+    back = f"; back: {checkout.call()} rebase {rebased.reference} --back {rebased.back}" if rebased.back else ""
+    terminal.echo(f"before  {_in_full(rebased.old_base, rebased.old_base_digest) or 'an unknown base image'}{back}")
+    if not rebased.verdict:  # after --back, which sends no layer
+        return
+    terminal.echo(f"check   {rebased.verdict}{', and the linker finds everything' if rebased.linked else ''}")
+    counts = ((rebased.mounted, "mounted"), (rebased.present, "there already"), (rebased.copied, "copied"))
+    ways = ", ".join(f"{number} {what}" for number, what in counts if number)
+    terminal.echo(f"layers  {rebased.layers} for {', '.join(rebased.manifests)}: {ways}")
+    terminal.echo(f"sent    {size(rebased.uploaded)} in {duration(rebased.seconds)}")
+
+
+def _in_full(name: str, digest: str) -> str:
+    """An image's name with its digest, which it may have already."""
+    return name if "@" in name or not name or not digest else f"{name}@{digest}"
+
+
+def _print_json(document: Any) -> None:
+    terminal.echo(json.dumps(document, indent=2))
+
+
+# ---- Many apps -------------------------------------------------------------------------------------------------------
+
+
+def _move_fleet(rebaser: Rebaser, file: Path, call: Call) -> None:
+    """Moves the apps of a file, or only tells what would become of them. The exit code is 1 if one was refused or failed."""
     from rosml.base.clock import now
     from rosml.containerize.rebase import fleet
 
     date, entries = now(), fleet.read(file)
-    screen = _screen(fixes) if fixes else None
-    found = fleet.Fleet(rebaser, date, _link, _start, with_sbom, say, screen).run(entries, dry_run)
-    if as_json:
-        back = {"undo": fleet.places(found)} if not dry_run else {}
-        terminal.echo(json.dumps({"date": date, "apps": [item.to_json() for item in found], **back}, indent=2))
+    screen = _screen(call.fixes) if call.fixes else None
+    run = fleet.Fleet(rebaser, date, _link, _start, not call.no_sbom, say, screen)
+    outcomes = run.run(entries, call.dry_run)
+    places = fleet.places(outcomes)
+    if call.as_json:
+        undo = {} if call.dry_run else {"undo": places}
+        _print_json({"date": date, "apps": [outcome.to_json() for outcome in outcomes], **undo})
     else:
-        _tell(found)
-        for place in fleet.places(found):
+        _print_outcomes(outcomes)
+        for place in places:
             terminal.echo(f"back: {checkout.call()} publish undo {date} --registry {place}")
-        if dry_run:
+        if call.dry_run:
             terminal.echo("nothing was changed")
-    if any(item.state in ("refused", "failed") for item in found):
+    if any(outcome.state in ("refused", "failed") for outcome in outcomes):
         raise SystemExit(1)
 
 
 def _screen(name: str) -> Callable[[bytes, str], str]:
-    """Looks for a vulnerability in SBOMs, by the scanner of `rosml setup scanner` and its database.
-
-    Raises:
-        RosmlError: it is no name of one (exit code 2), the scanner is missing, or its database is too old.
-    """
+    """Looks for a vulnerability in SBOMs, by the scanner of `rosml setup scanner` and its database."""
     from datetime import UTC, datetime
 
     from rosml.containerize.rebase.screen import Screen, require_advisory
@@ -226,33 +278,32 @@ def _screen(name: str) -> Callable[[bytes, str], str]:
     return Screen(name, trivy.scan)
 
 
-def _tell(found: Sequence[Outcome]) -> None:
-    for item in found:
-        what = item.reason.partition("\n")[0]
-        if item.rebased and not what:
-            digests = f"{_short(item.rebased.before)} -> {_short(item.rebased.digest)}"
-            trial = "" if item.rebased.linked or not item.rebased.reasons else f"  {item.rebased.verdict}"
-            what = f"{digests}  {item.rebased.base}{trial}"
-        terminal.echo(f"{STATES[item.state]:<10} {item.app}  {what}".rstrip())
-        for line in item.reason.split("\n")[1:]:
+def _print_outcomes(outcomes: Sequence[Outcome]) -> None:
+    for outcome in outcomes:
+        text, *lines = (outcome.reason or _summary(outcome.rebased)).split("\n")
+        terminal.echo(f"{_words(outcome.state):<10} {outcome.app}  {text}".rstrip())
+        for line in (*lines, *([outcome.remedy] if outcome.remedy else [])):
             terminal.echo(f"           {line}")
-        if item.remedy:
-            terminal.echo(f"           {item.remedy}")
-    counts = {words: sum(item.state == state for item in found) for state, words in STATES.items()}
-    terminal.echo(", ".join(f"{number} {words}" for words, number in counts.items() if number))
+    counts = {state: sum(outcome.state == state for outcome in outcomes) for state in STATES}
+    terminal.echo(", ".join(f"{number} {_words(state)}" for state, number in counts.items() if number))
 
 
-def _short(digest: str) -> str:
-    """The beginning of a digest, for people."""
-    return digest.partition(":")[2][:12]
+def _words(state: str) -> str:
+    return "would move" if state == "planned" else state
+
+
+def _summary(rebased: Rebased | None) -> str:
+    if not rebased:
+        return ""
+    before, after = (digest.partition(":")[2][:12] for digest in (rebased.before, rebased.digest))
+    verdict = "" if rebased.linked or not rebased.reasons else f"  {rebased.verdict}"
+    return f"{before} -> {after}  {rebased.base}{verdict}"
+
+
+# ---- The builder -----------------------------------------------------------------------------------------------------
 
 
 def _builder() -> Services:
-    """The builder for a trial.
-
-    Raises:
-        RosmlError: there is none.
-    """
     from rosml.machine.services import Services
 
     try:
@@ -264,37 +315,13 @@ def _builder() -> Services:
     return services
 
 
-def _link(found: Rebased, pairs: dict[str, Pair]) -> None:
+def _link(rebased: Rebased, pairs: dict[str, Pair]) -> None:
     from rosml.containerize.rebase.trial import Trial
 
-    Trial(_builder(), found.reference).link(pairs)
+    Trial(_builder(), rebased.reference).link(pairs)
 
 
-def _start(found: Rebased, pairs: dict[str, Pair], command: str) -> None:
+def _start(rebased: Rebased, pairs: dict[str, Pair], command: str) -> None:
     from rosml.containerize.rebase.trial import Trial
 
-    Trial(_builder(), found.reference).run(pairs, command)
-
-
-def _print(found: Rebased) -> None:
-    from rosml.base.units import duration, size
-
-    terminal.echo(f"{found.reference}@{found.digest}")
-    if not found.moved:
-        terminal.echo("it was there already")
-        return
-    terminal.echo(f"base    {_in_full(found.base, found.base_digest)}")
-    back = f"; back: {checkout.call()} rebase {found.reference} --back {found.back}" if found.back else ""
-    terminal.echo(f"before  {_in_full(found.old_base, found.old_base_digest) or 'an unknown base image'}{back}")
-    if not found.verdict:  # after --back, which sends no layer
-        return
-    terminal.echo(f"check   {found.verdict}{', and the linker finds everything' if found.linked else ''}")
-    counts = ((found.mounted, "mounted"), (found.present, "there already"), (found.copied, "copied"))
-    ways = ", ".join(f"{number} {what}" for number, what in counts if number)
-    terminal.echo(f"layers  {found.layers} for {', '.join(found.manifests)}: {ways}")
-    terminal.echo(f"sent    {size(found.uploaded)} in {duration(found.seconds)}")
-
-
-def _in_full(name: str, digest: str) -> str:
-    """An image's name with its digest, which it may have already."""
-    return name if "@" in name or not name or not digest else f"{name}@{digest}"
+    Trial(_builder(), rebased.reference).run(pairs, command)

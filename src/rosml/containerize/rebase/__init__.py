@@ -1,2 +1,2 @@
-"""Puts apps on other base images in a registry: `image.py` computes the image, `checks.py` says what speaks against it, `rebaser.py` works
-in a registry and pulls no layer."""
+"""Puts apps on other base images in a registry: `compatibility.py` decides whether an app may move, `image.py` computes its image,
+`rebaser.py` plans and moves one app, `fleet.py` many."""

@@ -10,26 +10,15 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import zip_longest
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
-_RELATION = re.compile(r"([a-z0-9][a-z0-9+.-]*)(:[a-z0-9-]+)?\s*(?:\(\s*(<<|<=|=|>=|>>|<|>)\s*([^\s()]+)\s*\))?")
+from rosml.images.join.facts import Package
+
 COMPARISONS = 2_000_000
 """The most versions that are compared for one image, which take some seconds."""
 
+_RELATION = re.compile(r"([a-z0-9][a-z0-9+.-]*)(:[a-z0-9-]+)?\s*(?:\(\s*(<<|<=|=|>=|>>|<|>)\s*([^\s()]+)\s*\))?")
 _RUN = re.compile(r"(\D*)(\d*)")
-
-
-class Package(Protocol):
-    """The fields of a package that others refer to. The last two are as dpkg writes them."""
-
-    @property
-    def name(self) -> str: ...
-    @property
-    def version(self) -> str: ...
-    @property
-    def provides(self) -> str: ...
-    @property
-    def conflicts(self) -> str: ...
 
 
 class Relation(NamedTuple):
@@ -43,7 +32,7 @@ class Relation(NamedTuple):
         return f"{self.name} ({self.operator} {self.version})" if self.operator else self.name
 
     def is_met_by(self, version: str) -> bool:
-        """Whether a version counts; empty: that of a virtual package without one."""
+        """Whether a version counts. A virtual package without a version has an empty one."""
         if not self.operator:
             return True
         if not version:
@@ -66,34 +55,34 @@ def relations(text: str) -> list[list[Relation]]:
 
 
 def _relation(text: str) -> Relation:
-    found = _RELATION.fullmatch(text.strip())
-    if not found:
+    match = _RELATION.fullmatch(text.strip())
+    if not match:
         raise ValueError(f"{text.strip()[:80]!r} names no package")
-    return Relation(found[1], found[3] or "", found[4] or "")
+    return Relation(match[1], match[3] or "", match[4] or "")
 
 
-def compare(one: str, other: str) -> int:
+def compare(version: str, other: str) -> int:
     """The order of two versions: negative if the first one is older, 0 if both are the same."""
-    for first, second in zip(_parts(one), _parts(other), strict=True):
-        for left, right in zip_longest(first, second, fillvalue=(0,)):  # what is missing counts as 0
-            if left != right:
-                return 1 if left > right else -1
+    for turns, other_turns in zip(_parts(version), _parts(other), strict=True):
+        for turn, other_turn in zip_longest(turns, other_turns, fillvalue=(0,)):  # what is missing counts as 0
+            if turn != other_turn:
+                return 1 if turn > other_turn else -1
     return 0
 
 
 @functools.lru_cache(1 << 14)
 def _parts(version: str) -> tuple[Sequence[tuple[int, ...]], ...]:
-    """Epoch, upstream's version and revision. In each of them, characters and numbers take turns, so that Python's order is dpkg's:
-    a tilde comes before the end, and letters before other characters."""
+    """Epoch, upstream's version and revision. In each, characters and numbers take turns, so that Python's order is dpkg's: a tilde
+    comes before the end, and letters before other characters."""
     epoch, colon, rest = version.partition(":")
     upstream, hyphen, revision = (rest if colon else version).rpartition("-")
     if not hyphen:
         upstream, revision = revision, ""
-    found = []
+    parts = []
     for text in (epoch if colon else "", upstream, revision):
         turns = ((_ranks(letters), (int(digits or 0),)) for letters, digits in _RUN.findall(text))
-        found.append([item for turn in turns for item in turn])
-    return tuple(found)
+        parts.append([item for turn in turns for item in turn])
+    return tuple(parts)
 
 
 def _ranks(letters: str) -> tuple[int, ...]:
@@ -101,51 +90,39 @@ def _ranks(letters: str) -> tuple[int, ...]:
     return (*(-1 if it == "~" else ord(it) if it.isalpha() else ord(it) + 256 for it in letters), 0)
 
 
-class Known:
-    """Packages that are there, with the virtual ones that they provide.
-
-    Raises:
-        ValueError: a field is damaged.
-    """
+class PackageSet:
+    """Packages of images, with the virtual ones that they provide. A damaged field, or too many comparisons, raise ValueError."""
 
     def __init__(self, packages: Iterable[Package]) -> None:
-        self._left = COMPARISONS
-        self._versions: defaultdict[str, list[tuple[str, str]]] = defaultdict(list)
+        self._comparisons = COMPARISONS
+        self._providers: defaultdict[str, list[tuple[str, str]]] = defaultdict(list)
         for package in packages:
-            self._versions[package.name].append((package.version, package.name))
+            self._providers[package.name].append((package.version, package.name))
             for [provided, *_] in relations(package.provides):
-                self._versions[provided.name].append((provided.version, package.name))
+                self._providers[provided.name].append((provided.version, package.name))
 
     def __contains__(self, name: str) -> bool:
-        return name in self._versions
+        return name in self._providers
 
-    def met(self, alternatives: Sequence[Relation]) -> bool:
-        """Whether one of some alternatives is there.
-
-        Raises:
-            ValueError: it would take too long.
-        """
+    def meets(self, alternatives: Sequence[Relation]) -> bool:
+        """Whether a package meets one of the alternatives."""
         return any(
-            self._is_met(item, version) for item in alternatives for version, _ in self._versions.get(item.name, ())
+            self._is_met(item, version) for item in alternatives for version, _ in self._providers.get(item.name, ())
         )
 
-    def _is_met(self, item: Relation, version: str) -> bool:
-        self._left -= 1 + (len(version) + len(item.version)) // 64
-        if self._left < 0:
+    def _is_met(self, relation: Relation, version: str) -> bool:
+        self._comparisons -= 1 + (len(version) + len(relation.version)) // 64
+        if self._comparisons < 0:
             raise ValueError("packages name each other more often than any real ones")
-        return item.is_met_by(version)
+        return relation.is_met_by(version)
 
-    def there(self, name: str) -> str:
-        """The version of a package; empty if it is not there."""
-        return next((version for version, owner in self._versions.get(name, ()) if owner == name), "")
+    def version_of(self, name: str) -> str:
+        """The version of a package that is no virtual one; empty if it is missing."""
+        return next((version for version, package in self._providers.get(name, ()) if package == name), "")
 
     def conflicts(self, package: Package) -> Iterator[tuple[str, Relation]]:
-        """The packages that another package cannot stand beside, with what it says.
-
-        Raises:
-            ValueError: a field is damaged, or it would take too long.
-        """
-        for [named, *_] in relations(package.conflicts):
-            for version, owner in self._versions.get(named.name, ()):
-                if owner != package.name and self._is_met(named, version):
-                    yield owner, named
+        """The packages of this set beside which another package cannot stand, and the relation that says so."""
+        for [relation, *_] in relations(package.conflicts):
+            for version, name in self._providers.get(relation.name, ()):
+                if name != package.name and self._is_met(relation, version):
+                    yield name, relation

@@ -9,7 +9,7 @@ from __future__ import annotations
 import threading
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from fnmatch import fnmatchcase
 from itertools import chain
 from pathlib import Path
@@ -22,7 +22,8 @@ from rosml.base.problems import InputError, some
 from rosml.base.side_by_side import side_by_side
 from rosml.containerize.build.bake_file import BASE_NAME
 from rosml.containerize.rebase import image
-from rosml.containerize.rebase.rebaser import Plan, Rebased, Rebaser
+from rosml.containerize.rebase.plan import Plan, Rebased
+from rosml.containerize.rebase.rebaser import Rebaser
 from rosml.containerize.rebase.trial import Pair
 from rosml.images.matrix import source, validate
 from rosml.images.matrix.names import DATED, dated
@@ -51,6 +52,7 @@ RUNS = 30
 """How many runs back a fleet looks for moves that somebody undid."""
 
 State = Literal["moved", "planned", "there", "held", "unaffected", "refused", "failed"]
+"""`there`: it was on the newest base image already. `held`: somebody undid the same move."""
 
 
 class Entry(Facts):
@@ -65,6 +67,11 @@ class Entry(Facts):
     check: Literal["auto", "metadata", "link", "run"] = Field(default="auto", description="as for rosml rebase")
     command: Annotated[str, Field(max_length=4000)] = Field(default="", description="for check: run")
 
+    @property
+    def is_pattern(self) -> bool:
+        """Whether it stands for several tags."""
+        return any(character in self.app for character in "*?[")
+
 
 class Apps(Facts):
     """The file."""
@@ -72,18 +79,9 @@ class Apps(Facts):
     apps: Annotated[tuple[Entry, ...], Field(min_length=1)] = Field(description="apps that follow their base images")
 
 
-@dataclass
+@dataclass(frozen=True)
 class Outcome:
-    """What became of an app.
-
-    Attributes:
-        app: its complete reference; of a pattern without one, the pattern.
-        state: `moved`, `planned` if it would move without `--dry-run`, `there` if it was on the newest base image already, `held` if
-            somebody undid the same move, `unaffected` by the vulnerability, `refused` by the checks, or `failed`.
-        reason: why it was refused or failed.
-        remedy: what to do about it.
-        rebased: the result, if it moved or would move.
-    """
+    """What became of an app, or of a pattern without one. `--json` prints these fields."""
 
     app: str
     state: State
@@ -97,12 +95,7 @@ class Outcome:
 
 
 def read(file: Path) -> tuple[Entry, ...]:
-    """The apps of a file.
-
-    Raises:
-        RosmlError: the file is missing or unreadable (exit code 2).
-        InputError: with every problem of the file.
-    """
+    """The apps of a file. InputError has every problem of it."""
     document = source.read(file, "--all", least="apps: [{app: ghcr.io/me/robot:latest}]")
     apps = validate.checked(document, Apps, MEANING).apps
     problems = []
@@ -118,17 +111,32 @@ def read(file: Path) -> tuple[Entry, ...]:
     return apps
 
 
+@dataclass(frozen=True)
+class _Ready:
+    """An app that may move."""
+
+    entry: Entry
+    plan: Plan
+    moves: tuple[Move, ...]
+
+
+@dataclass(frozen=True)
+class _Pushed:
+    """An app that was pushed, and tried if need be, and whose tags have not moved."""
+
+    plan: Plan
+    moves: tuple[Move, ...]
+    rebased: Rebased
+
+
 @dataclass
 class Fleet:
     """A run over many apps.
 
     Attributes:
-        rebaser: plans and moves each.
-        date: of the run.
         link: links an app in the builder; raises if it lacks something.
         start: starts a command in an app; raises if it fails.
         screen: names the packages of an SBOM that have a vulnerability; None to move all apps.
-        with_sbom: attach SBOMs.
         say: prints a line for people.
     """
 
@@ -140,76 +148,61 @@ class Fleet:
     say: Callable[[str], None] = lambda _: None
     screen: Callable[[bytes, str], str] | None = None
     _building: threading.Lock = field(default_factory=threading.Lock)
-    _known: dict[tuple[str, str], frozenset[Move]] = field(default_factory=dict)
+    _undone: dict[tuple[str, str], frozenset[Move]] = field(default_factory=dict)
     _reading: threading.Lock = field(default_factory=threading.Lock)
 
     def run(self, entries: Iterable[Entry], dry_run: bool = False) -> list[Outcome]:
-        """Moves all apps. An app on another one of them waits for that one.
-
-        Args:
-            dry_run: plan only, and change nothing.
-
-        Raises:
-            RosmlError: two entries say different things of an app (exit code 2), or a registry refuses the record.
-        """
-        wanted, failed = self._wanted([*entries])
-        if len(wanted) > MANY:
-            raise RosmlError(
-                f"{len(wanted):,} apps match, and at most {MANY:,} move in a run", "name fewer", exit_code=2
-            )
-        found: dict[str, Outcome] = {}
-        below = dict(zip(wanted, side_by_side(self._below, [*wanted], title="read"), strict=True))
+        """Moves all apps. An app on another one of them waits for that one."""
+        by_app, failed = self._by_app([*entries])
+        if len(by_app) > MANY:
+            text = f"{len(by_app):,} apps match, and at most {MANY:,} move in a run"
+            raise RosmlError(text, "name fewer", exit_code=2)
+        below = dict(zip(by_app, side_by_side(self._below, [*by_app], title="read"), strict=True))
+        outcomes: dict[str, Outcome] = {}
         for names in _levels(below):
-            planned = side_by_side(lambda name: self._plan(name, wanted[name]), names, title="plan")
+            planned = side_by_side(lambda name: self._plan(name, by_app[name]), names, title="plan")
             if dry_run:
-                for name, item in zip(names, planned, strict=True):
-                    under = found.get(below[name]) if not wanted[name].base else None
-                    found[name] = _foreseen(name, item, under)
-                continue
-            ready = [item for item in planned if isinstance(item, _Ready)]
-            pushed = side_by_side(self._push, ready, title="push")
-            self._record([item for item in pushed if isinstance(item, _Ready)])
-            done = side_by_side(self._move, (item for item in pushed if isinstance(item, _Ready)), title="move")
-            for outcome in chain(planned, pushed, done):
-                if isinstance(outcome, Outcome):
-                    found[outcome.app] = outcome
-        return [*failed, *(found[name] for name in wanted)]
+                under = [None if by_app[name].base else outcomes.get(below[name]) for name in names]
+                level: Iterable[Outcome] = map(_foreseen, names, planned, under)
+            else:
+                level = self._carry_out(planned)
+            outcomes |= {outcome.app: outcome for outcome in level}
+        return [*failed, *(outcomes[name] for name in by_app)]
 
-    def _wanted(self, entries: Sequence[Entry]) -> tuple[dict[str, Entry], list[Outcome]]:
-        """The entry for each app: its own, or else that of a pattern. Also, what became of entries that name no app.
+    def _carry_out(self, planned: Sequence[_Ready | Outcome]) -> Iterator[Outcome]:
+        pushed = side_by_side(self._push, [item for item in planned if isinstance(item, _Ready)], title="push")
+        ready = [item for item in pushed if isinstance(item, _Pushed)]
+        self._record(ready)
+        moved = side_by_side(self._move, ready, title="move")
+        return (item for item in chain(planned, pushed, moved) if isinstance(item, Outcome))
 
-        Raises:
-            RosmlError: two entries say different things of an app (exit code 2).
-        """
-        found: dict[str, Entry] = {}
+    def _by_app(self, entries: Sequence[Entry]) -> tuple[dict[str, Entry], list[Outcome]]:
+        """The entry for each app: its own, or else that of a pattern. Also, what became of entries that name no app."""
+        by_app: dict[str, Entry] = {}
         failed = []
-        for entry in sorted(entries, key=_is_pattern):
+        for entry in sorted(entries, key=lambda entry: entry.is_pattern):
             try:
-                names = self._named(entry)
+                names = self._names(entry)
             except RosmlError as error:
                 failed.append(_stopped(entry.app, error))
                 continue
             for name in names:
-                before = found.setdefault(name, entry)
-                if _is_pattern(before) == _is_pattern(entry) and before.model_copy(update={"app": entry.app}) != entry:
-                    text = f"{name} is named twice, and differently: by {before.app} and by {entry.app}"
+                first = by_app.setdefault(name, entry)
+                if first.is_pattern == entry.is_pattern and first.model_copy(update={"app": entry.app}) != entry:
+                    text = f"{name} is named twice, and differently: by {first.app} and by {entry.app}"
                     raise RosmlError(text, "let one entry name it", exit_code=2)
-        return found, failed
+        return by_app, failed
 
-    def _named(self, entry: Entry) -> list[str]:
-        """The complete references of an entry.
-
-        Raises:
-            RosmlError: a pattern matches nothing (exit code 2), or the registry does not answer or refuses.
-        """
+    def _names(self, entry: Entry) -> list[str]:
+        """The complete references of an entry."""
         name, _, tag = entry.app.rpartition(":")
         if not name or "/" in tag:
             name, tag = entry.app, "latest"
-        if not _is_pattern(entry):
+        if not entry.is_pattern:
             return [str(self.rebaser.where(f"{name}:{tag}"))]
         place = self.rebaser.where(f"{name}:x")
-        known = self.rebaser.registries(place.host).tags(place.repository)
-        tags = [item for item in known if not DATED.search(item) and not item.startswith(_OURS)]
+        tags = self.rebaser.registries(place.host).tags(place.repository)
+        tags = [item for item in tags if not DATED.search(item) and not item.startswith(_OURS)]
         matching = [item for item in tags if fnmatchcase(item, tag)]
         if not matching:
             has = f"its tags are {some(sorted(tags))}" if tags else "the repository has no tags of apps"
@@ -226,116 +219,94 @@ class Fleet:
 
     def _plan(self, name: str, entry: Entry) -> _Ready | Outcome:
         try:
-            has = self._has(name) if self.screen else ""
-            if self.screen and not has:
+            vulnerable = self._screened(name, (self.rebaser.sbom(app) for app in self.rebaser.read(name).values()))
+            if self.screen and not vulnerable:
                 return Outcome(name, "unaffected")
             plan = self.rebaser.plan(name, entry.base)
-            if left := self._left(plan) if self.screen else "":
-                return Outcome(name, "refused", f"{has}, and {left} on {plan.base.name}", image.AGAIN)
-            if plan.there == plan.digest:
+            remaining = self._screened(name, (self.rebaser.new_sbom(plan, platform) for platform in plan.images))
+            if remaining:
+                return Outcome(name, "refused", f"{vulnerable}, and {remaining} on {plan.base.name}", image.AGAIN)
+            if plan.changes_nothing:
                 return Outcome(name, "there")
-            if self._undone(plan):
-                back = f"to move it nevertheless: rosml rebase {name}"
-                return Outcome(
-                    name, "held", "somebody undid this move; another base image, or another app, moves again", back
-                )
-            return _Ready(name, entry, plan, self._moves(plan))
+            if self._is_undone(plan):
+                text = "somebody undid this move; another base image, or another app, moves again"
+                return Outcome(name, "held", text, f"to move it nevertheless: rosml rebase {name}")
+            return _Ready(entry, plan, self._moves(plan))
         except RosmlError as error:
             return _stopped(name, error)
 
-    def _has(self, name: str) -> str:
-        """The packages of an app that have the vulnerability."""
-        assert self.screen
-        found = [self.screen(self.rebaser.sbom(source), name) for source in self.rebaser.read(name).values()]
-        return next(filter(None, found), "")
+    def _screened(self, name: str, sboms: Iterable[bytes]) -> str:
+        """The packages that have the vulnerability, by the first SBOM with some."""
+        return next(filter(None, (self.screen(sbom, name) for sbom in sboms)), "") if self.screen else ""
 
-    def _left(self, plan: Plan) -> str:
-        """The packages that have it on the new base image as well."""
-        assert self.screen
-        found = [self.screen(self.rebaser.new_sbom(plan, platform), plan.named) for platform in plan.images]
-        return next(filter(None, found), "")
-
-    def _moves(self, plan: Plan) -> list[Move]:
-        """The moves of an app's tags, in their order: the dated one first.
-
-        Raises:
-            RosmlError: too many of the day are there; the registry does not answer or refuses.
-        """
+    def _moves(self, plan: Plan) -> tuple[Move, ...]:
+        """The moves of an app's tags, in their order: the dated one first."""
         host, repository, tag = plan.target
-        registry = self.rebaser.registries(host)
-        name = repository.rpartition("/")[2]
-        day = dated(tag, self.date)
-        found = []
+        registry, name, day = self.rebaser.registries(host), repository.rpartition("/")[2], dated(tag, self.date)
+        move = Move(name, tag, plan.tag_digest, plan.digest)
         for candidate in (
             day,
             *(f"{day}.{number}" for number in range(2, TIMES)),
         ):  # the second tag of a day ends in .2
-            there = registry.head(repository, candidate)
-            if not there:
-                found.append(Move(name, candidate, "", plan.digest))
-            if there in ("", plan.digest):
-                return [*found, Move(name, tag, plan.there, plan.digest)]
-        raise RosmlError(
-            f"{host}/{repository} has no free tag of the day after {day}", "remove those that you do not need"
-        )
+            digest = registry.head(repository, candidate)
+            if not digest:
+                return Move(name, candidate, "", plan.digest), move
+            if digest == plan.digest:
+                return (move,)
+        text = f"{host}/{repository} has no free tag of the day after {day}"
+        raise RosmlError(text, "remove those that you do not need")
 
-    def _undone(self, plan: Plan) -> bool:
-        """Whether an earlier run moved the tag to the same image, and somebody undid that run.
-
-        Raises:
-            RosmlError: the registry does not answer, or a record cannot be read.
-        """
+    def _is_undone(self, plan: Plan) -> bool:
+        """Whether an earlier run moved the tag to the same image, and somebody undid that run."""
         host, repository, tag = plan.target
         prefix, _, name = repository.rpartition("/")
         with self._reading:
-            if prefix and (host, prefix) not in self._known:
-                book = Records(Place(self.rebaser.registries(host), prefix))
-                self._known[host, prefix] = frozenset(tag_moves.undone_moves(book, RUNS))
-        return Move(name, tag, plan.there, plan.digest) in self._known.get((host, prefix), ())
+            if prefix and (host, prefix) not in self._undone:
+                records = Records(Place(self.rebaser.registries(host), prefix))
+                self._undone[host, prefix] = frozenset(tag_moves.undone_moves(records, RUNS))
+        return Move(name, tag, plan.tag_digest, plan.digest) in self._undone.get((host, prefix), ())
 
-    def _push(self, ready: _Ready) -> _Ready | Outcome:
+    def _push(self, ready: _Ready) -> _Pushed | Outcome:
         """Pushes an app by its digest, and tries it in the builder."""
+        plan, check = ready.plan, ready.entry.check
         try:
-            ready.rebased = self.rebaser.push(ready.plan, self.with_sbom)
-            pairs, check = self.rebaser.pairs(ready.plan), ready.entry.check
-            undecided = check == "auto" and bool(ready.plan.judgement.undecided)
-            if check in ("link", "run") or undecided:
+            rebased = self.rebaser.push(plan, self.with_sbom)
+            if check in ("link", "run") or (check == "auto" and plan.judgement.undecided):
                 with self._building:
-                    self.link(ready.rebased, pairs)
-                    ready.rebased.linked = True
+                    self.link(rebased, plan.pairs)
+                    rebased = replace(rebased, linked=True)
                     if check == "run":
-                        self.start(ready.rebased, pairs, ready.entry.command)
+                        self.start(rebased, plan.pairs, ready.entry.command)
         except RosmlError as error:
-            return _stopped(ready.name, error)
-        return ready
+            return _stopped(plan.app_name, error)
+        return _Pushed(plan, ready.moves, rebased)
 
-    def _record(self, ready: Sequence[_Ready]) -> None:
+    def _record(self, pushed: Sequence[_Pushed]) -> None:
         """Records where tags were, beside the apps."""
         by_place: defaultdict[tuple[str, str], list[Move]] = defaultdict(list)
-        for item in ready:
+        for item in pushed:
             by_place[item.plan.target.host, item.plan.target.repository.rpartition("/")[0]] += item.moves
         for (host, prefix), moves in by_place.items():
             if prefix:
                 tag_moves.record(Records(Place(self.rebaser.registries(host), prefix)), self.date, moves)
             else:
-                self.say(
-                    f"{host}: apps without a folder have no record, and rosml publish undo does not move them back"
-                )
+                text = "apps without a folder have no record, and rosml publish undo does not move them back"
+                self.say(f"{host}: {text}")
 
-    def _move(self, ready: _Ready) -> Outcome:
-        assert ready.rebased
+    def _move(self, pushed: _Pushed) -> Outcome:
+        name = pushed.plan.app_name
         try:
-            self.rebaser.move(ready.plan, ready.rebased, [move.tag for move in ready.moves[:-1]])
+            rebased = self.rebaser.move(pushed.plan, pushed.rebased, [move.tag for move in pushed.moves[:-1]])
         except RosmlError as error:
-            return Outcome(ready.name, "failed", error.message, error.remedy, ready.rebased)
-        return Outcome(ready.name, "moved", rebased=ready.rebased)
+            return Outcome(name, "failed", error.message, error.remedy, pushed.rebased)
+        return Outcome(name, "moved", rebased=rebased)
 
 
 def places(outcomes: Iterable[Outcome]) -> list[str]:
     """The registries with folders, such as `ghcr.io/me`, whose records say where moved tags were: for `rosml publish undo`."""
     moved = [references.parse(item.rebased.reference) for item in outcomes if item.rebased and item.state == "moved"]
-    found = {f"{where.host}/{where.repository.rpartition('/')[0]}" for where in moved if "/" in where.repository}
-    return sorted(found)
+    folders = {f"{where.host}/{where.repository.rpartition('/')[0]}" for where in moved if "/" in where.repository}
+    return sorted(folders)
 
 
 def _levels(below: Mapping[str, str]) -> Iterator[list[str]]:
@@ -344,13 +315,13 @@ def _levels(below: Mapping[str, str]) -> Iterator[list[str]]:
     Args:
         below: the image below each app.
     """
-    left = dict.fromkeys(below)
-    while left:
-        ready = [name for name in left if below[name] not in left or below[name] == name]
-        ready = ready or [*left]  # they name each other: each stands for itself
+    waiting = dict.fromkeys(below)
+    while waiting:
+        ready = [name for name in waiting if below[name] not in waiting or below[name] == name]
+        ready = ready or [*waiting]  # they name each other: each stands for itself
         yield ready
         for name in ready:
-            del left[name]
+            del waiting[name]
 
 
 def _foreseen(name: str, planned: _Ready | Outcome, under: Outcome | None) -> Outcome:
@@ -363,23 +334,8 @@ def _foreseen(name: str, planned: _Ready | Outcome, under: Outcome | None) -> Ou
         return planned
     if under and under.state == "planned":
         return Outcome(name, "planned", f"once {under.app} has moved, if it fits onto that")
-    return planned if isinstance(planned, Outcome) else Outcome(name, "planned", rebased=planned.plan.result)
+    return planned if isinstance(planned, Outcome) else Outcome(name, "planned", rebased=planned.plan.rebased)
 
 
 def _stopped(name: str, error: RosmlError) -> Outcome:
     return Outcome(name, "refused" if error.exit_code == 2 else "failed", error.message, error.remedy)
-
-
-def _is_pattern(entry: Entry) -> bool:
-    return any(character in entry.app for character in "*?[")
-
-
-@dataclass
-class _Ready:
-    """An app that may move."""
-
-    name: str
-    entry: Entry
-    plan: Plan
-    moves: list[Move]
-    rebased: Rebased | None = None

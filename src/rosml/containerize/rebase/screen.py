@@ -13,17 +13,13 @@ from rosml.images.scan.trivy import Report
 
 
 def require_advisory(name: str) -> None:
-    """Checks a name.
-
-    Raises:
-        RosmlError: it is no name of an advisory (exit code 2).
-    """
+    """Refuses what is no name of an advisory."""
     if not re.fullmatch(ADVISORY, name):
         raise RosmlError(f"--fixes: {name!r} is no name of an advisory", "write it as CVE-2026-12345", exit_code=2)
 
 
 class Screen:
-    """A vulnerability. Each SBOM is scanned once.
+    """Looks for a vulnerability. Each SBOM is scanned once.
 
     Args:
         name: such as `CVE-2026-12345`.
@@ -32,24 +28,21 @@ class Screen:
 
     def __init__(self, name: str, scan: Callable[[bytes, str], Report]) -> None:
         self._name, self._scan = name, scan
-        self._known: dict[bytes, str] = {}
+        self._answers: dict[bytes, str] = {}
 
     def __call__(self, sbom: bytes, subject: str) -> str:
-        """The packages that have it, such as `openssl 3.0.1 (fixed in 3.0.2)`; empty if there are none.
-
-        Raises:
-            RosmlError: the scanner failed.
-        """
+        """The packages that have it, such as `openssl 3.0.1 (fixed in 3.0.2) has CVE-2026-12345`; empty if there are none."""
         key = hashlib.sha256(sbom).digest()
-        if key not in self._known:
-            self._known[key] = self._found(self._scan(sbom, subject))
-        return self._known[key]
+        if key not in self._answers:
+            self._answers[key] = self._affected(self._scan(sbom, subject))
+        return self._answers[key]
 
-    def _found(self, report: Report) -> str:
-        packages = set()
-        for result in report.Results or ():
-            for item in result.Vulnerabilities or ():
-                if item.VulnerabilityID == self._name:
-                    fixed = f" (fixed in {item.FixedVersion})" if item.FixedVersion else ""
-                    packages.add(f"{item.PkgName} {item.InstalledVersion}{fixed}")
+    def _affected(self, report: Report) -> str:
+        packages = {
+            f"{item.PkgName} {item.InstalledVersion}"
+            + (f" (fixed in {item.FixedVersion})" if item.FixedVersion else "")
+            for scanned in report.Results or ()
+            for item in scanned.Vulnerabilities or ()
+            if item.VulnerabilityID == self._name
+        }
         return f"{listed(sorted(packages))} has {self._name}" if packages else ""

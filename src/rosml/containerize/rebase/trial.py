@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import contextlib
 import hashlib
 import json
 import re
 from collections.abc import Mapping
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 from rosml.base import files, terminal, untrusted
@@ -65,38 +64,34 @@ class Trial:
 
         Args:
             images: by platform.
-
-        Raises:
-            RosmlError: it lacks something (exit code 2), or the step failed.
         """
         with self._turn():
-            self._link(images)
+            for platform, pair in images.items():
+                if lost := sorted(self._lost_lines(platform, pair)):
+                    more = [f"and {len(lost) - SHOWN} more"] if len(lost) > SHOWN else []
+                    shown = "".join(f"\n    {line}" for line in [*lost[:SHOWN], *more])
+                    text = f"on its new base image the app does not find ({platform}):{shown}"
+                    raise RosmlError(text, AGAIN, exit_code=2)
 
-    def _turn(self) -> contextlib.AbstractContextManager[int]:
+    def _turn(self) -> AbstractContextManager[int]:
         return turn(
             self._state / "lock", lambda: terminal.echo("another process tries the same app; waiting", err=True)
         )
 
-    def _link(self, images: Mapping[str, Pair]) -> None:
-        for platform, pair in images.items():
-            archive = self._state / "linked.tar"
-            archive.unlink(missing_ok=True)
-            stages = [_LINK.format(name) for name in ("app", "before")]
-            copies = [f"COPY --from={name}-linked /rosml-linked/{name} /" for name in ("app", "before")]
-            target = {
-                "dockerfile-inline": "\n".join([*stages, "FROM scratch", *copies, ""]),
-                "contexts": {"app": _image(pair.new), "before": _image(pair.old), "scripts": str(SCRIPTS)},
-                "output": [exported.output(archive)],
-            }
-            self._build("link", platform, target)
-            exported.unpack(archive, self._state / "linked")
-            now, before = (lines(exported.read(self._state / "linked", name)) for name in ("app", "before"))
-            if lost := sorted(now - before):
-                more = [f"and {len(lost) - SHOWN} more"] if len(lost) > SHOWN else []
-                found = "".join(f"\n    {line}" for line in [*lost[:SHOWN], *more])
-                raise RosmlError(
-                    f"on its new base image the app does not find ({platform}):{found}", AGAIN, exit_code=2
-                )
+    def _lost_lines(self, platform: str, pair: Pair) -> set[str]:
+        archive = self._state / "linked.tar"
+        archive.unlink(missing_ok=True)
+        stages = [_LINK.format(name) for name in ("app", "before")]
+        copies = [f"COPY --from={name}-linked /rosml-linked/{name} /" for name in ("app", "before")]
+        target = {
+            "dockerfile-inline": "\n".join([*stages, "FROM scratch", *copies, ""]),
+            "contexts": {"app": _image(pair.new), "before": _image(pair.old), "scripts": str(SCRIPTS)},
+            "output": [exported.output(archive)],
+        }
+        self._build("link", platform, target)
+        exported.unpack(archive, self._state / "linked")
+        now, before = (lines(exported.read(self._state / "linked", name)) for name in ("app", "before"))
+        return now - before
 
     def run(self, images: Mapping[str, Pair], command: str) -> None:
         """Runs a command in the new image.
@@ -104,9 +99,6 @@ class Trial:
         Args:
             images: by platform.
             command: for bash, as a command after `rosml run IMAGE`.
-
-        Raises:
-            RosmlError: it ended with another exit code than 0.
         """
         for platform, pair in images.items():
             target = {
@@ -122,7 +114,7 @@ class Trial:
         self._services.require_builder(platform)
         (self._state / "empty").mkdir(exist_ok=True)
         whole = {"context": str(self._state / "empty"), "platforms": [platform], **target}
-        file = Path(self._state / f"{name}.json")
+        file = self._state / f"{name}.json"
         files.write(file, json.dumps({"target": {name: whole}}, indent=2) + "\n")
         call = buildx.Bake(name, f"rebase-{self._state.name}-{name}", file, foreign=("link.py", "$TRIAL"))
         buildx.run(self._services, call)
@@ -133,19 +125,14 @@ def _image(reference: str) -> str:
 
 
 def lines(content: bytes) -> set[str]:
-    """The lines of components/containerize/link.py. Code of the app may have written others.
-
-    Raises:
-        RosmlError: it is something else.
-    """
-    found: set[str] = set()
-    for line in content.split(b"\n")[: LINES + 1]:
-        if line:
-            try:
-                text = untrusted.json_value(line)
-            except ValueError:
-                text = None
-            if not isinstance(text, str) or len(found) == LINES:
-                raise RosmlError("the step that links the app left something else than its lines", AGAIN)
-            found.add("".join(character if character.isprintable() else "?" for character in text))
-    return found
+    """The lines of components/containerize/link.py. Code of the app may have written others, which are refused."""
+    texts: set[str] = set()
+    for line in filter(None, content.split(b"\n")[: LINES + 1]):
+        try:
+            text = untrusted.json_value(line)
+        except ValueError:
+            text = None
+        if not isinstance(text, str) or len(texts) == LINES:
+            raise RosmlError("the step that links the app left something else than its lines", AGAIN)
+        texts.add("".join(character if character.isprintable() else "?" for character in text))
+    return texts

@@ -11,7 +11,8 @@ from collections.abc import Sequence
 from rosml.base.errors import RosmlError
 from rosml.containerize.build.bake_file import BASE_NAME
 from rosml.containerize.rebase.image import VARIANTS
-from rosml.containerize.rebase.rebaser import Plan, Rebaser
+from rosml.containerize.rebase.plan import Plan
+from rosml.containerize.rebase.rebaser import Rebaser
 from rosml.images.image_set.labels import ADDONS, PREFIX
 from rosml.images.join.layers import Source
 from rosml.images.matrix.names import NONE, main_tag
@@ -27,13 +28,24 @@ def plans(rebaser: Rebaser, app: str, stacks: Sequence[str], tag: str = "") -> l
     """The images of an app, one for each stack, and last the tag itself, which is the first of them.
 
     Args:
-        app: an app with a framework.
         stacks: such as `cpu` and `cu130`.
         tag: the complete reference before `-STACK`; empty for the app's own.
-
-    Raises:
-        RosmlError: the app has no framework, or does not go onto one of the stacks (exit code 2); a registry does not answer or refuses.
     """
+    _require_stacks(stacks)
+    sources = rebaser.read(app)
+    source = next(iter(sources.values()))
+    bases = {stack: _base(source, stack) for stack in stacks}
+    drivers = {stack: _driver(rebaser.driver(source, bases[stack], tuple(sources), stack)) for stack in stacks}
+    where = references.parse(tag) if tag else rebaser.where(app)
+    if references.is_digest(where.reference):
+        text = f"{where} is a digest, and tags have to move"
+        raise RosmlError(text, "name one: --tag REGISTRY/NAME:TAG", exit_code=2)
+    label = {VARIANTS: " ".join(":".join(filter(None, item)) for item in drivers.items())}
+    tags = [(stack, f"{where}-{stack}") for stack in stacks] + [(stacks[0], str(where))]
+    return [rebaser.plan(app, bases[stack], name, extra=label, stack=stack) for stack, name in tags]
+
+
+def _require_stacks(stacks: Sequence[str]) -> None:
     if twice := [name for number, name in enumerate(stacks) if name in stacks[:number]]:
         raise RosmlError(f"{twice[0]} is named twice", "name each stack once, such as cpu,cu130", exit_code=2)
     if wrong := [name for name in stacks if not STACK.fullmatch(name)]:
@@ -41,32 +53,15 @@ def plans(rebaser: Rebaser, app: str, stacks: Sequence[str], tag: str = "") -> l
     if not 2 <= len(stacks) <= MOST:
         text = "one variant is named" if len(stacks) == 1 else f"{len(stacks)} variants are named"
         raise RosmlError(text, f"name 2 to {MOST}, such as cpu,cu130", exit_code=2)
-    sources = rebaser.read(app)
-    source = next(iter(sources.values()))
-    bases = {stack: _base(source, stack) for stack in stacks}
-    named = " ".join(
-        ":".join(filter(None, (stack, _driver(rebaser.driver(source, bases[stack], tuple(sources), stack)))))
-        for stack in stacks
-    )
-    where = references.parse(tag) if tag else rebaser.where(app)
-    if references.is_digest(where.reference):
-        raise RosmlError(
-            f"{where} is a digest, and tags have to move", "name one: --tag REGISTRY/NAME:TAG", exit_code=2
-        )
-    more = {VARIANTS: named}
-    found = [rebaser.plan(app, bases[stack], f"{where}-{stack}", extra=more, stack=stack) for stack in stacks]
-    return [*found, rebaser.plan(app, bases[stacks[0]], str(where), extra=more, stack=stacks[0])]
 
 
 def _base(app: Source, stack: str) -> str:
-    """The app's base image on another stack; the same one if that has no stack, but the app has add-ons of one.
-
-    Raises:
-        RosmlError: the app has no framework, or does not say which base image it is on (exit code 2).
-    """
+    """The app's base image on another stack; the same one if that has no stack, but the app has add-ons of one."""
     labels = app.labels
-    own, distribution, component = (labels.get(PREFIX + name, "") for name in ("stack", "distribution", "component"))
-    if not own:
+    own_stack, distribution, component = (
+        labels.get(PREFIX + name, "") for name in ("stack", "distribution", "component")
+    )
+    if not own_stack:
         text = f"{app.name} has no framework, so no accelerator makes a difference"
         raise RosmlError(text, "put it on an image with one first: --base ros-torch:…", exit_code=2)
     name = labels.get(BASE_NAME, "")
@@ -78,6 +73,6 @@ def _base(app: Source, stack: str) -> str:
     return f"{where.host}/{where.repository}:{main_tag(distribution, component, stack)}"
 
 
-def _driver(found: str) -> str:
+def _driver(label: str) -> str:
     """A driver's version, as a label may say it; empty if it is none."""
-    return found if re.fullmatch(r"[0-9]{1,5}(\.[0-9]{1,5}){0,3}", found) else ""
+    return label if re.fullmatch(r"[0-9]{1,5}(\.[0-9]{1,5}){0,3}", label) else ""

@@ -1,0 +1,265 @@
+"""What is attached to the images of apps and base images: it is read before an app moves, and attached to the new image.
+
+A list of files, and facts: see `images/join`. The SBOM of the new image has the components of the base image's and of the app's own.
+"""
+
+from __future__ import annotations
+
+import gzip
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from rosml.base import untrusted
+from rosml.base.errors import RosmlError
+from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME
+from rosml.images.image_set.labels import APP
+from rosml.images.join import facts, file_lists
+from rosml.images.join.facts import Facts
+from rosml.images.join.file_lists import Lists
+from rosml.images.join.layers import Source
+from rosml.images.join.transfer import Transfer
+from rosml.images.scan import sbom
+from rosml.registry import oci, references
+from rosml.registry.client import Registry
+from rosml.registry.oci import Manifest
+from rosml.registry.references import Reference
+
+DEPTH = 10
+"""Most apps on one another."""
+
+_PYTHON = re.compile(r"(?:.*/)?([^/-]+)-([^/-]+)(?:-py[0-9.]+)?\.(?:dist-info|egg-info)(?:/.*)?")
+"""The folder or file in which a package of Python says its name and version."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """The manifest of an image for one platform, in its registry."""
+
+    host: str
+    repository: str
+    digest: str
+
+
+@dataclass(frozen=True)
+class BaseContents:
+    """What a base image contains, for one platform.
+
+    Attributes:
+        places: the images that it is joined from, by which lists and SBOMs are found; itself if it was built.
+    """
+
+    places: tuple[Place, ...]
+    facts: Facts
+    files: frozenset[str]
+    folders: frozenset[str]
+
+
+def together(contents: Sequence[BaseContents]) -> BaseContents:
+    """The contents of images that are joined."""
+    if len(contents) == 1:
+        return contents[0]
+    return BaseContents(
+        tuple(place for item in contents for place in item.places),
+        facts.together(item.facts for item in contents),
+        frozenset[str]().union(*(item.files for item in contents)),
+        frozenset[str]().union(*(item.folders for item in contents)),
+    )
+
+
+class Attachments:
+    """Reads and attaches. It reads each image once. Safe to share among threads."""
+
+    def __init__(self, transfer: Transfer) -> None:
+        self._transfer = transfer
+        self._lists = Lists()
+        self.base = cache(self._base)
+        self.base_facts = cache(self._base_facts)
+        self._facts = cache(lambda place: facts.of(self._registry(place), place.repository, place.digest))
+        self._artifacts = cache(self._list)
+
+    def app_facts(self, app: Source) -> Facts:
+        """The facts of an app's own layer."""
+        if app_facts := self._facts(_place(app)):
+            return app_facts
+        text = f"{app.name} has no facts about its packages and libraries"
+        raise RosmlError(text, f"build it once more with this rosml, and without --no-sbom; {file_lists.COPY}", 2)
+
+    def _base(self, reference: str, platform: str) -> BaseContents:
+        """The contents of a base image, by its digest. RosmlError with exit code 2 if something is not attached."""
+        places, base_facts = self._places(reference, platform), self.base_facts(reference, platform)
+        lists = [self._lists.of(self._registry(place), place.repository, place.digest) for place in places]
+        present = [files for files in lists if files]
+        if not places or not base_facts or len(present) < len(lists):
+            text = f"{reference} has no facts about its packages, libraries and files"
+            remedy = f"name a base image that this rosml or a later one has published; {file_lists.COPY}"
+            raise RosmlError(text, remedy, exit_code=2)
+        paths = frozenset(path for files in present for path in _as_in_facts(files.entries))
+        folders = frozenset(path for files in present for path in _as_in_facts(files.folders))
+        return BaseContents(places, base_facts, paths, folders)
+
+    def _base_facts(self, reference: str, platform: str, depth: int = 0) -> Facts | None:
+        """The facts of a base image; of an app those of all below it, too. None if it is gone, or has none."""
+        source, annotations = self.member(reference, platform)
+        if source is None or depth > DEPTH:
+            return None
+        if not source.labels.get(APP):
+            return facts.of_member(self._registry(source), source.repository, source.digest, annotations)
+        app_facts, below = self._facts(_place(source)), base_of(source)
+        facts_below = self._base_facts(below, platform, depth + 1) if app_facts and below else None
+        return facts.together([facts_below, app_facts]) if facts_below and app_facts else None
+
+    def _places(self, reference: str, platform: str) -> tuple[Place, ...]:
+        """The images that a base image is joined from; itself if it has a list of its own."""
+        source, annotations = self.member(reference, platform)
+        if source is None:
+            return ()
+        registry, place = self._registry(source), _place(source)
+        if self._lists.of(registry, place.repository, place.digest):
+            return (place,)
+        components = facts.components(registry, place.repository, place.digest, annotations)
+        return tuple(Place(place.host, *component) for component in components)
+
+    def member(self, reference: str, platform: str) -> tuple[Source | None, Mapping[str, str]]:
+        """An image for one platform, with the annotations of its entry in its index. None if it is gone."""
+        where = references.parse(reference)
+        manifest = self._transfer.manifest(where)
+        if manifest is None:
+            return None, {}
+        source = self._transfer.members(reference, where, manifest).get(platform)
+        entries = [item for item in manifest.members if source and item.digest == source.digest]
+        return source, entries[0].annotations if entries else {}
+
+    def _registry(self, place: Place | Source) -> Registry:
+        return self._transfer.registries(place.host)
+
+    # ---- Attaching ---------------------------------------------------------------------------------------------------
+
+    def attach(
+        self, app: Source, base: BaseContents, host: str, repository: str, manifest: bytes, with_sbom: bool
+    ) -> int:
+        """Attaches the app's facts, a list of files and an SBOM to a new image. Those that it has stay.
+
+        Args:
+            app: the app's present image.
+            base: of the new base image.
+            host, repository, manifest: of the new image.
+
+        Returns:
+            Bytes sent to the registry.
+        """
+        registry, subject = self._transfer.registries(host), oci.descriptor(oci.IMAGE, manifest)
+        present = {entry.get("artifactType") for entry in registry.referrers(repository, subject["digest"])}
+        before, app_facts = registry.sent_by_this_thread, self.app_facts(app)
+        if facts.ARTIFACT not in present:
+            for artifact in self._artifacts(_place(app), facts.ARTIFACT):  # all count, as in `app_facts`
+                data = self._registry(app).part(app.repository, artifact.layers[0], facts.PACKED)
+                registry.attach(repository, subject, facts.ARTIFACT, data, facts.MEDIA_TYPE)
+        if file_lists.ARTIFACT not in present:
+            paths = sorted({*app_facts.files, *(path for package in app_facts.packages for path in package.files)})
+            data = gzip.compress("".join(f"{path}\n" for path in paths).encode(), mtime=0)
+            below = [
+                layer
+                for place in base.places
+                for layer in file_lists.mounted(
+                    self._registry(place), place.repository, place.digest, registry, repository
+                )
+            ]
+            registry.attach(repository, subject, file_lists.ARTIFACT, data, file_lists.MEDIA_TYPE, more=below)
+        if with_sbom and sbom.MEDIA_TYPE not in present:
+            data = self.new_sbom(app, base, f"{host}/{repository}@{subject['digest']}")
+            registry.attach(repository, subject, sbom.MEDIA_TYPE, data, sbom.MEDIA_TYPE, sbom.FORMAT)
+        return registry.sent_by_this_thread - before
+
+    def _list(self, place: Place, kind: str) -> list[Manifest]:
+        """What is attached to an image, of one kind."""
+        digests = {entry["digest"] for entry in self._registry(place).referrers(place.repository, place.digest, kind)}
+        manifests = [
+            self._transfer.manifest(Reference(place.host, place.repository, digest)) for digest in sorted(digests)
+        ]
+        return [manifest for manifest in manifests if manifest and manifest.layers]
+
+    # ---- SBOMs -------------------------------------------------------------------------------------------------------
+
+    def _sboms(self, place: Place) -> Iterator[bytes]:
+        for artifact in self._artifacts(place, sbom.MEDIA_TYPE):
+            if artifact.annotations.items() >= sbom.FORMAT.items():
+                yield self._registry(place).part(place.repository, artifact.layers[0])
+
+    def sbom(self, app: Source) -> bytes:
+        """The SBOM of an app."""
+        for document in self._sboms(_place(app)):
+            return document
+        remedy = f"build it again, or move it once, without --no-sbom; {file_lists.COPY}"
+        raise RosmlError(f"{app.name} has no SBOM", remedy, exit_code=2)
+
+    def new_sbom(self, app: Source, base: BaseContents, reference: str) -> bytes:
+        """The SBOM of an app on another base image: the base image's components, and the app's own.
+
+        Args:
+            reference: the new image, by its digest.
+        """
+        of_app = _of_app(self._components(_place(app)), self.app_facts(app))
+        of_base = (item for place in base.places for item in self._components(place))
+        # CycloneDX does not ask for a `bom-ref`.
+        components = {
+            str(item.get("bom-ref") or oci.digest_of(oci.encoded(item))): item for item in (*of_base, *of_app)
+        }
+        document = {
+            "$schema": "http://cyclonedx.org/schema/bom-1.5.schema.json",
+            "bomFormat": "CycloneDX",
+            "specVersion": "1.5",
+            "version": 1,
+            "metadata": {"component": {"bom-ref": reference, "type": "container", "name": reference}},
+            "components": [*components.values()],
+        }
+        return oci.encoded(document)
+
+    def _components(self, place: Place) -> Iterator[dict[str, Any]]:
+        """The components of an image's SBOM, as they are."""
+        for content in self._sboms(place):
+            assert sbom.Sbom(content).document, "it is read, to check it"
+            yield from untrusted.json_value(content, sbom.LARGEST)["components"]
+
+
+def _place(source: Source) -> Place:
+    return Place(source.host, source.repository, source.digest)
+
+
+def base_of(app: Source) -> str:
+    """The base image of an app, by its digest; empty if the labels name none."""
+    name, digest = app.labels.get(BASE_NAME, ""), app.labels.get(BASE_DIGEST, "")
+    if not references.is_digest(digest):
+        return ""
+    try:
+        return str(references.parse(name)._replace(reference=digest))
+    except RosmlError:
+        return ""
+
+
+def _as_in_facts(paths: Iterable[str]) -> Iterator[str]:
+    """Paths of a list, as facts spell them."""
+    return (path.encode("utf-8", "backslashreplace").decode() for path in paths)
+
+
+def _of_app(components: Iterable[dict[str, Any]], app_facts: Facts) -> Iterator[dict[str, Any]]:
+    """The components of an app's SBOM that are the app's own, and not its base image's."""
+    apt = {(package.name, package.version) for package in app_facts.packages}
+    paths = (*app_facts.files, *(path for package in app_facts.packages for path in package.files))
+    matches = (_PYTHON.fullmatch(path) for path in paths if "-info" in path)
+    python = {(_normalized(match[1]), match[2]) for match in matches if match}
+    for component in components:
+        purl, name, version = (str(component.get(key, "")) for key in ("purl", "name", "version"))
+        if purl.startswith("pkg:deb/"):
+            is_own = (name, version) in apt
+        else:
+            is_own = purl.startswith("pkg:generic/ros/") or (_normalized(name), version) in python
+        if is_own:
+            yield component
+
+
+def _normalized(name: str) -> str:
+    """The name of a package of Python as all its spellings come to."""
+    return re.sub("[-_.]+", "-", name).lower()

@@ -1,0 +1,381 @@
+"""Decides whether an app may move to another base image, by facts about the app and both base images: no layer is read.
+
+docs/rebase.md has the rules in words, and what they cannot see.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from enum import IntEnum
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed
+from rosml.containerize.rebase.attachments import BaseContents
+from rosml.containerize.rebase.debian import PackageSet, relations
+from rosml.containerize.rebase.image import AGAIN
+from rosml.images.image_set.labels import PREFIX
+from rosml.images.join import facts as join_facts
+from rosml.images.join.facts import Facts, Library
+from rosml.images.join.layers import Source
+
+SAME = {"distribution": "ROS distribution", "os": "system", "python": "Python", "ros": "generation of ROS"}
+"""The labels that both base images must have in common, with the words for people."""
+
+FRAMEWORK = f"{PREFIX}framework"
+
+VERSION = re.compile(r"[0-9]+(\.[0-9]+)+([+.-].*)?")
+
+DRIVER = re.compile(
+    r"lib(cuda|nvcuvid|nvidia-[a-z0-9-]+|nvoptix|cudadebugger|GLX_nvidia|EGL_nvidia|dxcore)\.so(\.[0-9.]+)?"
+)
+"""Libraries that a driver brings when a container starts."""
+
+OF_THE_SYSTEM = re.compile(r"(usr/)?lib(32|64)?/(?!python)([^/]+/)?[^/]+")
+"""Places of a Debian system's own libraries: as long as a library has the same name, it keeps its interface (Debian's policy, 8.1)."""
+
+GENERATED = re.compile(
+    r"docker-ros/ws/install/(\.colcon_install_layout|_?(local_)?setup[^/]*|_order_packages\.py|_local_setup_util_\w+\.py)"
+    r"|(.*/)?__pycache__/.*"
+)
+"""Files that each app has of its own, and Python's compiled files, which belong to their sources."""
+
+BOTH = "the app and the base image both have /"
+"""The beginning of the reason about a file that both have."""
+
+STEPS = 10_000_000
+"""The most libraries that are looked at for one app, which takes some seconds. An app with 500 libraries takes a million."""
+
+
+class Verdict(IntEnum):
+    """What the move takes: nothing, a link in the builder first, or a new build."""
+
+    SAFE = 0
+    LINK = 1
+    BUILD = 2
+
+
+WORDS = {Verdict.SAFE: "safe", Verdict.LINK: "check by link", Verdict.BUILD: "build again"}
+
+Reason = tuple[str, Verdict]
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """What speaks against a move: each reason once, with the worst verdict that it led to."""
+
+    reasons: Mapping[str, Verdict]
+
+    @classmethod
+    def of(cls, reasons: Iterable[Reason]) -> Judgement:
+        """Unites reasons, such as those of several platforms."""
+        worst: dict[str, Verdict] = {}
+        for reason, verdict in reasons:
+            worst[reason] = max(verdict, worst.get(reason, verdict))
+        return cls(worst)
+
+    def reasons_for(self, verdict: Verdict) -> list[str]:
+        """The reasons that led to exactly this verdict."""
+        return [reason for reason, its_verdict in self.reasons.items() if its_verdict is verdict]
+
+    @property
+    def undecided(self) -> list[str]:
+        """Why the app has to be linked before its tag moves."""
+        return self.reasons_for(Verdict.LINK)
+
+    @property
+    def words(self) -> str:
+        """The verdict for people."""
+        return WORDS[max(self.reasons.values(), default=Verdict.SAFE)]
+
+
+def require_fit(app: Source, base: Source) -> None:
+    """Checks by labels that a base image is of the app's kind."""
+    for name, words in SAME.items():
+        app_has, base_has = (source.labels.get(PREFIX + name, "") for source in (app, base))
+        if app_has and not base_has:
+            text = f"{base.name} does not say which {words} it has: it is no image of rosml with ROS"
+            raise RosmlError(text, "name one, such as ros:jazzy-base", exit_code=2)
+        if app_has != base_has:
+            text = f"{app.name} was built on {words} {app_has or 'unknown'}, and {base.name} has {base_has}"
+            raise RosmlError(text, f"name a base image with {app_has or 'the same'}; or {AGAIN}", exit_code=2)
+
+
+def judge(
+    app: Facts, old: Facts | None, base: BaseContents, app_labels: Mapping[str, str], base_labels: Mapping[str, str]
+) -> Judgement:
+    """Judges an app's move to another base image.
+
+    Args:
+        app: the facts of the app's own layer.
+        old: those of its present base image; None if they are gone.
+        base: the new base image.
+    """
+    new = base.facts
+    try:
+        base_packages, all_packages = PackageSet(new.packages), PackageSet([*new.packages, *app.packages])
+        reasons = [
+            *_package_relations(app, new, base_packages, all_packages),
+            *_missing_apt_requests(app, all_packages),
+            *_vanished_packages(app, old, all_packages),
+            *_libraries(app, old, new),
+        ]
+    except ValueError as error:
+        raise RosmlError(f"the facts of an image are damaged: {error}", AGAIN) from None
+    reasons += [
+        *_file_clashes(app, base, base_packages),
+        *_missing_imports(app, base.files),
+        *_missing_pip_requests(app, base.files),
+        *_part_releases(app, app_labels, base_labels),
+    ]
+    if old is None:
+        text = (
+            "the base image that the app was built on is gone, or has no facts beside it, so nobody can compare with it"
+        )
+        reasons.append((text, Verdict.LINK))
+    return Judgement.of(reasons)
+
+
+# ---- Packages --------------------------------------------------------------------------------------------------------
+
+
+def _package_relations(app: Facts, new: Facts, base_packages: PackageSet, all_packages: PackageSet) -> Iterator[Reason]:
+    for package in app.packages:
+        base_version = base_packages.version_of(package.name)
+        if base_version and base_version != package.version:
+            text = f"the app has {package.name} {package.version}, and the base image has {base_version}"
+            yield text, Verdict.BUILD
+            continue
+        for alternatives in relations(package.depends):
+            if not all_packages.meets(alternatives):
+                versions = {item.name: all_packages.version_of(item.name) for item in alternatives}
+                present = listed([f"{name} {version}" for name, version in versions.items() if version])
+                needs = f"{package.name} needs {' | '.join(map(str, alternatives))}"
+                yield f"{needs}, and the base image has {present or 'none'}", Verdict.BUILD
+        for other, relation in base_packages.conflicts(package):
+            yield f"{package.name} cannot stand beside {relation}, and the base image has {other}", Verdict.BUILD
+    app_packages = PackageSet(app.packages)
+    for package in new.packages:
+        for other, relation in app_packages.conflicts(package):
+            text = f"{package.name} of the base image cannot stand beside {relation}, and the app has {other}"
+            yield text, Verdict.BUILD
+
+
+def _missing_apt_requests(app: Facts, all_packages: PackageSet) -> Iterator[Reason]:
+    """Packages that the app asked for by name, and that are not in its layer because its present base image has them."""
+    for name in app.asks:
+        if name not in all_packages:
+            yield f"the app asked for {name}, which the base image lacks", Verdict.BUILD
+
+
+def _vanished_packages(app: Facts, old: Facts | None, all_packages: PackageSet) -> Iterator[Reason]:
+    """Packages that only the old base image has. Python and launch files may use them, and no list says so."""
+    packages = old.packages if old else ()
+    gone = sorted({package.name for package in packages if package.name not in all_packages})
+    if gone and app.imports != []:
+        text = f"the base image until now has {_some(gone)}, and this one has not; the app's Python may use it"
+        yield text, Verdict.LINK
+
+
+# ---- Files -----------------------------------------------------------------------------------------------------------
+
+
+def _missing_imports(app: Facts, files: Iterable[str]) -> Iterator[Reason]:
+    modules = modules_of(files) if app.imports else ()
+    for item in app.imports or ():
+        if item.module not in modules:
+            yield f"{item.file} imports {item.module}, which the base image lacks", Verdict.BUILD
+
+
+def _missing_pip_requests(app: Facts, files: Iterable[str]) -> Iterator[Reason]:
+    distributions = distributions_of(files) if app.asks_pip else ()
+    for name in app.asks_pip:
+        if name not in distributions:
+            yield f"the app asked pip for {name}, which the base image lacks", Verdict.BUILD
+
+
+def distributions_of(files: Iterable[str]) -> set[str]:
+    """The normalized names of Python's packages, by the paths of an image's files."""
+    names = {match[1] for path in files if (match := _DISTRIBUTION.search(path))}
+    return {re.sub(r"[-_.]+", "-", name).lower() for name in names}
+
+
+_DISTRIBUTION = re.compile(r"/(?:site|dist)-packages/([A-Za-z0-9._]+)(?:-[^/]*)?\.(?:dist|egg)-info(?:/|$)")
+
+
+def modules_of(files: Iterable[str]) -> set[str]:
+    """The first names of the modules in folders that Python looks into, by the paths of an image's files."""
+    return {match[1] for path in files if (match := _MODULE.match(path))}
+
+
+_MODULE = re.compile(
+    r"(?:.*/(?:site|dist)-packages|(?:.*/)?(?:usr/(?:local/)?|opt/[^/]+/[^/]+/)?lib/python3(?:\.\d+)?(?:/lib-dynload)?)/([^/.]+)(?:[/.]|$)"
+)
+
+
+def _file_clashes(app: Facts, base: BaseContents, base_packages: PackageSet) -> Iterator[Reason]:
+    """Files that both have, except those of packages that both have: in another version, such a package is a reason itself."""
+    added = [package for package in app.packages if not base_packages.version_of(package.name)]
+    parents: dict[str, str] = {}
+    for path in (*(path for package in added for path in package.files), *app.files):
+        if GENERATED.fullmatch(path):
+            continue
+        if path in base.files:
+            yield f"{BOTH}{path}", Verdict.BUILD
+        elif path in base.folders:
+            yield f"the app has a file /{path}, which is a folder in the base image", Verdict.BUILD
+        elif parent := _parent_file(path.rpartition("/")[0], base.files, parents):
+            text = f"the app has a folder /{parent}, which is a file or a link in the base image"
+            yield text, Verdict.BUILD
+
+
+def _parent_file(folder: str, files: Container[str], parents: dict[str, str]) -> str:
+    """The folder that is a file in an image, among a folder and those above it; empty if none is.
+
+    Args:
+        parents: the answers for earlier folders, to which this one is added.
+    """
+    unanswered = []
+    while folder and folder not in parents and folder not in files:
+        unanswered.append(folder)
+        folder = folder.rpartition("/")[0]
+    parent = parents.get(folder, folder)
+    parents |= dict.fromkeys(unanswered, parent)
+    return parent
+
+
+def _part_releases(app: Facts, app_labels: Mapping[str, str], base_labels: Mapping[str, str]) -> Iterator[Reason]:
+    """Parts of another release, whose libraries keep their names: one minor release runs no programs of another."""
+    releases = {
+        name.removeprefix(PREFIX): (text, base_labels.get(name))
+        for name, text in app_labels.items()
+        if name.startswith(PREFIX) and VERSION.fullmatch(text)
+    }
+    lost = [part for part, (_, new) in releases.items() if new is None]
+    if lost and app_labels.get(FRAMEWORK) != base_labels.get(FRAMEWORK) and app.imports != []:
+        yield f"this base image has no {listed(lost, 'or')}; the app's Python may use it", Verdict.LINK
+    needed = sorted({name for library in app.libraries for name in library.needed})
+    for part, (old, new) in releases.items():
+        if not new or not VERSION.fullmatch(new) or old.split(".")[:2] == new.split(".")[:2]:
+            continue
+        if used := next((name for name in needed if name.startswith(f"lib{part}")), ""):
+            yield f"the app was built with {part} {old} ({used}), and the base image has {new}", Verdict.BUILD
+
+
+# ---- Libraries -------------------------------------------------------------------------------------------------------
+
+
+class _Steps:
+    """Counts libraries that are looked at; more than STEPS raise ValueError."""
+
+    def __init__(self) -> None:
+        self._remaining = STEPS
+
+    def take(self, count: int) -> None:
+        self._remaining -= count
+        if self._remaining < 0:
+            raise ValueError("libraries name each other more often than any real ones")
+
+
+class _Libraries:
+    """Libraries for one machine, by each of their names."""
+
+    def __init__(self, libraries: Sequence[Library], machine: Sequence[int], steps: _Steps) -> None:
+        steps.take(len(libraries))
+        self._steps = steps
+        self._by_name: defaultdict[str, list[Library]] = defaultdict(list)
+        usable = [library for library in libraries if list(library.machine) == list(machine)]
+        self._interpreters = [
+            library for library in usable if not library.soname
+        ]  # Python, whose extensions use its symbols
+        for library in usable:
+            for name in {library.soname, library.path.rpartition("/")[2], *library.names} - {""}:
+                self._by_name[name].append(library)
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._by_name
+
+    def by_name(self, name: str) -> list[Library]:
+        return self._by_name.get(name, [])
+
+    def closure(self, names: Iterable[str]) -> dict[str, list[Library]]:
+        """The libraries that are loaded with some, by name."""
+        loaded: dict[str, list[Library]] = {}
+        queue = [*names]
+        while queue:
+            name = queue.pop()
+            if name not in loaded and name in self:
+                loaded[name] = self._by_name[name]
+                needed = [other for library in loaded[name] for other in library.needed]
+                self._steps.take(len(loaded[name]) + len(needed))
+                queue += needed
+        return loaded
+
+    def lacking(self, symbols: Sequence[str], names: Iterable[str]) -> list[str]:
+        """The symbols that neither libraries with these names, nor those loaded with them, nor Python export."""
+        libraries = [library for group in self.closure(names).values() for library in group] + self._interpreters
+        self._steps.take(len(libraries) * (1 + len(symbols) // 10))
+        return join_facts.lacking(symbols, libraries)
+
+
+def _libraries(app: Facts, old: Facts | None, new: Facts) -> Iterator[Reason]:
+    """What the app's programs and libraries need of the base image's."""
+    steps = _Steps()
+    base_libraries = [*new.libraries, *(old.libraries if old else ())]
+    for machine in {tuple(library.machine) for library in app.libraries}:
+        if not any(tuple(library.machine) == machine for library in base_libraries):
+            continue  # the app has it for another processor
+        of_app, now = _Libraries(app.libraries, machine, steps), _Libraries(new.libraries, machine, steps)
+        before = _Libraries(old.libraries, machine, steps) if old else None
+        used: set[str] = set()
+        for library in (item for item in app.libraries if tuple(item.machine) == machine):
+            names = list(_needed(library, of_app))
+            used.update(names)
+            for name in names:
+                if name not in now and not DRIVER.fullmatch(name) and (before is None or name in before):
+                    yield f"{_short(library)} needs {name}, which the base image lacks", Verdict.BUILD
+            if before:  # without it, the app is linked in a step anyway
+                yield from _lost_symbols(library, {*names}, before, now)
+        if before:
+            yield from _changed(used, before, now)
+
+
+def _needed(library: Library, of_app: _Libraries) -> Iterator[str]:
+    """The libraries of others that a library of an app needs, also by others of the app."""
+    groups = of_app.closure([library.path.rpartition("/")[2], library.soname]).values()
+    yield from (name for group in groups for item in group for name in item.needed if name not in of_app)
+
+
+def _lost_symbols(library: Library, names: set[str], before: _Libraries, now: _Libraries) -> Iterator[Reason]:
+    """Symbols that the old base image had for a library, and the new one has not."""
+    lacking_now = now.lacking(library.uses, names)
+    lost = {*lacking_now} - {*before.lacking(lacking_now, names)} if lacking_now else ()
+    if lost:
+        more = f" and {len(lost) - 1} more" if len(lost) > 1 else ""
+        text = f"{_short(library)} uses {min(lost)[:200]}{more}, which no library of the base image has any more"
+        yield text, Verdict.BUILD
+
+
+def _changed(used: Iterable[str], before: _Libraries, now: _Libraries) -> Iterator[Reason]:
+    """Libraries that are not as they were. Of those of the operating system, the name says that the interface is the same."""
+    changed = {
+        name
+        for name, libraries in before.closure(used).items()
+        for library in libraries
+        if not OF_THE_SYSTEM.fullmatch(library.path)
+        and name in now
+        and not any((other.path, other.id) == (library.path, library.id) for other in now.by_name(name))
+    }
+    if changed:
+        text = f"{_some(sorted(changed))} changed, and their names do not say whether their interfaces did"
+        yield text, Verdict.LINK
+
+
+def _short(library: Library) -> str:
+    return library.path.removeprefix("docker-ros/ws/install/")
+
+
+def _some(names: Sequence[str]) -> str:
+    return listed([*names[:3], *([f"{len(names) - 3} more"] if len(names) > 3 else [])])

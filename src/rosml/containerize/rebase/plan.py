@@ -1,0 +1,114 @@
+"""What moving an app would give, and what it gave."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+from rosml.containerize.base_image.base import Base
+from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME
+from rosml.containerize.rebase.attachments import BaseContents
+from rosml.containerize.rebase.compatibility import Judgement
+from rosml.containerize.rebase.trial import Pair
+from rosml.images.join.layers import Joined, Source
+from rosml.images.join.transfer import Transferred
+from rosml.registry import oci
+from rosml.registry.references import Reference
+
+
+@dataclass
+class Rebased(Transferred):
+    """An app on another base image. `--json` prints these fields.
+
+    Attributes:
+        app: the app's complete reference.
+        reference: the tag that points at the new image.
+        before: the digest of the app's image until now.
+        base: the new base image, with its registry and tag.
+        old_base: the base image until now, as the app's label says.
+        back: the digest at which the tag was before, for `--back`; empty if there was no such tag.
+        moved: whether the tag points elsewhere than before.
+        verdict: what the facts of both base images say: `safe` or `check by link`; empty after `--back`.
+        linked: whether it was linked in the builder.
+    """
+
+    app: str = ""
+    reference: str = ""
+    digest: str = ""
+    before: str = ""
+    base: str = ""
+    base_digest: str = ""
+    old_base: str = ""
+    old_base_digest: str = ""
+    back: str = ""
+    moved: bool = False
+    verdict: str = ""
+    reasons: list[str] = field(default_factory=list)
+    linked: bool = False
+
+    def to_json(self) -> dict[str, Any]:
+        """For `--json`."""
+        return asdict(self)
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A new image of an app that is in no registry yet. Mappings are by platform.
+
+    Attributes:
+        app: the place of the app, by the digest that was read.
+        app_name: the app's complete reference.
+        target: the tag to move.
+        tag_digest: where that tag was when this was planned; empty if there was no such tag.
+        document: the manifest or the index to which the tag will point.
+    """
+
+    app: Reference
+    app_name: str
+    target: Reference
+    tag_digest: str
+    base: Base
+    app_images: Mapping[str, Source]
+    images: Mapping[str, Joined]
+    base_contents: Mapping[str, BaseContents]
+    judgement: Judgement
+    document: bytes
+    is_index: bool
+
+    @property
+    def digest(self) -> str:
+        """The digest of the new image."""
+        return oci.digest_of(self.document)
+
+    @property
+    def changes_nothing(self) -> bool:
+        """Whether the tag points at the new image already."""
+        return self.tag_digest == self.digest
+
+    @property
+    def pairs(self) -> dict[str, Pair]:
+        """The new and the old image for each platform, for a trial of what was pushed."""
+        new, old = (f"{where.host}/{where.repository}" for where in (self.target, self.app))
+        return {
+            platform: Pair(f"{new}@{image.digest}", f"{old}@{self.app_images[platform].digest}")
+            for platform, image in self.images.items()
+        }
+
+    @property
+    def rebased(self) -> Rebased:
+        """What can be said before anything is pushed."""
+        labels = next(iter(self.app_images.values())).labels
+        return Rebased(
+            app=self.app_name,
+            reference=str(self.target),
+            digest=self.digest,
+            before=self.app.reference,
+            base=self.base.name,
+            base_digest=self.base.digest,
+            old_base=labels.get(BASE_NAME, ""),
+            old_base_digest=labels.get(BASE_DIGEST, ""),
+            back=self.tag_digest,
+            verdict=self.judgement.words,
+            reasons=[*self.judgement.reasons],
+        )
