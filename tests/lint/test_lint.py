@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from fakes import exports
-from rosml.containerize.init import contents
+from rosml.containerize.init import file_texts
 from rosml.images.image_set import load, own_set
 from rosml.run.exports import compose_file
 from tests.pages import blocks
@@ -180,7 +180,7 @@ def test_compose_takes_what_run_exports(line: list[str], tmp_path: Path) -> None
 @pytest.mark.parametrize("place", ["", "ghcr.io/me/rosml"])
 def test_what_init_writes(place: str, tmp_path: Path) -> None:
     """`rosml init` of a package with upstream sources and requirements: its workflow and its Dockerfile."""
-    project = contents.Project(
+    project = file_texts.Project(
         name="robot",
         tag="ros:jazzy-base",
         place=place,
@@ -190,16 +190,16 @@ def test_what_init_writes(place: str, tmp_path: Path) -> None:
         ended=True,
         pip=("requirements.txt",),
         repos="my robot.repos",
-        one_of_several=True,
+        is_one_of_several=True,
         packages=(".",),
         forge="github",
         source="me/rosml",
         revision="main",
     )
-    for name, text in contents.contents(project).items():
+    for name, text in file_texts.texts(project).items():
         (tmp_path / Path(name).name).write_text(text)
-    actionlint(tmp_path / Path(contents.GITHUB).name)
-    check("hadolint", "--no-color", tmp_path / contents.DOCKERFILE)
+    actionlint(tmp_path / Path(file_texts.GITHUB).name)
+    check("hadolint", "--no-color", tmp_path / file_texts.DOCKERFILE)
 
 
 @pytest.mark.parametrize("registry", ["ghcr.io/me/images", "registry.example.com/robots/images"])

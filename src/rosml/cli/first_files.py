@@ -17,7 +17,7 @@ Calls = list[tuple[str, str]]
 def show(wanted: Sequence[File], calls: Calls, dry_run: bool) -> None:
     """Prints a line for each file, with its text if nothing was written, and the lines to call next."""
     for file in wanted:
-        state = "same" if file.same else "kept" if file.there else "new" if dry_run else "written"
+        state = "same" if file.same else "kept" if file.exists else "new" if dry_run else "written"
         terminal.echo(f"{state:<7}  {file.path}")
         if dry_run and not file.same:
             terminal.echo("".join(f"    {line}\n" for line in file.text.splitlines()))
@@ -29,6 +29,6 @@ def show(wanted: Sequence[File], calls: Calls, dry_run: bool) -> None:
 def as_json(wanted: Sequence[File], calls: Calls) -> dict[str, Any]:
     """The same for programs."""
     return {
-        "files": [{"path": file.path, "there": file.there, "same": file.same, "text": file.text} for file in wanted],
+        "files": [{"path": file.path, "there": file.exists, "same": file.same, "text": file.text} for file in wanted],
         "next": [line for line, _ in calls],
     }

@@ -24,7 +24,7 @@ from rosml.cli import main
 from rosml.cli.containerize import init
 from rosml.cli.run import question
 from rosml.containerize import inputs as app_inputs
-from rosml.containerize.init import contents, forge
+from rosml.containerize.init import file_texts, forge
 from rosml.containerize.packages import workspace
 from rosml.containerize.packages.conditions import holds
 from rosml.containerize.packages.ignored import LeftOut
@@ -220,7 +220,7 @@ def test_nobody_installs_again_what_the_base_image_has(
     lines = [line for line in (tmp_path / "Dockerfile").read_text().splitlines() if "rosdep install" in line]
     skipped = [f" --skip-keys {shlex.quote(keys)} " in f"{line.rstrip(chr(92)).rstrip()} " for line in lines]
     assert skipped == [bool(keys)] * 2
-    [step] = yaml.safe_load((tmp_path / contents.GITHUB).read_text())["jobs"]["images"]["steps"]
+    [step] = yaml.safe_load((tmp_path / file_texts.GITHUB).read_text())["jobs"]["images"]["steps"]
     assert step["with"].get("skip-keys", "") == keys
 
 
@@ -668,7 +668,7 @@ def test_a_terminal_is_asked_for_ci_and_where_it_pushes(tmp_path: Path, monkeypa
     assert "Push images to [ghcr.io/me/robot] (the repository's own place): " in done.stderr
     assert "image-name" not in done.stdout and re.search("^push to +ghcr.io/me/robot ", done.stdout, re.MULTILINE)
     done = called(tmp_path, typed=typed.format("quay.io/me/robot"))
-    [step] = yaml.safe_load((tmp_path / contents.GITHUB).read_text())["jobs"]["images"]["steps"]
+    [step] = yaml.safe_load((tmp_path / file_texts.GITHUB).read_text())["jobs"]["images"]["steps"]
     secrets = {name: f"${{{{ secrets.REGISTRY_{name.upper()} }}}}" for name in ("user", "password")}
     assert step["with"].items() >= {
         ("image-name", "quay.io/me/robot"),
@@ -691,7 +691,7 @@ def test_where_ci_pushes(tmp_path: Path, words: list[str], inputs: dict[str, str
     done = called(
         write(tmp_path, {"package.xml": manifest()}), "--yes", "--ci", name, "--push-to", place, "--registry", base
     )
-    found = yaml.safe_load((tmp_path / contents.FORGES[name]).read_text())
+    found = yaml.safe_load((tmp_path / file_texts.FORGES[name]).read_text())
     given = found["include"][0]["inputs"] if name == "gitlab" else found["jobs"]["images"]["steps"][0]["with"]
     assert {key: value for key, value in given.items() if key.startswith(("image", "registry"))} == inputs
     assert ("masked variables" in done.stderr) == (name == "gitlab")
@@ -761,7 +761,7 @@ def test_inputs_of_a_ci_file_are_those_that_there_are(tmp_path: Path, name: str,
         {"package.xml": manifest(), "a/x.jazzy.repos": "", "b/x.humble.repos": "", "requirements.txt": "scipy\n"},
     )
     called(tmp_path, "--yes", "--ci", name, "--registry", place, "--command", 'ros2 run "a b" c: d # é')
-    found = yaml.safe_load((tmp_path / contents.FORGES[name]).read_text())
+    found = yaml.safe_load((tmp_path / file_texts.FORGES[name]).read_text())
     if name == "github":
         [step] = found["jobs"]["images"]["steps"]
         assert step["uses"].startswith("me/rosml/containerize@")
@@ -791,7 +791,7 @@ def test_what_comes_next(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.chdir(tmp_path)
     own = f"{ROOT}/rosml"
     said = json.loads(called(Path("."), "--json").stdout)
-    name = contents.image_name(tmp_path.name)
+    name = file_texts.image_name(tmp_path.name)
     assert said["next"] == [
         f"{own} image jazzy-base",
         f"{own} containerize",
@@ -831,17 +831,17 @@ def test_a_base_image_in_a_registry_is_published_first(tmp_path: Path, monkeypat
     ],
 )
 def test_the_name_of_an_image(folder: str, name: str) -> None:
-    assert contents.image_name(folder) == name
+    assert file_texts.image_name(folder) == name
 
 
 # ---- What a repository says is written into files of others ----------------------------------------------------------
 
 
-def project_of(text: str) -> contents.Project:
+def project_of(text: str) -> file_texts.Project:
     """A project in which all that a repository may choose has a text."""
-    return contents.Project(
+    return file_texts.Project(
         name="robot", tag="ros:jazzy-base", place="ghcr.io/me/rosml", ros=2, gpu=False, command=f"ros2 launch a '{text}'", ended=False,
-        pip=(f"{text}.txt",), repos=f"{text}.repos", one_of_several=True, packages=(text,), forge="github", source="me/rosml",
+        pip=(f"{text}.txt",), repos=f"{text}.repos", is_one_of_several=True, packages=(text,), forge="github", source="me/rosml",
         revision="main", keys=(text,),
     )  # fmt: skip
 
@@ -850,21 +850,21 @@ def project_of(text: str) -> contents.Project:
 def test_texts_of_a_repository_are_only_texts_in_all_files(text: str) -> None:
     """Each file is read as its system reads it."""
     project = project_of(text)
-    expected = {name.lower().replace("_", "-"): value for name, value in contents.variables(project).items()}
-    github = contents.contents(project)[contents.GITHUB]
+    expected = {name.lower().replace("_", "-"): value for name, value in file_texts.variables(project).items()}
+    github = file_texts.texts(project)[file_texts.GITHUB]
     given = yaml.safe_load(github)["jobs"]["images"]["steps"][0]["with"]
     literal = "${{ '${{' }}"
     for name, value in given.items():
         if name != "push":
             assert "${{" not in value.replace(literal, "")
             assert value.replace(literal, "${{") == expected[name]
-    gitlab = contents.contents(replace(project, forge="gitlab"))[contents.GITLAB]
+    gitlab = file_texts.texts(replace(project, forge="gitlab"))[file_texts.GITLAB]
     (include,) = yaml.safe_load(gitlab)["include"]
     for name, value in include["inputs"].items():
         if name not in ("rosml-url", "rosml-ref"):
-            assert (value if name in contents.AS_IT_IS else value.replace("$$", "$")) == expected[name]
-            assert name in contents.AS_IT_IS or "$" not in value.replace("$$", "")
-    dockerfile = contents.contents(project)[contents.DOCKERFILE]
+            assert (value if name in file_texts.AS_IT_IS else value.replace("$$", "$")) == expected[name]
+            assert name in file_texts.AS_IT_IS or "$" not in value.replace("$$", "")
+    dockerfile = file_texts.texts(project)[file_texts.DOCKERFILE]
     instructions = [line for line in dockerfile.split("\n") if line and not line.startswith((" ", "#"))]
     assert {line.split(" ")[0] for line in instructions} <= {"ARG", "FROM", "COPY", "RUN", "CMD"}
     (copied,) = [json.loads(line[5:]) for line in instructions if line.startswith("COPY [")]
@@ -874,7 +874,7 @@ def test_texts_of_a_repository_are_only_texts_in_all_files(text: str) -> None:
 @pytest.mark.parametrize("text", ["a\nRUN id", "a\rb", "a\x00", "a\u2028b"])
 def test_a_name_of_several_lines_is_refused(text: str) -> None:
     with pytest.raises(RosmlError, match="has the character"):
-        contents.contents(project_of(text))
+        file_texts.texts(project_of(text))
 
 
 def test_a_registry_of_the_repository_is_a_proposal(tmp_path: Path) -> None:

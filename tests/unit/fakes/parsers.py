@@ -412,9 +412,8 @@ def repository_of(document: bytes, folder: Path) -> object:
         (folder / name).parent.mkdir(exist_ok=True)
         (folder / name).write_bytes(document)
     known, place = SMALL_SET.matrix, "ghcr.io/us/rosml"
-    found = forge.chosen(
-        folder, "", place, "", "https://github.com/us/rosml", known, lambda _, choice, *__: choice.value
-    )
+    wishes = forge.CiWishes(place=place, rosml="https://github.com/us/rosml")
+    found = forge.choose(folder, wishes, known, lambda _, choice: choice.value)
     return found, [*init_folder.hints(folder, {})], init_folder.ignores_env(folder)
 
 

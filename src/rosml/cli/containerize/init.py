@@ -7,7 +7,8 @@ import json
 import os
 import re
 import shlex
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -23,10 +24,12 @@ from rosml.cli.command import warn
 from rosml.cli.first_files import Calls
 
 if TYPE_CHECKING:
-    from rosml.containerize.init.choices import Choice, Decided
-    from rosml.containerize.init.contents import Project
+    from rosml.containerize.init.choices import Decision
+    from rosml.containerize.init.file_texts import Project
     from rosml.containerize.init.folder import File
-    from rosml.containerize.init.packages import Found
+    from rosml.containerize.init.forge import Ci
+    from rosml.containerize.init.packages import FolderScan
+    from rosml.containerize.init.situation import Ask, Choice, Note, Question, Surroundings
     from rosml.images.image_set.model import Image, ImageSet
 
 KEPT = "interrupted: nothing was written"
@@ -37,6 +40,31 @@ UNNAMED = (
     "name a registry with --registry; or write it before the name in .env, such as ghcr.io/me/rosml/",
 )
 """What to say where rosml is installed, and nobody said where base images are."""
+
+UNCONFIRMED = ".env of the repository names the registry {}, and nobody has confirmed it: the files do not"
+"""What is said of a registry that only a file of the repository names."""
+
+
+@dataclass(frozen=True)
+class Call:
+    """The command line: its options and their values."""
+
+    folder: Path
+    distribution: str
+    component: str
+    framework: str
+    gpu: bool | None
+    accelerator: str
+    command: str
+    ci: str
+    registry: str
+    push_to: str
+    images: bool
+    rosml: str
+    matrix: Path
+    yes: bool
+    dry_run: bool
+    as_json: bool
 
 
 @click.command(
@@ -62,20 +90,7 @@ UNNAMED = (
 @click.option("-y", "--yes", is_flag=True, help="take what is proposed, and ask nothing")
 @click.option("--dry-run", is_flag=True, help="print the files, and write nothing")
 @options.JSON
-def main(
-    folder: Path,
-    ci: str,
-    registry: str,
-    push_to: str,
-    matrix: Path,
-    yes: bool,
-    dry_run: bool,
-    as_json: bool,
-    accelerator: str,
-    images: bool,
-    rosml: str,
-    **given: Any,
-) -> None:
+def main(**values: Any) -> None:
     """Finds the ROS packages in FOLDER, proposes a base image for them, and writes what you need to build and run them.
 
     \b
@@ -95,158 +110,184 @@ def main(
       rosml init --ci github --registry ghcr.io/me/rosml
       rosml init --images robot-images --registry ghcr.io/me/robot-images --distribution jazzy,humble
     """
-    if images:
-        _set_of_images(folder, registry, rosml, dry_run, as_json)
-        return
-    if not folder.is_dir():
-        raise click.BadParameter(f"Directory '{folder}' does not exist.", param_hint="'[FOLDER]'")
-    from rosml.cli.images import own_set
-    from rosml.containerize import inputs as app_inputs
-    from rosml.containerize.init import choices, contents, forge, packages
-    from rosml.containerize.init import folder as folders
-    from rosml.containerize.init.choices import Choice
-    from rosml.images.image_set import load
-    from rosml.run.host import host
-    from rosml.run.plugins import gpu as gpus
+    call = Call(**values)
+    if call.images:
+        _set_of_images(call)
+    elif call.folder.is_dir():
+        _begin(call, call.folder.resolve())
+    else:
+        raise click.BadParameter(f"Directory '{call.folder}' does not exist.", param_hint="'[FOLDER]'")
 
-    folder = folder.resolve()
-    place, images_to = forge.place_of(registry), forge.place_of(push_to)
-    image_set = load.load(matrix, ROOT)
-    found = packages.find(folder, choices.libraries(image_set.matrix))
+
+def _begin(call: Call, folder: Path) -> None:
+    from rosml.cli.images import own_set
+    from rosml.containerize.init import choices, file_texts, forge, libraries, packages
+    from rosml.containerize.init import folder as folders
+    from rosml.containerize.init.situation import Situation, Wishes
+    from rosml.images.image_set import load
+
+    registry, push_to = forge.place_of(call.registry), forge.place_of(call.push_to)
+    image_set = load.load(call.matrix, ROOT)
+    scan = packages.find(folder, libraries.words(image_set.matrix))
     env, broken = folders.env(folder)
-    machine = host(os.environ)
-    here = choices.Here(
-        datetime.datetime.now(datetime.UTC).date(),
-        env,
-        tuple(folders.hints(folder, os.environ)),
-        gpus.is_nvidia(machine),
-        gpus.driver(machine),
-    )
-    ask: choices.Ask = _take
-    if not (yes or as_json) and _has_terminal():
-        terminal.echo(f"{_packages(found)}\nEnter takes what is in brackets; ? lists the answers.\n", err=True)
-        ask = _ask
-    proposed = "" if place else _registry_of(env, image_set)
-    if proposed and ask is _ask:
-        place = ask("Registry of the base images", Choice(proposed, f"{app_inputs.FILE} names it"), (), forge.place_of)
-    address = own_set.address_of_rosml(rosml)
-    decided = choices.decide(image_set, found, choices.Given(stack=accelerator, **given), here, ask)
-    jobs = forge.chosen(folder, ci, place, images_to, address, image_set.matrix, ask)
-    project = contents.Project(
-        name=contents.image_name(env.get("IMAGE_NAME") or folder.name),
-        tag=decided.image.tags[0],
-        place=jobs.place,
-        ros=decided.image.ros,
-        gpu="cuda" in decided.image.versions,
-        command=decided.command,
-        ended=decided.ended,
-        pip=found.pip,
-        repos=contents.repos_of(found.repos, image_set.matrix, decided.image.distribution),
-        one_of_several=len(found.repos) > 1,
-        packages=tuple(str(package.folder) for package in found.packages),
-        forge=jobs.forge.value,
-        source=forge.source(jobs.forge.value, jobs.place, address, image_set.matrix),
-        revision=forge.revision(jobs.forge.value),
-        images=jobs.images,
-        keys=decided.keys,
-        addons=decided.addons,
-    )
-    wanted = folders.compared(folder, contents.contents(project))
-    if not dry_run:
-        folders.write(folder, wanted)
+    ask = _asker(call, scan)
+    proposed = "" if registry else _registry_of(env, image_set)
+    place = _confirmed(proposed) if proposed and ask is _ask else registry
+    address = own_set.address_of_rosml(call.rosml)
+    wishes = Wishes(call.distribution, call.component, call.framework, call.accelerator, call.gpu, call.command)
+    decision = choices.decide(Situation(image_set, scan, wishes, _surroundings(folder, env), ask))
+    ci = forge.choose(folder, forge.CiWishes(call.ci, place, push_to, address), image_set.matrix, ask)
+    name = file_texts.image_name(env.get("IMAGE_NAME") or folder.name)
+    project = _project(name, scan, decision, ci, address, image_set)
+    first = folders.compared(folder, file_texts.texts(project))
+    if not call.dry_run:
+        folders.write(folder, first)
     notes = [
-        *_guessed(project, address, wanted),
+        *_guessed(project, address, first),
         *(
             [(UNCONFIRMED.format(proposed), f"--registry {proposed}, if you trust it")]
             if proposed and not place
             else []
         ),
-        *decided.notes,
-        *([broken] if broken else _lacking(env, wanted, project)),
-        *_kept(folder, wanted, project),
+        *decision.notes,
+        *([broken] if broken else _lacking(env, first, project)),
+        *_kept(folder, first, project),
         *_secrets(project),
+        *_about_folder(folder, project),
     ]
-    if folders.ignores_env(folder):
-        notes.append((".gitignore leaves out .env: who clones the repository has none", "git add --force .env"))
-    for message, remedy in [*notes, *([] if IN_CHECKOUT or project.place else [UNNAMED])]:
+    for message, remedy in notes:
         warn(message, remedy)
-    chosen = {**decided.choices, "ci": jobs.forge}
-    if pushed := jobs.images or jobs.usual:
-        chosen["push to"] = choices.Choice(pushed, "you ask for it" if jobs.images else "the repository's own place")
-    calls = [*_published(image_set, decided.image, project), *_calls(folder, decided, project, wanted)]
-    if as_json:
-        terminal.echo(json.dumps(_as_json(folder, found, chosen, project, wanted, calls), indent=2))
+    calls = [*_published(image_set, decision.image, project), *_calls(folder, decision, project, first)]
+    if call.as_json:
+        documents = _as_json(folder, scan, _choices(decision, ci), project.base_image)
+        terminal.echo(json.dumps({**documents, **first_files.as_json(first, calls)}, indent=2))
     else:
-        _print(found, chosen, wanted, calls, dry_run)
+        _print(scan, _choices(decision, ci))
+        first_files.show(first, calls, call.dry_run)
+
+
+def _surroundings(folder: Path, env: Mapping[str, str]) -> Surroundings:
+    from rosml.containerize.init import folder as folders
+    from rosml.containerize.init.situation import Surroundings
+    from rosml.run.host import host
+    from rosml.run.plugins import gpu
+
+    machine, today = host(os.environ), datetime.datetime.now(datetime.UTC).date()
+    hints = tuple(folders.hints(folder, os.environ))
+    return Surroundings(today, env, hints, gpu.is_nvidia(machine), gpu.driver(machine))
+
+
+def _project(name: str, scan: FolderScan, decision: Decision, ci: Ci, address: str, image_set: ImageSet) -> Project:
+    from rosml.containerize.init import file_texts, forge
+
+    image, matrix = decision.image, image_set.matrix
+    return file_texts.Project(
+        name=name,
+        tag=image.tags[0],
+        place=ci.place,
+        ros=image.ros,
+        gpu="cuda" in image.versions,
+        command=decision.choices["command"].value,
+        ended=decision.ended,
+        pip=scan.pip,
+        repos=file_texts.repos_of(scan.repos, matrix, image.distribution),
+        is_one_of_several=len(scan.repos) > 1,
+        packages=tuple(str(package.folder) for package in scan.packages),
+        forge=ci.forge.value,
+        source=forge.source(ci.forge.value, ci.place, address, matrix),
+        revision=forge.revision(ci.forge.value),
+        images=ci.images,
+        keys=decision.keys,
+        addons=decision.addons,
+    )
+
+
+def _choices(decision: Decision, ci: Ci) -> dict[str, Choice]:
+    """All choices, by the words for them."""
+    from rosml.containerize.init.forge import OWN_PLACE
+    from rosml.containerize.init.situation import BY_USER, Choice
+
+    choices = {**decision.choices, "ci": ci.forge}
+    if ci.images or ci.usual:
+        choices["push to"] = Choice(ci.images, BY_USER) if ci.images else Choice(ci.usual, OWN_PLACE)
+    return choices
 
 
 # ---- A set of images -------------------------------------------------------------------------------------------------
 
 
-def _set_of_images(folder: Path, registry: str, rosml: str, dry_run: bool, as_json: bool) -> None:
-    """`--images`.
-
-    Raises:
-        click.UsageError: an option has no meaning for it.
-    """
+def _set_of_images(call: Call) -> None:
+    """`--images`, which has no use for most options."""
     from rosml.cli.images import own_set
 
     context = click.get_current_context()
-    taken = ("folder", "registry", "images", "rosml", "dry_run", "as_json", "yes", "distribution", "framework", "gpu")
+    useful = ("folder", "registry", "images", "rosml", "dry_run", "as_json", "yes", "distribution", "framework", "gpu")
     for parameter in context.command.params:
-        if (
-            parameter.name not in taken
-            and context.get_parameter_source(str(parameter.name)) is not ParameterSource.DEFAULT
-        ):
+        source = context.get_parameter_source(str(parameter.name))
+        if parameter.name not in useful and source is not ParameterSource.DEFAULT:
             raise click.UsageError(f"{parameter.opts[0]} has no meaning with --images: {own_set.EDIT}.")
-    names = {name: tuple(re.findall(r"[^,\s]+", context.params[name])) for name in ("distribution", "framework")}
-    accelerator = {None: "", True: "cuda", False: "cpu"}[context.params["gpu"]]
-    own_set.begin(folder, names["distribution"], names["framework"], registry, rosml, accelerator, dry_run, as_json)
+    distributions, frameworks = (tuple(re.findall(r"[^,\s]+", text)) for text in (call.distribution, call.framework))
+    accelerator = {None: "", True: "cuda", False: "cpu"}[call.gpu]
+    own_set.begin(
+        call.folder, distributions, frameworks, call.registry, call.rosml, accelerator, call.dry_run, call.as_json
+    )
 
 
 # ---- Questions -------------------------------------------------------------------------------------------------------
 
 
 def _has_terminal() -> bool:
-    """Whether there is a terminal for questions and their answers."""
+    """Whether questions can be asked and answered."""
     return os.isatty(0) and os.isatty(2)
 
 
-def _ask(asked: str, proposal: Choice, answers: Sequence[str], read: Callable[[str], str]) -> str:
+def _asker(call: Call, scan: FolderScan) -> Ask:
+    """What answers questions: the user on a terminal, or else the proposals."""
+    if call.yes or call.as_json or not _has_terminal():
+        return lambda question, proposal: proposal.value
+    terminal.echo(f"{_packages(scan)}\nEnter takes what is in brackets; ? lists the answers.\n", err=True)
+    return _ask
+
+
+def _ask(question: Question, proposal: Choice) -> str:
     """Asks until an answer can be read. The first clause of the proposal's reason stands behind it."""
     from rosml.base.problems import listed
-    from rosml.cli.run import question
+    from rosml.cli.run.question import drop_typed
 
-    text = f"{asked} [{proposal.value or 'none'}] ({proposal.reason.partition(';')[0]})"
+    text = f"{question.text} [{proposal.value or 'none'}] ({proposal.reason.partition(';')[0]})"
     while True:
-        question.drop_typed()
-        said: str = click.prompt(text, default=proposal.value, show_default=False, err=True).strip()
-        if said == proposal.value:
-            return said
-        if said == "?":
-            terminal.echo(f"  {listed(answers, 'or') or 'what you like'}", err=True)
+        drop_typed()
+        answer: str = click.prompt(text, default=proposal.value, show_default=False, err=True).strip()
+        if answer == proposal.value:
+            return answer
+        if answer == "?":
+            terminal.echo(f"  {listed(question.answers, 'or') or 'what you like'}", err=True)
             continue
         try:
-            return read(said)
+            return question.read(answer)
         except RosmlError as error:
             terminal.echo(f"  {error.message}; {error.remedy}", err=True)
 
 
-def _take(question: str, proposal: Choice, answers: Sequence[str], read: Callable[[str], str]) -> str:
-    return proposal.value
+def _confirmed(place: str) -> str:
+    """Asks for the registry that a stranger's `.env` may have named."""
+    from rosml.containerize import inputs as app_inputs
+    from rosml.containerize.init.forge import place_of
+    from rosml.containerize.init.situation import Choice, Question
+
+    return _ask(Question("Registry of the base images", place_of), Choice(place, f"{app_inputs.FILE} names it"))
 
 
-def _guessed(project: Project, address: str, wanted: Sequence[File]) -> Iterator[tuple[str, str]]:
+# ---- Warnings --------------------------------------------------------------------------------------------------------
+
+
+def _guessed(project: Project, address: str, first: Sequence[File]) -> Iterator[Note]:
     """A CI file takes rosml from a repository that only the registry's path suggests."""
-    from rosml.containerize.init import contents
+    from rosml.containerize.init.file_texts import FORGES
 
-    if not address and any(file.path == contents.FORGES.get(project.forge) and not file.there for file in wanted):
+    if not address and any(file.path == FORGES.get(project.forge) and not file.exists for file in first):
         text = f"that rosml is at {project.source} on {project.forge} is a guess from the registry's path"
         yield text, "name its address with --rosml, such as https://github.com/me/rosml"
-
-
-UNCONFIRMED = ".env of the repository names the registry {}, and nobody has confirmed it: the files do not"
-"""What is said of a registry that only a file of the repository names."""
 
 
 def _registry_of(env: Mapping[str, str], image_set: ImageSet) -> str:
@@ -254,105 +295,107 @@ def _registry_of(env: Mapping[str, str], image_set: ImageSet) -> str:
     from rosml.containerize.init import forge
     from rosml.registry import references
 
-    named = env.get("BASE_IMAGE", "")
-    if not image_set.by_tag(named) or not references.has_registry(named):
+    base_image = env.get("BASE_IMAGE", "")
+    if not image_set.by_tag(base_image) or not references.has_registry(base_image):
         return ""
     try:
-        return forge.place_of(named.rpartition("/")[0])
+        return forge.place_of(base_image.rpartition("/")[0])
     except RosmlError:
         return ""
 
 
-def _secrets(project: Project) -> Iterator[tuple[str, str]]:
+def _secrets(project: Project) -> Iterator[Note]:
     """CI logs in to another registry than the forge's by a password that only people have."""
-    from rosml.containerize.init import contents
+    from rosml.containerize.init.file_texts import other_registry
 
-    if host := contents.other_registry(project):
+    if host := other_registry(project):
         yield (
             f"CI logs in to {host} alone, with REGISTRY_USER and REGISTRY_PASSWORD",
             f"make these {'secrets' if project.forge == 'github' else 'masked variables'} in the repository's settings",
         )
 
 
-# ---- What comes next -------------------------------------------------------------------------------------------------
-
-
-def _lacking(env: Mapping[str, str], wanted: Sequence[File], project: Project) -> Iterator[tuple[str, str]]:
+def _lacking(env: Mapping[str, str], first: Sequence[File], project: Project) -> Iterator[Note]:
     """What a `.env` that stays does not say."""
     from rosml.containerize import inputs as app_inputs
-    from rosml.containerize.init import contents
+    from rosml.containerize.init.file_texts import assigned, variables
 
-    if any(file.path == app_inputs.FILE and file.there for file in wanted):
-        inputs = contents.variables(project).items()
-        said = {**env, **({"IMAGE_NAME": project.name} if "IMAGE" in env else {})}
-        if lines := [contents.assigned(name, value) for name, value in inputs if said.get(name) != value]:
+    if any(file.path == app_inputs.FILE and file.exists for file in first):
+        values = {**env, **({"IMAGE_NAME": project.name} if "IMAGE" in env else {})}
+        lines = [assigned(name, value) for name, value in variables(project).items() if values.get(name) != value]
+        if lines:
             yield f"{app_inputs.FILE} stays as it is, and does not say {', '.join(lines)}", "write that into it"
 
 
-def _kept(folder: Path, wanted: Sequence[File], project: Project) -> Iterator[tuple[str, str]]:
+def _kept(folder: Path, first: Sequence[File], project: Project) -> Iterator[Note]:
     """What a Dockerfile and a CI file that stay do not say."""
-    from rosml.containerize.init import contents
-    from rosml.containerize.init import folder as folders
+    from rosml.containerize.init.file_texts import lacking
+    from rosml.containerize.init.folder import text_of
 
-    for file in wanted:
-        if file.there and not file.same:
-            found = list(contents.lacking(file.path, folders.text_of(folder / file.path), project))
-            if found:
-                lacks, lines = (", and ".join(texts) for texts in zip(*found, strict=True))
-                yield f"{file.path} stays as it is, and {lacks}", f"{lines}; rosml init --dry-run prints ours"
+    for file in first:
+        if file.exists and not file.same and (pairs := [*lacking(file.path, text_of(folder / file.path), project)]):
+            lacks, lines = (", and ".join(texts) for texts in zip(*pairs, strict=True))
+            yield f"{file.path} stays as it is, and {lacks}", f"{lines}; rosml init --dry-run prints ours"
+
+
+def _about_folder(folder: Path, project: Project) -> Iterator[Note]:
+    from rosml.containerize.init.folder import ignores_env
+
+    if ignores_env(folder):
+        yield ".gitignore leaves out .env: who clones the repository has none", "git add --force .env"
+    if not IN_CHECKOUT and not project.place:
+        yield UNNAMED
+
+
+# ---- What comes next -------------------------------------------------------------------------------------------------
 
 
 def _published(image_set: ImageSet, image: Image, project: Project) -> Calls:
-    """The line that publishes the base image; with CI also the one for its slim image. Nobody asks the registry whether it is there."""
-    from rosml.containerize.init import contents
+    """The line that publishes the base image; with CI also the one for its slim image. Nobody asks the registry whether it has them."""
+    from rosml.containerize.init.file_texts import FORGES
     from rosml.images.builds import base_images
     from rosml.images.matrix import rules
 
     if not project.place:
         return []
-    targets = [image.target]
-    if project.forge in contents.FORGES:
-        kind = (image.distribution, rules.runtime(image_set.matrix, image.distribution, image.component))
-        slim = (*kind, image.combination, image.stack)
-        targets += [
-            other.target
-            for other in image_set.images
-            if (other.distribution, other.component, other.combination, other.stack) == slim
-        ]
-    only = "".join(f" --only {target}" for target in targets)
-    own, where = (checkout.call(), "") if IN_CHECKOUT else ("./rosml", "in a clone of rosml: ")
-    what = "publishes the base image" + (", and the one for slim images" if targets[1:] else "")
-    line = f"{own} publish all --registry {project.place}{only} --serve {base_images.native_architecture()}"
+    runtime = rules.runtime(image_set.matrix, image.distribution, image.component)
+    slim = (image.distribution, runtime, image.combination, image.stack)
+    slim_targets = [
+        other.target
+        for other in image_set.images
+        if (other.distribution, other.component, other.combination, other.stack) == slim and project.forge in FORGES
+    ]
+    only = "".join(f" --only {target}" for target in (image.target, *slim_targets))
+    program, where = (checkout.call(), "") if IN_CHECKOUT else ("./rosml", "in a clone of rosml: ")
+    what = "publishes the base image" + (", and the one for slim images" if slim_targets else "")
+    line = f"{program} publish all --registry {project.place}{only} --serve {base_images.native_architecture()}"
     return [(line, f"{where}{what}, if nobody has yet")]
 
 
-def _calls(folder: Path, decided: Decided, project: Project, wanted: Sequence[File]) -> Calls:
-    from rosml.containerize.init import contents
+def _calls(folder: Path, decision: Decision, project: Project, first: Sequence[File]) -> Calls:
+    from rosml.containerize.init.file_texts import DOCKERFILE, FORGES
 
-    here = Path.cwd()
-    where = shlex.quote(str(folder.relative_to(here) if folder.is_relative_to(here) else folder))
-    own = checkout.call()
+    cwd = Path.cwd()
+    where = shlex.quote(str(folder.relative_to(cwd) if folder.is_relative_to(cwd) else folder))
+    is_here, program = where == ".", checkout.call()
+    containerize = f"{program} containerize{'' if is_here else f' {where}'}"
     calls: Calls = []
-    local, has = ("", False) if project.place else _local(project.tag)
-    if IN_CHECKOUT and not project.place and not has:
-        calls.append(
-            (f"{own} image {decided.image.target}", "builds the base image, which this machine does not have yet")
-        )
-    made = f"{project.name} to run them, {project.dev_image} to work on them"
-    calls.append(
-        (f"{own} containerize{'' if where == '.' else f' {where}'}", f"builds and tests your packages: {made}")
-    )
-    run = f"{own} run" if where == "." else f"cd {where} && {checkout.call(folder)} run"
+    local, has_base = ("", False) if project.place else _local(project.tag)
+    if IN_CHECKOUT and not project.place and not has_base:
+        what = "builds the base image, which this machine does not have yet"
+        calls.append((f"{program} image {decision.image.target}", what))
+    images = f"{project.name} to run them, {project.dev_image} to work on them"
+    calls.append((containerize, f"builds and tests your packages: {images}"))
+    run = f"{program} run" if is_here else f"cd {where} && {checkout.call(folder)} run"
     calls.append((run, "a shell in the image to work in, with your folder in it"))
-    if project.images and project.forge not in contents.FORGES:
-        push = f"{own} containerize{'' if where == '.' else f' {where}'} --push --image-name {project.images}"
-        calls.append((push, "the same, and pushes them"))
-    ours = [file.path for file in wanted if file.same or not file.there]
-    if contents.DOCKERFILE in ours:
+    if project.images and project.forge not in FORGES:
+        calls.append((f"{containerize} --push --image-name {project.images}", "the same, and pushes them"))
+    ours = [file.path for file in first if file.same or not file.exists]
+    if DOCKERFILE in ours:
         base = "" if project.place else f"--build-arg BASE_IMAGE={local or 'REGISTRY'}/{project.tag} "
         calls.append((f"docker build {base}-t {project.name} {where}", "the same without rosml, by the Dockerfile"))
-    if (file := contents.FORGES.get(project.forge)) in ours:
-        git = "git" if where == "." else f"git -C {where}"
+    if (file := FORGES.get(project.forge)) in ours:
+        git = "git" if is_here else f"git -C {where}"
         calls.append((f"{git} add {' '.join(ours)}", f"then commit and push: {file} builds and tests each commit"))
     return calls
 
@@ -375,39 +418,30 @@ def _local(tag: str) -> tuple[str, bool]:
 # ---- Output ----------------------------------------------------------------------------------------------------------
 
 
-def _packages(found: Found) -> str:
+def _packages(scan: FolderScan) -> str:
     from rosml.base.problems import counted, listed, some
     from rosml.containerize.init.packages import LANGUAGES
 
-    spoken = listed([name for name in LANGUAGES if any(name in package.languages for package in found.packages)])
-    text = f"{counted(len(found.packages), 'package')}: {some(package.name for package in found.packages)}"
-    return f"{text} ({spoken})" if spoken else text
+    languages = listed([name for name in LANGUAGES if any(name in package.languages for package in scan.packages)])
+    text = f"{counted(len(scan.packages), 'package')}: {some(package.name for package in scan.packages)}"
+    return f"{text} ({languages})" if languages else text
 
 
-def _print(found: Found, chosen: Mapping[str, Choice], wanted: Sequence[File], calls: Calls, dry_run: bool) -> None:
-    terminal.echo(f"{_packages(found)}\n")
-    wide, width = max(map(len, chosen)), max(len(choice.value) for choice in chosen.values())
-    for name, choice in chosen.items():
+def _print(scan: FolderScan, choices: Mapping[str, Choice]) -> None:
+    terminal.echo(f"{_packages(scan)}\n")
+    wide, width = max(map(len, choices)), max(len(choice.value) for choice in choices.values())
+    for name, choice in choices.items():
         terminal.echo(f"{name:<{wide}}  {choice.value or '-':<{width}}  {choice.reason}")
     terminal.echo()
-    first_files.show(wanted, calls, dry_run)
 
 
-def _as_json(
-    folder: Path,
-    found: Found,
-    chosen: Mapping[str, Choice],
-    project: Project,
-    wanted: Sequence[File],
-    calls: Calls,
-) -> dict[str, Any]:
+def _as_json(folder: Path, scan: FolderScan, choices: Mapping[str, Choice], base_image: str) -> dict[str, Any]:
     return {
         "folder": str(folder),
         "packages": [
             {"name": package.name, "folder": str(package.folder), "languages": list(package.languages)}
-            for package in found.packages
+            for package in scan.packages
         ],
-        "choices": {name: {"value": choice.value, "reason": choice.reason} for name, choice in chosen.items()},
-        "base_image": project.base_image,
-        **first_files.as_json(wanted, calls),
+        "choices": {name: {"value": choice.value, "reason": choice.reason} for name, choice in choices.items()},
+        "base_image": base_image,
     }

@@ -61,7 +61,7 @@ def begin(
         folder.mkdir(parents=True, exist_ok=True)
         folders.write(folder, wanted)
         for file in wanted:
-            if file.path in own_set.PROGRAMS and not file.there:
+            if file.path in own_set.PROGRAMS and not file.exists:
                 (folder / file.path).chmod(0o755)
     where = f"cd {shlex.quote(str(folder))} && " if folder != Path.cwd() else ""
     nightly = f"rosml is not on GitHub: call ./{own_set.NIGHT} every night, by cron or CI"

@@ -12,7 +12,7 @@ from pathlib import Path
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.containerize import inputs as app_inputs
-from rosml.containerize.init.contents import DOCKERFILE, GITLAB
+from rosml.containerize.init.file_texts import DOCKERFILE, GITLAB
 
 LARGEST = 256 << 10
 """The most bytes of a file that is read for a hint."""
@@ -44,8 +44,8 @@ def hints(folder: Path, environment: Mapping[str, str]) -> Iterator[tuple[frozen
 
 def _words(text: str) -> frozenset[str]:
     """The words of a text, with hyphens and without."""
-    found = frozenset(re.findall(r"[a-z0-9]+(?:-[a-z0-9]+)*", text))
-    return found | {piece for word in found for piece in word.split("-")}
+    words = frozenset(re.findall(r"[a-z0-9]+(?:-[a-z0-9]+)*", text))
+    return words | {piece for word in words for piece in word.split("-")}
 
 
 def ignores_env(folder: Path) -> bool:
@@ -55,7 +55,7 @@ def ignores_env(folder: Path) -> bool:
 
 
 def text_of(file: Path) -> str:
-    """The text of a file of the repository; empty if there is none that can be read, or a link is in its place."""
+    """The text of a file of the repository; empty if it cannot be read, or a link is in its place."""
     with contextlib.suppress(RosmlError):
         return (files.regular(file, LARGEST) or b"").decode("utf-8", "replace")
     return ""
@@ -66,42 +66,31 @@ def text_of(file: Path) -> str:
 
 @dataclass(frozen=True)
 class File:
-    """A file to begin with.
-
-    Attributes:
-        path: its path in the folder.
-        text: what it is to have.
-        there: something is at its place, which stays.
-        same: that is a file with the very text.
-    """
+    """A file to begin with. What `exists` at its path stays; it is the `same` if it is a file with this text."""
 
     path: str
     text: str
-    there: bool
+    exists: bool
     same: bool
 
 
 def compared(folder: Path, texts: Mapping[str, str]) -> list[File]:
-    """The files, compared with what is there."""
-    found = []
-    for path, text in texts.items():
-        place = folder / path
-        found.append(File(path, text, os.path.lexists(place), os.path.lexists(place) and text_of(place) == text))
-    return found
+    """The files with these texts, by their paths in the folder."""
+    places = {path: folder / path for path in texts}
+    exists = {path: os.path.lexists(place) for path, place in places.items()}
+    return [
+        File(path, text, exists[path], exists[path] and text_of(places[path]) == text) for path, text in texts.items()
+    ]
 
 
-def write(folder: Path, wanted: list[File]) -> None:
-    """Writes all files whose place is free, or none.
-
-    Raises:
-        RosmlError: one of them cannot be written, or a link leads out of the folder.
-    """
-    new = {folder / file.path: file.text for file in wanted if not file.there}
+def write(folder: Path, first_files: list[File]) -> None:
+    """Writes all files whose place is free, or none. A link may not lead out of the folder."""
+    new = {folder / file.path: file.text for file in first_files if not file.exists}
     for file in new:
         if not file.parent.resolve().is_relative_to(folder.resolve()):
             text = f"{file}: cannot be written: a link leads out of {folder}, to {file.parent.resolve()}"
             raise RosmlError(text, "remove the link, then run it again")
-    made = [place for file in new for place in reversed(file.parents) if not os.path.lexists(place)]
+    new_folders = [place for file in new for place in reversed(file.parents) if not os.path.lexists(place)]
     try:
         for file in new:
             try:
@@ -111,7 +100,7 @@ def write(folder: Path, wanted: list[File]) -> None:
                 raise RosmlError(text, files.WRITABLE) from None
         files.write_all(new, within=folder)
     except BaseException:
-        for place in reversed(made):
+        for place in reversed(new_folders):
             with contextlib.suppress(OSError):
                 place.rmdir()
         raise

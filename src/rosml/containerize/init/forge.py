@@ -11,16 +11,18 @@ from rosml import IN_CHECKOUT, ROOT
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, unknown
 from rosml.containerize.ci import inputs as ci_inputs
-from rosml.containerize.init import spoken
-from rosml.containerize.init.choices import Ask, Choice
-from rosml.containerize.init.contents import FORGES, GITLAB
+from rosml.containerize.init import synonyms
+from rosml.containerize.init.file_texts import FORGES, GITLAB
 from rosml.containerize.init.folder import text_of
+from rosml.containerize.init.situation import BY_USER, Ask, Choice, Question
 from rosml.images.matrix.model import Matrix
 from rosml.machine import git
 from rosml.registry.place import Place
 
 NONE = "none"
 """The answer of those who want no CI file."""
+
+OWN_PLACE = "the repository's own place"
 
 BRANCH = "main"
 """The branch of rosml that jobs take if no commit is known to be there."""
@@ -29,13 +31,29 @@ GITHUB_ADDRESS = "https://github.com/"
 
 
 @dataclass(frozen=True)
+class CiWishes:
+    """What the user says; empty if nothing.
+
+    Attributes:
+        place: the registry and path of the base images; empty if they are on this machine alone.
+        images: where the images go.
+        rosml: the public address of rosml, whoever said it.
+    """
+
+    forge: str = ""
+    place: str = ""
+    images: str = ""
+    rosml: str = ""
+
+
+@dataclass(frozen=True)
 class Ci:
     """The CI of a repository.
 
     Attributes:
         forge: the forge for which a file is written, or NONE, and why.
-        place: the registry and path of the base images, as the user named it at last; empty if they are on this machine alone.
-        images: where the images go, as the user says; empty if they did not, or if CI pushes there by itself.
+        place: as the user named it at last.
+        images: where the images go, unless CI pushes there by itself.
         usual: where CI pushes by itself; empty without CI.
     """
 
@@ -45,61 +63,50 @@ class Ci:
     usual: str = ""
 
 
-def chosen(folder: Path, asked: str, place: str, images: str, rosml: str, matrix: Matrix, ask: Ask) -> Ci:
-    """The forge for which a CI file is written, and where its jobs push: as the user says, or as the repository does.
+def choose(folder: Path, wishes: CiWishes, matrix: Matrix, ask: Ask) -> Ci:
+    """The forge for which a CI file is written, and where its jobs push: as the user says, or as the repository does."""
+    answers = [*FORGES, NONE]
 
-    Args:
-        asked: the user's answer; empty if they gave none.
-        place: the registry and path of the base images; empty if they are on this machine alone.
-        images: where the user wants the images; empty if they did not say it.
-        rosml: the public address of rosml; empty if it is not known.
-
-    Raises:
-        RosmlError: there is no such forge, or the user asks for a file that could not work (exit code 2).
-    """
-    known = [*FORGES, NONE]
-
-    def read(said: str) -> str:
-        if (name := spoken.forge(said)) not in known:
-            raise RosmlError(unknown("forge", said, known), f"take {listed(known, 'or')}", exit_code=2)
+    def read(answer: str) -> str:
+        if (name := synonyms.forge(answer)) not in answers:
+            raise RosmlError(unknown("forge", answer, answers), f"take {listed(answers, 'or')}", exit_code=2)
         return name
 
-    found, told = _of(folder)
-    name = read(asked) if asked else ask("CI file for", Choice(found or NONE, told), known, read)
-    forge = Choice(name, told if name == (found or NONE) and not asked else "you ask for it")
-    if not place and (name != NONE or not IN_CHECKOUT):
-        why = "such as ghcr.io/me/rosml" + ("" if name == NONE else ": jobs do not reach this machine's images")
-        place = ask("Registry of the base images", Choice("", why), (), place_of)
-    if name != NONE and (hindrance := _hinders(folder, name, place, rosml, matrix)):
-        if asked:
+    name, why = _of(folder)
+    proposal = Choice(name or NONE, why)
+    value = read(wishes.forge) if wishes.forge else ask(Question("CI file for", read, answers), proposal)
+    forge = proposal if value == proposal.value and not wishes.forge else Choice(value, BY_USER)
+    place = wishes.place
+    if not place and (value != NONE or not IN_CHECKOUT):
+        why = "such as ghcr.io/me/rosml" + ("" if value == NONE else ": jobs do not reach this machine's images")
+        place = ask(Question("Registry of the base images", place_of), Choice("", why))
+    if value != NONE and (hindrance := _hinders(folder, value, place, wishes.rosml, matrix)):
+        if wishes.forge:
             raise RosmlError(*hindrance, exit_code=2)
         forge = Choice(NONE, "; ".join(hindrance))
     if forge.value == NONE:
-        return Ci(forge, place, images)
+        return Ci(forge, place, wishes.images)
     usual = _pushes(folder, forge.value)
-    pushed = images or ask("Push images to", Choice(usual, "the repository's own place"), (), place_of)
+    question = Question("Push images to", place_of)
+    pushed = wishes.images or ask(question, Choice(usual, OWN_PLACE))
     return Ci(forge, place, "" if pushed == usual else pushed, usual)
 
 
-def place_of(said: str) -> str:
-    """A registry and a path in it, as a user names it; empty for words such as none.
-
-    Raises:
-        RosmlError: it is no such place (exit code 2).
-    """
-    return "" if said.lower() in ("", *spoken.NOTHING) else str(Place.at(said.lower()))
+def place_of(text: str) -> str:
+    """A registry and a path in it, as a user names it; empty for words such as none."""
+    return "" if text.lower() in ("", *synonyms.NOTHING) else str(Place.at(text.lower()))
 
 
 def _pushes(folder: Path, forge: str) -> str:
     """Where CI pushes by itself: the place of the repository, in the forge's words if that is not known here."""
     for address in _remotes(folder):
-        if forge == "github" and (found := re.search(r"\bgithub\.com[:/]([\w.-]+/[\w.-]+?)(?:\.git)?/?$", address)):
-            return f"ghcr.io/{found[1].lower()}"
+        if forge == "github" and (match := re.search(r"\bgithub\.com[:/]([\w.-]+/[\w.-]+?)(?:\.git)?/?$", address)):
+            return f"ghcr.io/{match[1].lower()}"
     return next(str(getattr(item, forge)) for item in ci_inputs.SETTINGS if item.input.name == "image-name")
 
 
 def _of(folder: Path) -> tuple[str, str]:
-    """The forge of a repository, and how we know; empty if we know none."""
+    """The forge of a repository, and how we know; empty if unknown."""
     if (folder / ".github").is_dir():
         return "github", "there is a folder .github"
     if (folder / GITLAB).is_file():
@@ -111,7 +118,6 @@ def _of(folder: Path) -> tuple[str, str]:
 
 
 def _remotes(folder: Path) -> list[str]:
-    """The addresses of a repository's remotes."""
     return re.findall(r"^[ \t]*url[ \t]*=[ \t]*(\S+)", text_of(folder / ".git/config"), re.MULTILINE)
 
 
@@ -128,16 +134,16 @@ def _hinders(folder: Path, forge: str, place: str, rosml: str, matrix: Matrix) -
 
 
 def source(forge: str, place: str, rosml: str, matrix: Matrix) -> str:
-    """The repository of rosml on a forge, such as `me/rosml`: by its address; or else the one to which the registry's path belongs,
-    or the one that matrix.yaml names, which may be a set's. Empty if none is on that forge."""
+    """The repository of rosml on a forge, such as `me/rosml`: by its address, or else by the registry's path or by matrix.yaml, which may
+    be a set's. Empty if none is on that forge."""
     host, _, path = place.partition("/")
-    if found := re.fullmatch(rf"https://{forge}\.com/([\w.-]+(?:/[\w.-]+)+?)(?:\.git)?", rosml):
-        return found[1]
+    if match := re.fullmatch(rf"https://{forge}\.com/([\w.-]+(?:/[\w.-]+)+?)(?:\.git)?", rosml):
+        return match[1]
     if forge == "github":
         if host == "ghcr.io" and "/" in path:
             return "/".join(path.split("/")[:2])
-        named = (matrix.source or "").removesuffix(".git")
-        return named.removeprefix(GITHUB_ADDRESS) if named.startswith(GITHUB_ADDRESS) else ""
+        address = (matrix.source or "").removesuffix(".git")
+        return address.removeprefix(GITHUB_ADDRESS) if address.startswith(GITHUB_ADDRESS) else ""
     return path if forge == "gitlab" and host.startswith("registry.") and "/" in path else ""
 
 

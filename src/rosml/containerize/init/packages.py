@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -25,7 +25,7 @@ LANGUAGES = {
     "C++": (".cpp", ".cc", ".cxx", ".c", ".hpp", ".hh", ".h", ".cu"),
     "Python": (".py",),
 }
-"""Languages, and the ends of the names of their files."""
+"""The ends of the names of their files."""
 
 PIP = "requirements.txt"
 """The file in which Python packages name what pip is to install."""
@@ -38,119 +38,119 @@ Libraries = Mapping[str, Collection[str]]
 
 
 @dataclass(frozen=True)
-class Named:
+class Mention:
     """Where a library is named first.
 
     Attributes:
         place: the file, relative to the folder, and its line: `src/node.py:3`.
         word: the name as it stands there.
-        manifest: a package.xml names it, so that rosdep installs it.
+        by_manifest: a package.xml names it, so that rosdep installs it.
     """
 
     place: str
     word: str
-    manifest: bool
+    by_manifest: bool
 
 
 @dataclass(frozen=True)
-class Found:
-    """What a folder has.
-
-    Attributes:
-        packages: its packages, in the order of their paths.
-        named: the libraries that are named, and where first.
-        pip: files of requirements for pip, relative to the folder.
-        repos: lists of upstream repositories, likewise.
-    """
+class FolderScan:
+    """What a folder has. `pip` are files of requirements, `repos` lists of upstream repositories, relative to it."""
 
     packages: tuple[Package, ...]
-    named: Mapping[str, Named] = field(default_factory=dict)
+    mentions: Mapping[str, Mention] = field(default_factory=dict)
     pip: tuple[str, ...] = ()
     repos: tuple[str, ...] = ()
 
 
-def find(folder: Path, libraries: Libraries) -> Found:
-    """Finds the packages of a folder, as `rosml containerize` does.
-
-    Args:
-        libraries: what to look for in manifests and sources.
-
-    Raises:
-        RosmlError: there is no package, or a manifest cannot be read (exit code 2).
-    """
-    left = LeftOut(folder)
-    read = manifest.read(folder, left)
-    if not read:
+def find(folder: Path, libraries: Libraries) -> FolderScan:
+    """Finds the packages of a folder, as `rosml containerize` does, and where they mention libraries."""
+    ignored = LeftOut(folder)
+    manifests = manifest.read(folder, ignored)
+    if not manifests:
         raise workspace.none_in(folder)
-    own = {package.name for package, _ in read}
-    named = dict[str, Named]()
-    for package, text in read:
-        for key in sorted(package.needs - own):
-            for library in _meant(libraries, key):
-                if library not in named:
-                    line = text.count("\n", 0, max(text.find(f">{key}<"), 0)) + 1
-                    named[library] = Named(f"{package.manifest}:{line}", key, manifest=True)
-    rest = iter(range(MOST_FILES))
-    packages = tuple(_with_files(package, folder, left, named, libraries, rest) for package, _ in read)
-    pip = [str(path) for path in dict.fromkeys([Path(PIP), *(package.folder / PIP for package in packages)])]
-    pip = [
-        name
-        for name in pip
-        if name.isprintable() and (folder / name).is_file() and within.is_own(folder / name, folder)
-    ]
+    budget = iter(range(MOST_FILES))
+    scans = [_scan(package, folder, ignored, libraries, budget) for package, _ in manifests]
+    paths = dict.fromkeys([Path(PIP), *(package.folder / PIP for package, _ in manifests)])
+    pip = [str(path) for path in paths if (folder / path).is_file() and within.is_own(folder / path, folder)]
+    pip = [name for name in pip if name.isprintable()]
+    mentions = [_in_manifests(manifests, libraries), *(of_package for _, of_package in scans)]
     if PIP in pip:
-        _sources(folder / PIP, PIP, named, libraries)
-    lists = (file for file in _files(folder, folder, left) if REPOS in (file.suffix, file.name))
+        mentions.append(_in_text(folder / PIP, PIP, _text(folder / PIP), libraries))
+    lists = (file for file in _files(folder, ignored) if REPOS in (file.suffix, file.name))
     repos = sorted(name for file in lists if (name := str(file.relative_to(folder))).isprintable())
-    return Found(packages, named, tuple(pip), tuple(repos))
+    return FolderScan(tuple(package for package, _ in scans), _first(mentions), tuple(pip), tuple(repos))
 
 
-def _with_files(
-    package: Package, folder: Path, left: LeftOut, named: dict[str, Named], libraries: Libraries, rest: Iterator[int]
-) -> Package:
-    """A package with what its files say.
+Mentions = Mapping[str, Mention]
 
-    Args:
-        rest: has an item for each source file that may still be read.
-    """
+
+def _first(mentions: Iterable[Mentions]) -> Mentions:
+    first: dict[str, Mention] = {}
+    for item in mentions:
+        first = {**item, **first}
+    return first
+
+
+def _in_manifests(manifests: Sequence[tuple[Package, str]], libraries: Libraries) -> Mentions:
+    names = {package.name for package, _ in manifests}
+    mentions: dict[str, Mention] = {}
+    for package, text in manifests:
+        for key in sorted(package.needs - names):
+            line = text.count("\n", 0, max(text.find(f">{key}<"), 0)) + 1
+            for library in _meant(libraries, key):
+                mentions.setdefault(library, Mention(f"{package.manifest}:{line}", key, by_manifest=True))
+    return mentions
+
+
+def _scan(
+    package: Package, folder: Path, ignored: LeftOut, libraries: Libraries, budget: Iterator[int]
+) -> tuple[Package, Mentions]:
+    """A package with what its files say, and what they mention. `budget` has an item for each source file that may still be read."""
     languages, launches, scripts = set[str](), list[str](), list[str]()
-    for file in _files(folder / package.folder, folder, left):
-        if file.name not in _SETUP:
-            languages |= {
-                name for name, ends in LANGUAGES.items() if file.suffix in ends and file.parent.name != "launch"
-            }
-        if file.parent.name == "launch" and _LAUNCH.search(file.name):
+    mentions: Mentions = {}
+    for file in _files(folder / package.folder, ignored):
+        in_launch = file.parent.name == "launch"
+        if file.name not in _SETUP and not in_launch:
+            languages |= {name for name, ends in LANGUAGES.items() if file.suffix in ends}
+        if in_launch and _LAUNCH.search(file.name):
             launches.append(file.name)
-        if _patterns(file) and next(rest, None) is not None:
-            text = _sources(file, str(file.relative_to(folder)), named, libraries)
-            if file.name in _SETUP:
-                scripts += _SCRIPT.findall(text)
-    spoken = tuple(name for name in LANGUAGES if name in languages)
-    return replace(package, languages=spoken, launches=tuple(sorted(launches)), scripts=tuple(dict.fromkeys(scripts)))
+        if _patterns(file) and next(budget, None) is not None:
+            text = _text(file)
+            mentions = _first([mentions, _in_text(file, str(file.relative_to(folder)), text, libraries)])
+            scripts += _SCRIPT.findall(text) if file.name in _SETUP else ()
+    ordered = tuple(name for name in LANGUAGES if name in languages)
+    scripts = list(dict.fromkeys(scripts))
+    return replace(package, languages=ordered, launches=tuple(sorted(launches)), scripts=tuple(scripts)), mentions
 
 
-def _sources(file: Path, shown: str, named: dict[str, Named], libraries: Libraries) -> str:
-    """Notes the libraries that a file names. Returns its text."""
-    text = ""
+def _text(file: Path) -> str:
     with contextlib.suppress(OSError):
-        text = files.limited(file, LARGEST).decode("utf-8", "replace")
+        return files.limited(file, LARGEST).decode("utf-8", "replace")
+    return ""
+
+
+def _in_text(file: Path, path: str, text: str, libraries: Libraries) -> Mentions:
+    """What a file's text mentions first; `path` is shown to people."""
+    mentions: dict[str, Mention] = {}
     for match in (match for pattern in _patterns(file) for match in pattern.finditer(text)):
         for word in match[1].split(","):
             name = word.strip().partition(" ")[0]
             for library in _meant(libraries, name):
-                if library not in named:
+                if library not in mentions:
                     line = text.count("\n", 0, match.start(1)) + 1
-                    named[library] = Named(f"{shown}:{line}", name, manifest=False)
-    return text
+                    mentions[library] = Mention(f"{path}:{line}", name, by_manifest=False)
+    return mentions
 
 
-def _files(place: Path, root: Path, left: LeftOut) -> Iterator[Path]:
+def _files(place: Path, ignored: LeftOut) -> Iterator[Path]:
     """The files below a place that the builder gets, without hidden folders and without links."""
     for path, folders, names in os.walk(place):
-        folders[:] = sorted(name for name in folders if not name.startswith(".") and not left.whole(Path(path, name)))
+        folders[:] = sorted(
+            name for name in folders if not name.startswith(".") and not ignored.whole(Path(path, name))
+        )
         for name in sorted(names):
             file = Path(path, name)
-            if not file.is_symlink() and file.is_file() and not left(file):
+            if not file.is_symlink() and file.is_file() and not ignored(file):
                 yield file
 
 

@@ -45,11 +45,7 @@ class Place:
 
 @dataclass(frozen=True)
 class BaseContents:
-    """What a base image contains, for one platform.
-
-    Attributes:
-        places: the images that it is joined from, by which lists and SBOMs are found; itself if it was built.
-    """
+    """For one platform. `places` are the images that it is joined from, which have lists and SBOMs; itself if it was built."""
 
     places: tuple[Place, ...]
     facts: Facts
@@ -58,7 +54,6 @@ class BaseContents:
 
 
 def together(contents: Sequence[BaseContents]) -> BaseContents:
-    """The contents of images that are joined."""
     if len(contents) == 1:
         return contents[0]
     return BaseContents(
@@ -81,7 +76,6 @@ class Attachments:
         self._artifacts = cache(self._list)
 
     def app_facts(self, app: Source) -> Facts:
-        """The facts of an app's own layer."""
         if app_facts := self._facts(_place(app)):
             return app_facts
         text = f"{app.name} has no facts about its packages and libraries"
@@ -140,16 +134,7 @@ class Attachments:
     def attach(
         self, app: Source, base: BaseContents, host: str, repository: str, manifest: bytes, with_sbom: bool
     ) -> int:
-        """Attaches the app's facts, a list of files and an SBOM to a new image. Those that it has stay.
-
-        Args:
-            app: the app's present image.
-            base: of the new base image.
-            host, repository, manifest: of the new image.
-
-        Returns:
-            Bytes sent to the registry.
-        """
+        """Attaches the app's facts, a list of files and an SBOM to a new image, unless it has them. Returns the bytes that it sent."""
         registry, subject = self._transfer.registries(host), oci.descriptor(oci.IMAGE, manifest)
         present = {entry.get("artifactType") for entry in registry.referrers(repository, subject["digest"])}
         before, app_facts = registry.sent_by_this_thread, self.app_facts(app)
@@ -174,7 +159,6 @@ class Attachments:
         return registry.sent_by_this_thread - before
 
     def _list(self, place: Place, kind: str) -> list[Manifest]:
-        """What is attached to an image, of one kind."""
         digests = {entry["digest"] for entry in self._registry(place).referrers(place.repository, place.digest, kind)}
         manifests = [
             self._transfer.manifest(Reference(place.host, place.repository, digest)) for digest in sorted(digests)
@@ -189,18 +173,13 @@ class Attachments:
                 yield self._registry(place).part(place.repository, artifact.layers[0])
 
     def sbom(self, app: Source) -> bytes:
-        """The SBOM of an app."""
         for document in self._sboms(_place(app)):
             return document
         remedy = f"build it again, or move it once, without --no-sbom; {file_lists.COPY}"
         raise RosmlError(f"{app.name} has no SBOM", remedy, exit_code=2)
 
     def new_sbom(self, app: Source, base: BaseContents, reference: str) -> bytes:
-        """The SBOM of an app on another base image: the base image's components, and the app's own.
-
-        Args:
-            reference: the new image, by its digest.
-        """
+        """The SBOM of the new image `reference`: the base image's components, and the app's own."""
         of_app = _of_app(self._components(_place(app)), self.app_facts(app))
         of_base = (item for place in base.places for item in self._components(place))
         # CycloneDX does not ask for a `bom-ref`.
@@ -218,7 +197,6 @@ class Attachments:
         return oci.encoded(document)
 
     def _components(self, place: Place) -> Iterator[dict[str, Any]]:
-        """The components of an image's SBOM, as they are."""
         for content in self._sboms(place):
             assert sbom.Sbom(content).document, "it is read, to check it"
             yield from untrusted.json_value(content, sbom.LARGEST)["components"]
@@ -240,12 +218,11 @@ def base_of(app: Source) -> str:
 
 
 def _as_in_facts(paths: Iterable[str]) -> Iterator[str]:
-    """Paths of a list, as facts spell them."""
     return (path.encode("utf-8", "backslashreplace").decode() for path in paths)
 
 
 def _of_app(components: Iterable[dict[str, Any]], app_facts: Facts) -> Iterator[dict[str, Any]]:
-    """The components of an app's SBOM that are the app's own, and not its base image's."""
+    """The components of an app's SBOM that are not its base image's."""
     apt = {(package.name, package.version) for package in app_facts.packages}
     paths = (*app_facts.files, *(path for package in app_facts.packages for path in package.files))
     matches = (_PYTHON.fullmatch(path) for path in paths if "-info" in path)

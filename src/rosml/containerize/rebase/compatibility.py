@@ -22,7 +22,6 @@ from rosml.images.join.facts import Facts, Library
 from rosml.images.join.layers import Source
 
 SAME = {"distribution": "ROS distribution", "os": "system", "python": "Python", "ros": "generation of ROS"}
-"""The labels that both base images must have in common, with the words for people."""
 
 FRAMEWORK = f"{PREFIX}framework"
 
@@ -43,7 +42,6 @@ GENERATED = re.compile(
 """Files that each app has of its own, and Python's compiled files, which belong to their sources."""
 
 BOTH = "the app and the base image both have /"
-"""The beginning of the reason about a file that both have."""
 
 STEPS = 10_000_000
 """The most libraries that are looked at for one app, which takes some seconds. An app with 500 libraries takes a million."""
@@ -70,14 +68,12 @@ class Judgement:
 
     @classmethod
     def of(cls, reasons: Iterable[Reason]) -> Judgement:
-        """Unites reasons, such as those of several platforms."""
         worst: dict[str, Verdict] = {}
         for reason, verdict in reasons:
             worst[reason] = max(verdict, worst.get(reason, verdict))
         return cls(worst)
 
     def reasons_for(self, verdict: Verdict) -> list[str]:
-        """The reasons that led to exactly this verdict."""
         return [reason for reason, its_verdict in self.reasons.items() if its_verdict is verdict]
 
     @property
@@ -87,7 +83,6 @@ class Judgement:
 
     @property
     def words(self) -> str:
-        """The verdict for people."""
         return WORDS[max(self.reasons.values(), default=Verdict.SAFE)]
 
 
@@ -106,13 +101,7 @@ def require_fit(app: Source, base: Source) -> None:
 def judge(
     app: Facts, old: Facts | None, base: BaseContents, app_labels: Mapping[str, str], base_labels: Mapping[str, str]
 ) -> Judgement:
-    """Judges an app's move to another base image.
-
-    Args:
-        app: the facts of the app's own layer.
-        old: those of its present base image; None if they are gone.
-        base: the new base image.
-    """
+    """Judges a move. `app` has the facts of the app's own layer, `old` those of its present base image unless that is gone."""
     new = base.facts
     try:
         base_packages, all_packages = PackageSet(new.packages), PackageSet([*new.packages, *app.packages])
@@ -197,7 +186,7 @@ def _missing_pip_requests(app: Facts, files: Iterable[str]) -> Iterator[Reason]:
 
 
 def distributions_of(files: Iterable[str]) -> set[str]:
-    """The normalized names of Python's packages, by the paths of an image's files."""
+    """The normalized names of Python's packages."""
     names = {match[1] for path in files if (match := _DISTRIBUTION.search(path))}
     return {re.sub(r"[-_.]+", "-", name).lower() for name in names}
 
@@ -206,7 +195,7 @@ _DISTRIBUTION = re.compile(r"/(?:site|dist)-packages/([A-Za-z0-9._]+)(?:-[^/]*)?
 
 
 def modules_of(files: Iterable[str]) -> set[str]:
-    """The first names of the modules in folders that Python looks into, by the paths of an image's files."""
+    """The first names of the modules in folders that Python looks into."""
     return {match[1] for path in files if (match := _MODULE.match(path))}
 
 
@@ -232,11 +221,7 @@ def _file_clashes(app: Facts, base: BaseContents, base_packages: PackageSet) -> 
 
 
 def _parent_file(folder: str, files: Container[str], parents: dict[str, str]) -> str:
-    """The folder that is a file in an image, among a folder and those above it; empty if none is.
-
-    Args:
-        parents: the answers for earlier folders, to which this one is added.
-    """
+    """The folder or one above it that is a file in an image; empty if none is. `parents` keeps the answers."""
     unanswered = []
     while folder and folder not in parents and folder not in files:
         unanswered.append(folder)
@@ -280,8 +265,6 @@ class _Steps:
 
 
 class _Libraries:
-    """Libraries for one machine, by each of their names."""
-
     def __init__(self, libraries: Sequence[Library], machine: Sequence[int], steps: _Steps) -> None:
         steps.take(len(libraries))
         self._steps = steps
@@ -321,7 +304,6 @@ class _Libraries:
 
 
 def _libraries(app: Facts, old: Facts | None, new: Facts) -> Iterator[Reason]:
-    """What the app's programs and libraries need of the base image's."""
     steps = _Steps()
     base_libraries = [*new.libraries, *(old.libraries if old else ())]
     for machine in {tuple(library.machine) for library in app.libraries}:
@@ -349,7 +331,6 @@ def _needed(library: Library, of_app: _Libraries) -> Iterator[str]:
 
 
 def _lost_symbols(library: Library, names: set[str], before: _Libraries, now: _Libraries) -> Iterator[Reason]:
-    """Symbols that the old base image had for a library, and the new one has not."""
     lacking_now = now.lacking(library.uses, names)
     lost = {*lacking_now} - {*before.lacking(lacking_now, names)} if lacking_now else ()
     if lost:

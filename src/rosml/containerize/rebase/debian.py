@@ -46,11 +46,7 @@ class Relation(NamedTuple):
 
 
 def relations(text: str) -> list[list[Relation]]:
-    """The packages that a field names: for each entry its alternatives.
-
-    Raises:
-        ValueError: it is no such field.
-    """
+    """The alternatives of each entry of a field. ValueError if it is no such field."""
     return [[_relation(item) for item in entry.split("|")] for entry in text.split(",") if entry.strip()]
 
 
@@ -105,7 +101,6 @@ class PackageSet:
         return name in self._providers
 
     def meets(self, alternatives: Sequence[Relation]) -> bool:
-        """Whether a package meets one of the alternatives."""
         return any(
             self._is_met(item, version) for item in alternatives for version, _ in self._providers.get(item.name, ())
         )
@@ -121,7 +116,7 @@ class PackageSet:
         return next((version for version, package in self._providers.get(name, ()) if package == name), "")
 
     def conflicts(self, package: Package) -> Iterator[tuple[str, Relation]]:
-        """The packages of this set beside which another package cannot stand, and the relation that says so."""
+        """The packages beside which another package cannot stand, and the relation that says so."""
         for [relation, *_] in relations(package.conflicts):
             for version, name in self._providers.get(relation.name, ()):
                 if name != package.name and self._is_met(relation, version):

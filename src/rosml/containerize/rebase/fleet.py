@@ -69,13 +69,10 @@ class Entry(Facts):
 
     @property
     def is_pattern(self) -> bool:
-        """Whether it stands for several tags."""
         return any(character in self.app for character in "*?[")
 
 
 class Apps(Facts):
-    """The file."""
-
     apps: Annotated[tuple[Entry, ...], Field(min_length=1)] = Field(description="apps that follow their base images")
 
 
@@ -90,12 +87,10 @@ class Outcome:
     rebased: Rebased | None = None
 
     def to_json(self) -> dict[str, Any]:
-        """For `--json`."""
         return {name: value for name, value in asdict(self).items() if value}
 
 
 def read(file: Path) -> tuple[Entry, ...]:
-    """The apps of a file. InputError has every problem of it."""
     document = source.read(file, "--all", least="apps: [{app: ghcr.io/me/robot:latest}]")
     apps = validate.checked(document, Apps, MEANING).apps
     problems = []
@@ -113,8 +108,6 @@ def read(file: Path) -> tuple[Entry, ...]:
 
 @dataclass(frozen=True)
 class _Ready:
-    """An app that may move."""
-
     entry: Entry
     plan: Plan
     moves: tuple[Move, ...]
@@ -122,8 +115,6 @@ class _Ready:
 
 @dataclass(frozen=True)
 class _Pushed:
-    """An app that was pushed, and tried if need be, and whose tags have not moved."""
-
     plan: Plan
     moves: tuple[Move, ...]
     rebased: Rebased
@@ -131,14 +122,7 @@ class _Pushed:
 
 @dataclass
 class Fleet:
-    """A run over many apps.
-
-    Attributes:
-        link: links an app in the builder; raises if it lacks something.
-        start: starts a command in an app; raises if it fails.
-        screen: names the packages of an SBOM that have a vulnerability; None to move all apps.
-        say: prints a line for people.
-    """
+    """A run over many apps. `link` and `start` try an app in the builder; `screen` names the packages of an SBOM that are vulnerable."""
 
     rebaser: Rebaser
     date: str
@@ -194,7 +178,6 @@ class Fleet:
         return by_app, failed
 
     def _names(self, entry: Entry) -> list[str]:
-        """The complete references of an entry."""
         name, _, tag = entry.app.rpartition(":")
         if not name or "/" in tag:
             name, tag = entry.app, "latest"
@@ -236,7 +219,6 @@ class Fleet:
             return _stopped(name, error)
 
     def _screened(self, name: str, sboms: Iterable[bytes]) -> str:
-        """The packages that have the vulnerability, by the first SBOM with some."""
         return next(filter(None, (self.screen(sbom, name) for sbom in sboms)), "") if self.screen else ""
 
     def _moves(self, plan: Plan) -> tuple[Move, ...]:
@@ -267,7 +249,6 @@ class Fleet:
         return Move(name, tag, plan.tag_digest, plan.digest) in self._undone.get((host, prefix), ())
 
     def _push(self, ready: _Ready) -> _Pushed | Outcome:
-        """Pushes an app by its digest, and tries it in the builder."""
         plan, check = ready.plan, ready.entry.check
         try:
             rebased = self.rebaser.push(plan, self.with_sbom)
@@ -282,7 +263,6 @@ class Fleet:
         return _Pushed(plan, ready.moves, rebased)
 
     def _record(self, pushed: Sequence[_Pushed]) -> None:
-        """Records where tags were, beside the apps."""
         by_place: defaultdict[tuple[str, str], list[Move]] = defaultdict(list)
         for item in pushed:
             by_place[item.plan.target.host, item.plan.target.repository.rpartition("/")[0]] += item.moves
@@ -310,11 +290,7 @@ def places(outcomes: Iterable[Outcome]) -> list[str]:
 
 
 def _levels(below: Mapping[str, str]) -> Iterator[list[str]]:
-    """Apps in the order in which they can move: those on other ones of them come later.
-
-    Args:
-        below: the image below each app.
-    """
+    """Apps in the order in which they can move, by the image below each: those on other ones of them come later."""
     waiting = dict.fromkeys(below)
     while waiting:
         ready = [name for name in waiting if below[name] not in waiting or below[name] == name]
@@ -325,11 +301,7 @@ def _levels(below: Mapping[str, str]) -> Iterator[list[str]]:
 
 
 def _foreseen(name: str, planned: _Ready | Outcome, under: Outcome | None) -> Outcome:
-    """What would become of an app.
-
-    Args:
-        under: what would become of the app below it. If that would move, this plan is of an image that is not there yet.
-    """
+    """What would become of an app. If the app below it would move, this plan is of an image that does not exist yet."""
     if isinstance(planned, Outcome) and planned.state not in ("there", "refused"):
         return planned
     if under and under.state == "planned":

@@ -27,7 +27,6 @@ OWN = (TITLE, BASE_NAME, BASE_DIGEST, REVISION, APP, LOCK, VARIANTS)
 """The labels of an app. Its other labels are those of its base image."""
 
 AGAIN = "build it again with rosml containerize, on the new base image"
-"""The remedy for an image that cannot be put on another base image."""
 
 ONLY_OURS = "name the image that rosml containerize built, and do the same again on its new one"
 
@@ -39,7 +38,6 @@ _SETTINGS = (
 github.com/opencontainers/image-spec and `DockerOCIImageConfigExt` in github.com/moby/docker-image-spec."""
 
 _HISTORY = ("created", "created_by", "author", "comment", "empty_layer")
-"""The fields of an entry of the history, in the same order."""
 
 _VARIABLE = re.compile(r"ENV ([A-Za-z_][A-Za-z0-9_]*)=")
 _ARGUMENT = re.compile(r"ARG APP_([A-Za-z_][A-Za-z0-9_]*)=")
@@ -49,11 +47,7 @@ _LAYER = re.compile(r"application/vnd\.oci\.image\.layer\.v1\.tar(\+gzip|\+zstd)
 
 
 def moved(app: Source, base: Source, labels: Mapping[str, str]) -> Joined:
-    """An app on another base image, both for one platform.
-
-    Args:
-        labels: the app's labels about its new base image. An empty `VARIANTS` takes that label away.
-    """
+    """An app on another base image. `labels` are the app's about that; an empty `VARIANTS` takes the label away."""
     history = _app_history(app)
     _require_whole(base)
     if app.platform.split("/")[:2] != base.platform.split("/")[:2]:
@@ -78,11 +72,7 @@ def moved(app: Source, base: Source, labels: Mapping[str, str]) -> Joined:
 
 
 def require_unaltered(app: Source, base: Source) -> None:
-    """Checks that an app has only settings of rosml's and of its base image: others would be lost.
-
-    Args:
-        base: the app's present base image. One on which rosml put ROS first says nothing.
-    """
+    """Checks that an app has only settings of rosml's and of its present base image: others would be lost."""
     if app.diff_ids[:-1] != base.diff_ids:
         return
     settings, expected = _settings(app), _expected(app, base)
@@ -129,12 +119,7 @@ def _first(names: Sequence[str]) -> str:
 
 
 def index(app: Mapping[str, Any], members: Mapping[str, Joined]) -> bytes:
-    """The index of an app on another base image.
-
-    Args:
-        app: its present index.
-        members: the new image for each entry, by the digest of the present one.
-    """
+    """The index of an app on another base image. `members` are the new images by the digests of the present ones."""
     entries = []
     for entry in app["manifests"]:
         if image := members.get(entry["digest"]):
@@ -161,7 +146,6 @@ def as_buildkit(content: Mapping[str, Any], indent: int | None = None) -> bytes:
 
 
 def lock_of(app: Source) -> Lock | None:
-    """The lock in an app's label; None if it has no such label."""
     if LOCK not in app.labels:
         return None
     try:
@@ -171,7 +155,6 @@ def lock_of(app: Source) -> Lock | None:
 
 
 def require_app(image: Source) -> None:
-    """Checks that an image is an app that can move, as far as its labels tell."""
     target = image.labels.get(APP)
     if not target:
         text = f"{image.name} is no app that rosml containerize built: it has no label {APP}"
@@ -182,7 +165,7 @@ def require_app(image: Source) -> None:
 
 
 def _app_history(app: Source) -> list[dict[str, Any]]:
-    """The entries of an app's own layer and of its settings."""
+    """The entries of an app's own layer and of its settings, if it has one layer of its own."""
     require_app(app)
     if replaced := app.labels.get(REPLACED):
         text = f"{app.name} replaces what its base image has: {replaced[:200]}"
@@ -240,7 +223,6 @@ def _config(
 
 
 def _environment(app: Source, base: Source, history: Iterable[Mapping[str, Any]]) -> list[str]:
-    """The base image's variables with the app's: those that its history names."""
     names = dict.fromkeys(match[1] for entry in history if (match := _VARIABLE.match(_line(entry))))
     values, merged = _variables(app.config.environment), _variables(base.config.environment)
     merged |= {name: values[name] for name in names if name in values}

@@ -48,7 +48,6 @@ class Rebased(Transferred):
     linked: bool = False
 
     def to_json(self) -> dict[str, Any]:
-        """For `--json`."""
         return asdict(self)
 
 
@@ -78,12 +77,10 @@ class Plan:
 
     @property
     def digest(self) -> str:
-        """The digest of the new image."""
         return oci.digest_of(self.document)
 
     @property
     def changes_nothing(self) -> bool:
-        """Whether the tag points at the new image already."""
         return self.tag_digest == self.digest
 
     @property

@@ -31,7 +31,6 @@ from rosml.registry.oci import Manifest
 from rosml.registry.references import Reference
 
 OTHER_TAG = "name all its platforms, or none; or give this image a tag of its own with --tag"
-"""The remedy if a tag would lose a platform."""
 
 SIGNED = ("sigstore", "cosign", "notary")
 """Words in the types of artifacts that are signatures."""
@@ -39,14 +38,7 @@ SIGNED = ("sigstore", "cosign", "notary")
 
 @dataclass(frozen=True)
 class _Onto:
-    """A new base image with the parts of the app's add-ons, which are joined to it.
-
-    Attributes:
-        place: its reference by digest.
-        images: for each platform.
-        parts: references with a digest, by their names with a tag.
-        part_images: each part's image for each platform.
-    """
+    """A new base image, by digest, and the parts of the app's add-ons, which are joined to it."""
 
     target: TargetBase
     place: str
@@ -55,7 +47,6 @@ class _Onto:
     part_images: Sequence[Mapping[str, Source]]
 
     def joined(self, platform: str) -> Joined | None:
-        """The base image with the parts; None without parts."""
         if any(platform not in images for images in self.part_images):
             text = f"one of {listed([*self.parts])} is not for {platform}"
             raise RosmlError(text, "name only the platforms that all of them have, with --platform", exit_code=2)
@@ -65,8 +56,6 @@ class _Onto:
 
 @dataclass(frozen=True)
 class _Moved:
-    """A new image for one platform."""
-
     image: Joined
     base: BaseContents
     judgement: Judgement
@@ -144,8 +133,7 @@ class Rebaser:
         )
 
     def _tell_left_behind(self, where: Reference, manifest: Manifest) -> None:
-        """Tells what of an app's index is not in the new one, such as attestations by buildx; refuses an image of a platform that
-        another image has as well."""
+        """Tells what of an app's index is not in the new one, and refuses two images of one platform."""
         by_platform = self._transfer.members(str(where), where, manifest)
         members = {entry.digest: platform(entry.platform) for entry in manifest.members}
         for source in by_platform.values():
@@ -181,11 +169,6 @@ class Rebaser:
         return _Moved(new, contents, judgement)
 
     def _judge(self, app: Source, base: Source, places: Sequence[str], platform: str) -> tuple[BaseContents, Judgement]:
-        """What the facts of both base images say.
-
-        Args:
-            places: the references of the new base image, and of the parts that are joined to it.
-        """
         old_base, submit = attachments.base_of(app), self._transfer.pool.submit
         reading = [submit(self._attachments.base, place, platform) for place in places]
         reading_app = submit(self._attachments.app_facts, app)
@@ -205,14 +188,13 @@ class Rebaser:
         return contents, compatibility.judge(app_facts, old_facts, contents, app.labels, base.labels)
 
     def driver(self, app: Source, base: str, platforms: tuple[str, ...], stack: str) -> str:
-        """The oldest driver on which a base image with an app's add-ons runs, as its labels say; empty if it needs none."""
+        """The oldest driver that a base image with an app's add-ons needs, as its labels say; empty if any does."""
         new_base = app_base.find(base, self.services, platforms)
         parts = addons.kept(self._transfer, app.labels, new_base, self.services, stack)
         labels = (new_base.labels, *(self._transfer.one(name).labels for name in parts.values()))
         return next((driver for item in labels if (driver := item.get(f"{GPU}driver", ""))), "")
 
     def new_sbom(self, plan: Plan, platform: str) -> bytes:
-        """The SBOM that the new image will have."""
         reference = f"{plan.target}@{plan.digest}"
         return self._attachments.new_sbom(plan.app_images[platform], plan.base_contents[platform], reference)
 
@@ -232,18 +214,13 @@ class Rebaser:
         return replace(rebased, seconds=time.monotonic() - started)
 
     def _is_signed(self, app: Reference) -> bool:
-        """Whether cosign or notation has signed an app."""
         registry = self.registries(app.host)
         kinds = [str(item.get("artifactType")) for item in registry.referrers(*app[1:])]
         is_attached = any(word in kind for kind in kinds for word in SIGNED)
         return is_attached or bool(registry.head(app.repository, f"{app.reference.replace(':', '-')}.sig"))
 
     def move(self, plan: Plan, rebased: Rebased, first_tags: Iterable[str] = ()) -> Rebased:
-        """Moves the tag, if it is still where it was. Registries cannot compare and write at once: in between is one request.
-
-        Args:
-            first_tags: further tags of the same repository, which move first.
-        """
+        """Moves the tag if it is still where it was. Registries cannot compare and write at once: in between is one request."""
         if plan.changes_nothing:
             return rebased
         started, registry = time.monotonic(), self.registries(plan.target.host)
@@ -260,12 +237,7 @@ class Rebaser:
         return replace(rebased, moved=True, uploaded=uploaded, seconds=rebased.seconds + time.monotonic() - started)
 
     def back(self, app: str, digest: str, dry_run: bool = False) -> Rebased:
-        """Points an app's tag at an earlier image of its repository again, whatever moved it.
-
-        Args:
-            app: by its tag, by any name that `rosml run` takes.
-            digest: of the earlier image or index.
-        """
+        """Points an app's tag at an earlier image or index of its repository again, whatever moved it."""
         where, now = self._find(app)
         if references.is_digest(where.reference):
             raise RosmlError(f"{app} names the app by its digest, and a tag has to move", "name its tag", 2)
@@ -310,11 +282,9 @@ class Rebaser:
         return references.parse(references.complete(text))
 
     def read(self, app: str) -> Mapping[str, Source]:
-        """An image for each of its platforms."""
         return self._transfer.members(app, *self._find(app))
 
     def sbom(self, app: Source) -> bytes:
-        """The SBOM that is attached to an app."""
         return self._attachments.sbom(app)
 
     def _find(self, text: str) -> tuple[Reference, Manifest]:
@@ -327,7 +297,6 @@ class Rebaser:
         raise RosmlError(f"there is no app {text} in a registry{searched}", remedy, exit_code=2)
 
     def _app_images(self, where: Reference, manifest: Manifest, platforms: Sequence[str] = ()) -> dict[str, Source]:
-        """An app's image for each of the platforms; for all of its own if none is named."""
         images = self._transfer.members(str(where), where, manifest)
         if missing := [name for name in platforms if name not in images]:
             text = f"{where} is for {listed(sorted(images)) or 'no platform'}, not for {listed(missing)}"
@@ -341,7 +310,6 @@ class Rebaser:
 
 
 def _target(app: str, tag: str, where: Reference) -> Reference:
-    """The tag to move: the complete reference `tag`, or else the app's own."""
     target = references.parse(tag) if tag else where
     if references.is_digest(target.reference):
         what = "is a digest" if tag else "names the app by its digest"
@@ -361,7 +329,6 @@ def _require_one_base(app_images: Mapping[str, Source], app: str) -> None:
 
 
 def _require_no_build(judgement: Judgement, app: str, base: Base) -> None:
-    """Refuses a move that takes a new build, with its reasons."""
     reasons = judgement.reasons_for(Verdict.BUILD)
     common_files = [line.removeprefix(compatibility.BOTH) for line in reasons if line.startswith(compatibility.BOTH)]
     if common_files and base.labels.get(APP):

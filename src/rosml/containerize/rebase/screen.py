@@ -13,18 +13,12 @@ from rosml.images.scan.trivy import Report
 
 
 def require_advisory(name: str) -> None:
-    """Refuses what is no name of an advisory."""
     if not re.fullmatch(ADVISORY, name):
         raise RosmlError(f"--fixes: {name!r} is no name of an advisory", "write it as CVE-2026-12345", exit_code=2)
 
 
 class Screen:
-    """Looks for a vulnerability. Each SBOM is scanned once.
-
-    Args:
-        name: such as `CVE-2026-12345`.
-        scan: gives the report about an SBOM; the second argument names its subject in messages.
-    """
+    """Looks for a vulnerability, such as `CVE-2026-12345`. Each SBOM is scanned once."""
 
     def __init__(self, name: str, scan: Callable[[bytes, str], Report]) -> None:
         self._name, self._scan = name, scan

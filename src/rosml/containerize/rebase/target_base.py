@@ -23,12 +23,7 @@ from rosml.registry.client import Registry
 
 @dataclass(frozen=True)
 class TargetBase:
-    """A new base image.
-
-    Attributes:
-        with_compilers: the image that the user named, if `image` is the one without compilers that belongs to it; else the same.
-        spelling: the user's words, without a digest that follows a tag; empty for the app's present base image.
-    """
+    """A new base image. `with_compilers` is the image that the user named, in the user's `spelling`; a slim app goes onto `image`."""
 
     image: Base
     with_compilers: Base
@@ -46,11 +41,7 @@ class TargetBases:
     _digests: dict[str, str] = field(default_factory=dict)
 
     def find(self, text: str, platforms: tuple[str, ...], app: Source) -> TargetBase:
-        """Finds a base image; for a slim app, the image without compilers that belongs to it.
-
-        Args:
-            text: by any name that `rosml containerize` takes; empty for the app's own, where its tag is now.
-        """
+        """Finds a base image by a name that `rosml containerize` takes; without one the app's own, where its tag is now."""
         base_name = text or app.labels.get(BASE_NAME, "")
         if not base_name:
             raise RosmlError(f"{app.name} does not say which base image it is on", "name one with --base", 2)
@@ -81,7 +72,6 @@ class TargetBases:
         return TargetBase(base, with_compilers, name if is_new else "")
 
     def _read(self, name: str, digest: str, platforms: tuple[str, ...]) -> Base:
-        """A base image by its digest, wherever its tag is now; where its tag is without a digest."""
         try:
             return app_base.find(name, self.services, platforms, digest)
         except RosmlError as error:
@@ -90,11 +80,7 @@ class TargetBases:
             raise
 
     def labels(self, app: Source, target: TargetBase, parts: Mapping[str, str]) -> dict[str, str]:
-        """The labels of an app about its new base image, as a build on it would write them.
-
-        Args:
-            parts: of the app's add-ons: their references with a digest, by their names with a tag.
-        """
+        """The labels of an app about its new base image and the parts of its add-ons, as a build would write them."""
         labels = {BASE_NAME: target.image.name, BASE_DIGEST: target.image.digest}
         app_lock = image.lock_of(app)
         if app_lock is None:

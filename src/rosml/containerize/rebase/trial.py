@@ -46,12 +46,7 @@ class Pair:
 
 
 class Trial:
-    """Steps in a builder.
-
-    Args:
-        services: the builder, which reaches the registry of the images.
-        name: the app, for names of files.
-    """
+    """Steps in a builder, which reaches the registry of the images. Each app has a folder of its own."""
 
     def __init__(self, services: Services, name: str) -> None:
         self._services = services
@@ -60,11 +55,7 @@ class Trial:
         self._state.mkdir(parents=True, exist_ok=True)
 
     def link(self, images: Mapping[str, Pair]) -> None:
-        """Checks by the dynamic linker and by Python that an app finds on the new base image what it found on the old one.
-
-        Args:
-            images: by platform.
-        """
+        """Checks by the dynamic linker and by Python that an app finds on the new base image what it found on the old one."""
         with self._turn():
             for platform, pair in images.items():
                 if lost := sorted(self._lost_lines(platform, pair)):
@@ -94,12 +85,7 @@ class Trial:
         return now - before
 
     def run(self, images: Mapping[str, Pair], command: str) -> None:
-        """Runs a command in the new image.
-
-        Args:
-            images: by platform.
-            command: for bash, as a command after `rosml run IMAGE`.
-        """
+        """Runs a command in the new image, as after `rosml run IMAGE`."""
         for platform, pair in images.items():
             target = {
                 "dockerfile-inline": _RUN.format(SECONDS),

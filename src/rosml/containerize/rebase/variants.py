@@ -25,12 +25,7 @@ MOST = 10
 
 
 def plans(rebaser: Rebaser, app: str, stacks: Sequence[str], tag: str = "") -> list[Plan]:
-    """The images of an app, one for each stack, and last the tag itself, which is the first of them.
-
-    Args:
-        stacks: such as `cpu` and `cu130`.
-        tag: the complete reference before `-STACK`; empty for the app's own.
-    """
+    """The images of an app, one for each stack, and last the tag itself, which is the first of them."""
     _require_stacks(stacks)
     sources = rebaser.read(app)
     source = next(iter(sources.values()))

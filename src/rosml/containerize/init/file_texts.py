@@ -1,18 +1,18 @@
-"""The files that `rosml init` writes."""
+"""The texts of the files that `rosml init` writes."""
 
 from __future__ import annotations
 
 import json
 import re
 import shlex
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
 from rosml.containerize import inputs as app_inputs
 from rosml.containerize.init.packages import PIP
-from rosml.containerize.packages import ignored as left_out
-from rosml.images.matrix.model import Distribution, Matrix
+from rosml.containerize.packages import ignored
+from rosml.images.matrix.model import Matrix
 from rosml.run import defaults
 
 DOCKERFILE = "Dockerfile"
@@ -26,10 +26,12 @@ CATKIN = "devel devel_isolated install_isolated"
 """Folders that catkin makes beside those that every build makes."""
 
 PAGE = "docs/containerize.md"
-"""The page of the documentation about all of them."""
 
 FORGES = {"github": GITHUB, "gitlab": GITLAB}
 """The forges whose CI files we know, and the file for each."""
+
+AS_IT_IS = ("command",)
+"""The inputs in which containerize/gitlab.yml lets GitLab expand no variable. In others, `$$` is one `$`."""
 
 
 @dataclass(frozen=True)
@@ -42,18 +44,14 @@ class Project:
         place: the registry and the path before it, such as `ghcr.io/me/rosml`; empty if only this machine has the base image.
         ros: 1 or 2.
         gpu: the base image has CUDA.
-        command: what the run image starts.
         ended: the distribution is past its end of life.
         pip: files of requirements, relative to the folder.
-        repos: the list of upstream repositories for the distribution; empty if there is none.
-        one_of_several: there are more lists than that one.
+        repos: the list of upstream repositories for the distribution, which may be one of several; empty if there is none.
         packages: the folder of each package, relative to the folder.
         forge: `github`, `gitlab`, or `none`.
-        source: the repository of rosml on that forge, such as `me/rosml`.
-        revision: its branch or commit.
+        source, revision: the repository of rosml on that forge, such as `me/rosml`, and its branch or commit.
         images: where CI pushes; empty for the repository's own place.
         keys: keys of rosdep that manifests name, for what the base image has.
-        addons: the add-ons for the base image.
     """
 
     name: str
@@ -65,7 +63,7 @@ class Project:
     ended: bool
     pip: tuple[str, ...]
     repos: str
-    one_of_several: bool
+    is_one_of_several: bool
     packages: tuple[str, ...]
     forge: str
     source: str
@@ -76,12 +74,10 @@ class Project:
 
     @property
     def base_image(self) -> str:
-        """The base image as `rosml containerize` gets it."""
         return f"{self.place}/{self.tag}" if self.place else self.tag
 
     @property
     def dev_image(self) -> str:
-        """The image to work in, as Docker knows it."""
         return f"{self.name}:{app_inputs.default('image-tag')}-dev"
 
 
@@ -92,46 +88,34 @@ def image_name(folder: str) -> str:
 
 
 def repos_of(lists: Sequence[str], matrix: Matrix, distribution: str) -> str:
-    """The list of upstream repositories that counts for a distribution: the one with its name, or the only one without a name of
-    any.
+    """The path of the list of upstream repositories for a distribution: the one with its name, or the only one without a name of any;
+    empty if there is none, or more than one."""
 
-    Args:
-        lists: paths of all lists.
-
-    Returns:
-        Its path; empty if there is none, or more than one.
-    """
-
-    def names(rows: Mapping[str, Distribution]) -> set[str]:
-        return {word for row, facts in rows.items() for word in (row, facts.ros_distro) if word}
+    def names(rows: Iterable[str]) -> set[str]:
+        return {word for row in rows for word in (row, matrix.distributions[row].ros_distro) if word}
 
     words = {path: set(re.split(r"[^a-z0-9]+", path.rpartition("/")[2].lower())) for path in lists}
-    own = names({distribution: matrix.distributions[distribution]})
-    found = [path for path in lists if words[path].intersection(own)]
-    found = found or [path for path in lists if not words[path].intersection(names(matrix.distributions))]
-    return found[0] if len(found) == 1 else ""
+    with_name = [path for path in lists if words[path].intersection(names([distribution]))]
+    without_any = [path for path in lists if not words[path].intersection(names(matrix.distributions))]
+    fitting = with_name or without_any
+    return fitting[0] if len(fitting) == 1 else ""
 
 
-def contents(project: Project) -> dict[str, str]:
-    """The files, by their paths in the folder.
-
-    Raises:
-        RosmlError: a name in the repository has a line break or another control character (exit code 2).
-    """
+def texts(project: Project) -> dict[str, str]:
+    """The texts of the files, by their paths in the folder. A name with a line break or another control character is refused."""
     _require_lines(project)
-    made = {
+    by_path = {
         DOCKERFILE: _dockerfile(project),
         ".dockerignore": _lines(_dockerignore(project)),
         app_inputs.FILE: _lines(_env(project)),
         defaults.PROJECT: _lines(_defaults(project)),
     }
     if project.forge in FORGES:
-        made[FORGES[project.forge]] = _lines(_github(project) if project.forge == "github" else _gitlab(project))
-    return made
+        by_path[FORGES[project.forge]] = _lines(_github(project) if project.forge == "github" else _gitlab(project))
+    return by_path
 
 
 def _require_lines(project: Project) -> None:
-    """Refuses names that would be several lines of a file."""
     for value in vars(project).values():
         for text in value if isinstance(value, tuple) else (value,):
             if isinstance(text, str) and (odd := re.search(r"[\x00-\x1f\x7f\x85\u2028\u2029]", text)):
@@ -140,15 +124,10 @@ def _require_lines(project: Project) -> None:
 
 
 def lacking(path: str, text: str, project: Project) -> Iterator[tuple[str, str]]:
-    """What a file that stays lacks for the project, and what to write into it.
-
-    Args:
-        path: of the file in the folder, as in `contents`.
-        text: what it has.
-    """
+    """What a file with this text, which stays, lacks for the project, and what to write into it."""
     if path == DOCKERFILE:
-        named = rf"^\s*(ARG|FROM)\b.*({re.escape(project.tag)}|\bBASE_IMAGE\b)"
-        if not re.search(named, text, re.MULTILINE | re.IGNORECASE):
+        start_line = rf"^\s*(ARG|FROM)\b.*({re.escape(project.tag)}|\bBASE_IMAGE\b)"
+        if not re.search(start_line, text, re.MULTILINE | re.IGNORECASE):
             start = f"FROM {project.base_image}" if project.place else "ARG BASE_IMAGE and FROM ${BASE_IMAGE}"
             yield f"does not start from {project.base_image}", f"write {start}"
         if not re.search(r"\brosdep\s+(\\\s+)*install\b", text):
@@ -157,12 +136,8 @@ def lacking(path: str, text: str, project: Project) -> Iterator[tuple[str, str]]
             keys = shlex.quote(" ".join(project.keys))
             yield f"lets rosdep install {' '.join(lost)}, which the base image has", f"add --skip-keys {keys}"
     elif path in FORGES.values() and "containerize" not in text:
-        call = (
-            f"the step uses: {project.source}/containerize"
-            if path == GITHUB
-            else "an include of containerize/gitlab.yml"
-        )
-        yield "does not call rosml containerize", f"add {call}"
+        step, include = f"the step uses: {project.source}/containerize", "an include of containerize/gitlab.yml"
+        yield "does not call rosml containerize", f"add {step if path == GITHUB else include}"
 
 
 def _lines(lines: Iterator[str]) -> str:
@@ -174,18 +149,18 @@ def _lines(lines: Iterator[str]) -> str:
 
 def variables(project: Project) -> dict[str, str]:
     """The inputs of `rosml containerize` that `.env` has."""
-    found = {"BASE_IMAGE": project.base_image, "COMMAND": project.command, "IMAGE_NAME": project.name}
+    values = {"BASE_IMAGE": project.base_image, "COMMAND": project.command, "IMAGE_NAME": project.name}
     if project.addons:
-        found["ADDONS"] = ",".join(project.addons)
+        values["ADDONS"] = ",".join(project.addons)
     if project.pip and app_inputs.default("additional-pip-file") not in project.pip:
-        found["ADDITIONAL_PIP_FILE"] = project.pip[0]
+        values["ADDITIONAL_PIP_FILE"] = project.pip[0]
         if len(project.pip) > 1:
-            found |= {"ADDITIONAL_PIP_FILE": PIP, "ENABLE_RECURSIVE_ADDITIONAL_PIP": "true"}
+            values |= {"ADDITIONAL_PIP_FILE": PIP, "ENABLE_RECURSIVE_ADDITIONAL_PIP": "true"}
     if project.keys:
-        found["SKIP_KEYS"] = " ".join(project.keys)
-    if project.repos and project.one_of_several:
-        found |= {"ENABLE_RECURSIVE_VCS_IMPORT": "false", "VCS_IMPORT_FILE": project.repos}
-    return found
+        values["SKIP_KEYS"] = " ".join(project.keys)
+    if project.repos and project.is_one_of_several:
+        values |= {"ENABLE_RECURSIVE_VCS_IMPORT": "false", "VCS_IMPORT_FILE": project.repos}
+    return values
 
 
 def _env(project: Project) -> Iterator[str]:
@@ -213,7 +188,7 @@ def _dockerignore(project: Project) -> Iterator[str]:
     yield "# What neither rosml containerize nor docker build gets."
     yield from (".git", "**/__pycache__", ".venv", ".vscode")
     tops = {folder.split("/")[0] for folder in project.packages}
-    yield from sorted({*left_out.MADE, *CATKIN.split()} - tops)
+    yield from sorted({*ignored.MADE, *CATKIN.split()} - tops)
     yield "# Files that change no image: without them here, each change would build everything again."
     yield from (app_inputs.FILE, defaults.PROJECT, DOCKERFILE, ".dockerignore", ".github", GITLAB)
 
@@ -228,7 +203,6 @@ _CACHES = (
 
 
 def _dockerfile(project: Project) -> str:
-    """A Dockerfile for people who build without rosml."""
     default = f"={project.base_image}" if project.place else ""
     head = [
         *([] if default else ["# check=skip=InvalidDefaultArgInFrom"]),
@@ -237,31 +211,30 @@ def _dockerfile(project: Project) -> str:
         f"#   docker run --rm -it {'--gpus all ' if project.gpu else ''}-e DOCKER_UID=$(id -u) -e DOCKER_GID=$(id -g) {project.name}",
         f"ARG BASE_IMAGE{default}",
     ]
-    stages = [head, *_source_stages(project)]
-    stages.append(["FROM ${BASE_IMAGE} AS build", *_install(project, "")])
-    stages[-1] += [
+    build = [
+        "FROM ${BASE_IMAGE} AS build",
+        _install(project, ""),
         "COPY --from=sources /src /docker-ros/ws/src",
         "RUN /entrypoint.sh colcon build --cmake-args -DCMAKE_BUILD_TYPE=Release",
     ]
     tests = "colcon test && colcon test-result --verbose"
     if project.ros == 1:  # catkin builds them by a target of their own
         tests = f"colcon build --cmake-target tests --cmake-target-skip-unavailable && /entrypoint.sh {tests}"
-    stages.append(["# docker build --target test .", "FROM build AS test", f"RUN /entrypoint.sh {tests}"])
-    words = shlex.split(project.command) if _is_plain(project.command) else ["bash", "-c", project.command]
-    stages.append(
-        [
-            "# The image to run: without what only the build needs.",
-            "FROM ${BASE_IMAGE} AS run",
-            *_install(project, " --dependency-types exec"),
-            f"COPY --from=build {INSTALLED} {INSTALLED}",
-            f"CMD {json.dumps(words)}",
-        ]
-    )
+    test = ["# docker build --target test .", "FROM build AS test", f"RUN /entrypoint.sh {tests}"]
+    needs_shell = re.search(r"[;&|<>$`(){}*?#~\n\\]", project.command)
+    words = ["bash", "-c", project.command] if needs_shell else shlex.split(project.command)
+    run = [
+        "# The image to run: without what only the build needs.",
+        "FROM ${BASE_IMAGE} AS run",
+        _install(project, " --dependency-types exec"),
+        f"COPY --from=build {INSTALLED} {INSTALLED}",
+        f"CMD {json.dumps(words)}",
+    ]
+    stages = [head, *_source_stages(project), build, test, run]
     return "\n\n".join("\n".join(stage) for stage in stages) + "\n"
 
 
 def _source_stages(project: Project) -> Iterator[list[str]]:
-    """The stages with all sources, and with those files of them that name dependencies."""
     if project.repos:
         yield [
             "FROM ${BASE_IMAGE} AS upstream",
@@ -271,7 +244,8 @@ def _source_stages(project: Project) -> Iterator[list[str]]:
         yield ["FROM scratch AS sources", "COPY --from=upstream /upstream /src/upstream", "COPY . /src/target"]
     else:
         yield ["FROM scratch AS sources", "COPY . /src/target"]
-    kept = " ".join(f"! -name {shlex.quote(name)}" for name in ("package.xml", "*_IGNORE", *_pip_names(project)))
+    pip_names = sorted({file.rpartition("/")[2] for file in project.pip})
+    kept = " ".join(f"! -name {shlex.quote(name)}" for name in ("package.xml", "*_IGNORE", *pip_names))
     yield [
         "# Only the files that name dependencies: a change of any other file installs nothing again.",
         "FROM ${BASE_IMAGE} AS manifests",
@@ -285,12 +259,7 @@ def _of_docker(path: str) -> str:
     return re.sub(r"([\\$])", r"\\\1", path)
 
 
-def _pip_names(project: Project) -> list[str]:
-    return sorted({file.rpartition("/")[2] for file in project.pip})
-
-
-def _install(project: Project, options: str) -> Iterator[str]:
-    """The step that installs dependencies."""
+def _install(project: Project, options: str) -> str:
     mounts = ("--mount=type=bind,from=manifests,source=/src,target=/run/src", *_CACHES)
     update = "rosdep update --include-eol-distros" if project.ended else "rosdep update"
     skipped = f" --skip-keys {shlex.quote(' '.join(project.keys))}" if project.keys else ""
@@ -301,12 +270,7 @@ def _install(project: Project, options: str) -> Iterator[str]:
         f"rosdep install --from-paths /run/src --ignore-src -y{options}{skipped}",
         *(f"pip install -r {shlex.quote(f'/run/src/target/{file}')}" for file in project.pip),
     ]
-    yield " \\\n    ".join([f"RUN {mounts[0]}", *mounts[1:], " \\\n && ".join(steps)])
-
-
-def _is_plain(command: str) -> bool:
-    """Whether a command needs no shell."""
-    return re.search(r"[;&|<>$`(){}*?#~\n\\]", command) is None
+    return " \\\n    ".join([f"RUN {mounts[0]}", *mounts[1:], " \\\n && ".join(steps)])
 
 
 # ---- CI --------------------------------------------------------------------------------------------------------------
@@ -328,8 +292,7 @@ def _github(project: Project) -> Iterator[str]:
     yield f"      - uses: {project.source}/containerize@{project.revision}{loose}"
     yield "        with:"
     yield f"          base-image: {json.dumps(project.base_image)}"
-    for name, value in _pushed(project):
-        yield f"          {name}: {json.dumps(value)}"
+    yield from (f"          {name}: {json.dumps(value)}" for name, value in _pushed(project))
     for name, value in _inputs(project).items():
         yield f"          {name}: {json.dumps(_of_github(value))}"
     yield "          push: ${{ github.event_name != 'pull_request' }} # a fork's job may not push"
@@ -345,14 +308,9 @@ def _gitlab(project: Project) -> Iterator[str]:
     yield f"      rosml-url: {json.dumps('$CI_SERVER_URL/' + project.source + '.git')}"
     yield f"      rosml-ref: {json.dumps(project.revision)}"
     yield f"      base-image: {json.dumps(project.base_image)}"
-    for name, value in _pushed(project):
-        yield f"      {name}: {json.dumps(value)}"
+    yield from (f"      {name}: {json.dumps(value)}" for name, value in _pushed(project))
     for name, value in _inputs(project).items():
         yield f"      {name}: {json.dumps(value if name in AS_IT_IS else value.replace('$', '$$'))}"
-
-
-AS_IT_IS = ("command",)
-"""The inputs in which containerize/gitlab.yml lets GitLab expand no variable. In others, `$$` is one `$`."""
 
 
 def _of_github(value: str) -> str:
@@ -378,7 +336,6 @@ def _pushed(project: Project) -> Iterator[tuple[str, str]]:
 
 
 def _inputs(project: Project) -> dict[str, str]:
-    """The inputs beside the base image and the name of the run image, which CI chooses or the user names. Their texts are from the
-    repository."""
-    said = {name.lower().replace("_", "-"): value for name, value in variables(project).items()}
-    return {name: value for name, value in said.items() if name not in ("base-image", "image-name")}
+    """The inputs beside the base image and the run image's name, which CI or the user chooses. Their texts are the repository's."""
+    values = {name.lower().replace("_", "-"): value for name, value in variables(project).items()}
+    return {name: value for name, value in values.items() if name not in ("base-image", "image-name")}
