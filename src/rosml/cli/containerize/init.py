@@ -33,7 +33,6 @@ if TYPE_CHECKING:
     from rosml.images.image_set.model import Image, ImageSet
 
 KEPT = "interrupted: nothing was written"
-"""The message after Ctrl-C."""
 
 UNNAMED = (
     "no registry is named: the base image in .env is one that only a checkout has on its machine",
@@ -42,13 +41,10 @@ UNNAMED = (
 """What to say where rosml is installed, and nobody said where base images are."""
 
 UNCONFIRMED = ".env of the repository names the registry {}, and nobody has confirmed it: the files do not"
-"""What is said of a registry that only a file of the repository names."""
 
 
 @dataclass(frozen=True)
 class Call:
-    """The command line: its options and their values."""
-
     folder: Path
     distribution: str
     component: str
@@ -203,7 +199,6 @@ def _project(name: str, scan: FolderScan, decision: Decision, ci: Ci, address: s
 
 
 def _choices(decision: Decision, ci: Ci) -> dict[str, Choice]:
-    """All choices, by the words for them."""
     from rosml.containerize.init.forge import OWN_PLACE
     from rosml.containerize.init.situation import BY_USER, Choice
 
@@ -217,7 +212,6 @@ def _choices(decision: Decision, ci: Ci) -> dict[str, Choice]:
 
 
 def _set_of_images(call: Call) -> None:
-    """`--images`, which has no use for most options."""
     from rosml.cli.images import own_set
 
     context = click.get_current_context()
@@ -237,12 +231,10 @@ def _set_of_images(call: Call) -> None:
 
 
 def _has_terminal() -> bool:
-    """Whether questions can be asked and answered."""
     return os.isatty(0) and os.isatty(2)
 
 
 def _asker(call: Call, scan: FolderScan) -> Ask:
-    """What answers questions: the user on a terminal, or else the proposals."""
     if call.yes or call.as_json or not _has_terminal():
         return lambda question, proposal: proposal.value
     terminal.echo(f"{_packages(scan)}\nEnter takes what is in brackets; ? lists the answers.\n", err=True)
@@ -316,7 +308,6 @@ def _secrets(project: Project) -> Iterator[Note]:
 
 
 def _lacking(env: Mapping[str, str], first: Sequence[File], project: Project) -> Iterator[Note]:
-    """What a `.env` that stays does not say."""
     from rosml.containerize import inputs as app_inputs
     from rosml.containerize.init.file_texts import assigned, variables
 
@@ -328,7 +319,6 @@ def _lacking(env: Mapping[str, str], first: Sequence[File], project: Project) ->
 
 
 def _kept(folder: Path, first: Sequence[File], project: Project) -> Iterator[Note]:
-    """What a Dockerfile and a CI file that stay do not say."""
     from rosml.containerize.init.file_texts import lacking
     from rosml.containerize.init.folder import text_of
 

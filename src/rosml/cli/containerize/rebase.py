@@ -28,13 +28,10 @@ if TYPE_CHECKING:
 STATES = ("moved", "planned", "there", "held", "unaffected", "refused", "failed")
 
 KEPT = "interrupted: the old tag stands; the next call finds again what was pushed"
-"""The message after Ctrl-C."""
 
 
 @dataclass(frozen=True)
 class Call:
-    """The command line: its options and their values."""
-
     app: str
     base: str
     tag: str
@@ -116,7 +113,6 @@ def main(**values: Any) -> None:
 
 
 def _require_sense(call: Call) -> None:
-    """Refuses options that exclude each other."""
     context = click.get_current_context()
     for name in ("base", "tag"):
         if not getattr(call, name) and context.get_parameter_source(name) is ParameterSource.COMMANDLINE:
@@ -160,7 +156,6 @@ def _move_back(rebaser: Rebaser, digest: str, call: Call) -> None:
 
 
 def _move_app(rebaser: Rebaser, call: Call) -> None:
-    """Moves an app, or makes its variants."""
     from rosml.containerize.names import listed
     from rosml.containerize.rebase import variants
 
@@ -178,7 +173,6 @@ def _move_app(rebaser: Rebaser, call: Call) -> None:
 
 
 def _foreseen(plan: Plan) -> Rebased:
-    """Tells what would come of a plan."""
     _tell_undecided(plan)
     if plan.changes_nothing:
         say(f"{plan.target} points at {plan.digest} already; nothing would change")
@@ -227,7 +221,6 @@ def _print(rebased: Rebased) -> None:
 
 
 def _in_full(name: str, digest: str) -> str:
-    """An image's name with its digest, which it may have already."""
     return name if "@" in name or not name or not digest else f"{name}@{digest}"
 
 
@@ -239,7 +232,6 @@ def _print_json(document: Any) -> None:
 
 
 def _move_fleet(rebaser: Rebaser, file: Path, call: Call) -> None:
-    """Moves the apps of a file, or only tells what would become of them. The exit code is 1 if one was refused or failed."""
     from rosml.base.clock import now
     from rosml.containerize.rebase import fleet
 
@@ -262,7 +254,6 @@ def _move_fleet(rebaser: Rebaser, file: Path, call: Call) -> None:
 
 
 def _screen(name: str) -> Callable[[bytes, str], str]:
-    """Looks for a vulnerability in SBOMs, by the scanner of `rosml setup scanner` and its database."""
     from datetime import UTC, datetime
 
     from rosml.containerize.rebase.screen import Screen, require_advisory

@@ -61,7 +61,6 @@ def stacks(situation: Situation, distribution: str, framework: str) -> list[str]
 
 
 def _fitting(situation: Situation, usable: Sequence[str]) -> Choice:
-    """The stack for this machine; without a GPU here, the one for the CPU."""
     nvidia, driver = situation.surroundings.nvidia, situation.surroundings.driver
     gpus = [name for name in usable if situation.is_gpu(name)]
     others = [name for name in usable if not situation.is_gpu(name)]

@@ -18,14 +18,7 @@ from rosml.images.matrix.model import Matrix
 
 @dataclass(frozen=True)
 class Decision:
-    """What is decided.
-
-    Attributes:
-        choices: by the name of the question.
-        ended: the end of life of the distribution has passed.
-        keys: keys of rosdep that manifests name, for what the base image has.
-        addons: those that sources name, as `containerize --addons` takes them.
-    """
+    """What is decided. `keys` are rosdep's keys in manifests for what the base image has."""
 
     choices: Mapping[str, Choice]
     image: Image
@@ -36,7 +29,6 @@ class Decision:
 
 
 def decide(situation: Situation) -> Decision:
-    """Decides by what the user says, and proposes the rest. RosmlError if that does not exist, or does not fit the packages."""
     matrix = situation.matrix
     situation = replace(situation, wishes=_understood(matrix, situation.wishes))
     row = distribution.choose(situation)

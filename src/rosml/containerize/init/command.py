@@ -15,11 +15,9 @@ from rosml.containerize.packages.manifest import Package
 SHELL = "bash"
 
 Startable = tuple[Package, str]
-"""A launch file or a program, and its package."""
 
 
 def choose(situation: Situation, distribution: str) -> Choice:
-    """The command, as a shell reads it."""
     wish, of_env = situation.wishes.command, situation.surroundings.env.get("COMMAND")
     if of_env and not wish:
         return Choice(_read(of_env), BY_ENV)
@@ -27,7 +25,6 @@ def choose(situation: Situation, distribution: str) -> Choice:
 
 
 def _read(command: str) -> str:
-    """A command that a shell can read."""
     try:
         shlex.split(command)
     except ValueError as error:

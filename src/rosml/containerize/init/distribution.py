@@ -28,7 +28,6 @@ def choose(situation: Situation) -> Choice:
 
 
 def notes(situation: Situation, name: str) -> Iterator[Note]:
-    """What to know about a distribution that was chosen."""
     facts, packages = situation.matrix.distributions[name], situation.scan.packages
     if has_ended(situation, name):
         living = [other for other in situation.matrix.distributions if not has_ended(situation, other)]
@@ -42,13 +41,11 @@ def notes(situation: Situation, name: str) -> Iterator[Note]:
 
 
 def has_ended(situation: Situation, name: str) -> bool:
-    """Whether its end of life has passed."""
     eol = situation.matrix.distributions[name].eol
     return eol is not None and eol < situation.surroundings.today
 
 
 def _fits(situation: Situation, name: str, packages: Collection[Package]) -> bool:
-    """Whether packages are for a distribution."""
     distributions = situation.matrix.distributions
     facts = distributions[name]
     ros_distro = facts.ros_distro or name
@@ -57,7 +54,6 @@ def _fits(situation: Situation, name: str, packages: Collection[Package]) -> boo
 
 
 def _mixed(situation: Situation) -> RosmlError:
-    """The error about packages that no distribution fits together."""
     rows, first, unfit = situation.matrix.distributions, dict[int, Package](), []
     for package in situation.scan.packages:
         generations = {facts.ros for name, facts in rows.items() if _fits(situation, name, [package])}
@@ -114,7 +110,6 @@ def _sorted(situation: Situation, distributions: Collection[str]) -> list[str]:
 
 
 def _carries(situation: Situation, distribution: str, combination: str) -> bool:
-    """Whether a distribution has the framework with all locks, on the accelerator that this machine has or the user wants."""
     matrix, gpu = situation.matrix, situation.wishes.gpu
     stacks = {
         image.stack

@@ -20,7 +20,6 @@ GITHUB = ".github/workflows/images.yml"
 GITLAB = ".gitlab-ci.yml"
 
 INSTALLED = "/docker-ros/ws/install"
-"""The install space in images."""
 
 CATKIN = "devel devel_isolated install_isolated"
 """Folders that catkin makes beside those that every build makes."""
@@ -28,7 +27,6 @@ CATKIN = "devel devel_isolated install_isolated"
 PAGE = "docs/containerize.md"
 
 FORGES = {"github": GITHUB, "gitlab": GITLAB}
-"""The forges whose CI files we know, and the file for each."""
 
 AS_IT_IS = ("command",)
 """The inputs in which containerize/gitlab.yml lets GitLab expand no variable. In others, `$$` is one `$`."""
@@ -36,23 +34,8 @@ AS_IT_IS = ("command",)
 
 @dataclass(frozen=True)
 class Project:
-    """What the files say.
-
-    Attributes:
-        name: the name of the run image.
-        tag: the base image in its registry, such as `ros:jazzy-base`.
-        place: the registry and the path before it, such as `ghcr.io/me/rosml`; empty if only this machine has the base image.
-        ros: 1 or 2.
-        gpu: the base image has CUDA.
-        ended: the distribution is past its end of life.
-        pip: files of requirements, relative to the folder.
-        repos: the list of upstream repositories for the distribution, which may be one of several; empty if there is none.
-        packages: the folder of each package, relative to the folder.
-        forge: `github`, `gitlab`, or `none`.
-        source, revision: the repository of rosml on that forge, such as `me/rosml`, and its branch or commit.
-        images: where CI pushes; empty for the repository's own place.
-        keys: keys of rosdep that manifests name, for what the base image has.
-    """
+    """What the files say. `place` is the registry with the path before the base image's `tag`, empty if only this machine has it; `images`
+    is where CI pushes, empty for the repository's own place. `source` and `revision` are rosml's on that forge. Paths are relative."""
 
     name: str
     tag: str
@@ -124,7 +107,7 @@ def _require_lines(project: Project) -> None:
 
 
 def lacking(path: str, text: str, project: Project) -> Iterator[tuple[str, str]]:
-    """What a file with this text, which stays, lacks for the project, and what to write into it."""
+    """What a file with this text lacks, and what to write into it."""
     if path == DOCKERFILE:
         start_line = rf"^\s*(ARG|FROM)\b.*({re.escape(project.tag)}|\bBASE_IMAGE\b)"
         if not re.search(start_line, text, re.MULTILINE | re.IGNORECASE):
@@ -148,7 +131,6 @@ def _lines(lines: Iterator[str]) -> str:
 
 
 def variables(project: Project) -> dict[str, str]:
-    """The inputs of `rosml containerize` that `.env` has."""
     values = {"BASE_IMAGE": project.base_image, "COMMAND": project.command, "IMAGE_NAME": project.name}
     if project.addons:
         values["ADDONS"] = ",".join(project.addons)

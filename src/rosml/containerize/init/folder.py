@@ -15,7 +15,6 @@ from rosml.containerize import inputs as app_inputs
 from rosml.containerize.init.file_texts import DOCKERFILE, GITLAB
 
 LARGEST = 256 << 10
-"""The most bytes of a file that is read for a hint."""
 
 
 # ---- What it says ----------------------------------------------------------------------------------------------------
@@ -43,7 +42,6 @@ def hints(folder: Path, environment: Mapping[str, str]) -> Iterator[tuple[frozen
 
 
 def _words(text: str) -> frozenset[str]:
-    """The words of a text, with hyphens and without."""
     words = frozenset(re.findall(r"[a-z0-9]+(?:-[a-z0-9]+)*", text))
     return words | {piece for word in words for piece in word.split("-")}
 
@@ -75,7 +73,6 @@ class File:
 
 
 def compared(folder: Path, texts: Mapping[str, str]) -> list[File]:
-    """The files with these texts, by their paths in the folder."""
     places = {path: folder / path for path in texts}
     exists = {path: os.path.lexists(place) for path, place in places.items()}
     return [

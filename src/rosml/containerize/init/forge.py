@@ -20,7 +20,6 @@ from rosml.machine import git
 from rosml.registry.place import Place
 
 NONE = "none"
-"""The answer of those who want no CI file."""
 
 OWN_PLACE = "the repository's own place"
 
@@ -32,13 +31,7 @@ GITHUB_ADDRESS = "https://github.com/"
 
 @dataclass(frozen=True)
 class CiWishes:
-    """What the user says; empty if nothing.
-
-    Attributes:
-        place: the registry and path of the base images; empty if they are on this machine alone.
-        images: where the images go.
-        rosml: the public address of rosml, whoever said it.
-    """
+    """What the user says, empty if nothing: also where base images are, where images go, and the public address of rosml."""
 
     forge: str = ""
     place: str = ""
@@ -48,14 +41,8 @@ class CiWishes:
 
 @dataclass(frozen=True)
 class Ci:
-    """The CI of a repository.
-
-    Attributes:
-        forge: the forge for which a file is written, or NONE, and why.
-        place: as the user named it at last.
-        images: where the images go, unless CI pushes there by itself.
-        usual: where CI pushes by itself; empty without CI.
-    """
+    """The forge for which a file is written, or NONE, and where base images are. `images` is where images go, unless CI pushes there by
+    itself; `usual` is where it does."""
 
     forge: Choice
     place: str
@@ -98,7 +85,6 @@ def place_of(text: str) -> str:
 
 
 def _pushes(folder: Path, forge: str) -> str:
-    """Where CI pushes by itself: the place of the repository, in the forge's words if that is not known here."""
     for address in _remotes(folder):
         if forge == "github" and (match := re.search(r"\bgithub\.com[:/]([\w.-]+/[\w.-]+?)(?:\.git)?/?$", address)):
             return f"ghcr.io/{match[1].lower()}"
@@ -106,7 +92,6 @@ def _pushes(folder: Path, forge: str) -> str:
 
 
 def _of(folder: Path) -> tuple[str, str]:
-    """The forge of a repository, and how we know; empty if unknown."""
     if (folder / ".github").is_dir():
         return "github", "there is a folder .github"
     if (folder / GITLAB).is_file():
@@ -122,7 +107,6 @@ def _remotes(folder: Path) -> list[str]:
 
 
 def _hinders(folder: Path, forge: str, place: str, rosml: str, matrix: Matrix) -> tuple[str, str] | None:
-    """Why there can be no CI file, and the remedy; None if there can."""
     if not place or place.partition("/")[0].partition(":")[0] in ("localhost", "127.0.0.1"):
         return "jobs do not reach this machine's images", "--registry ghcr.io/me/rosml names a registry that they reach"
     if (top := git.top(folder) or folder) != folder:

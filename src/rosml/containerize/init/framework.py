@@ -15,7 +15,6 @@ from rosml.images.matrix.model import Matrix
 
 
 def choose(situation: Situation, distribution: str, component: str) -> tuple[Choice, list[Note]]:
-    """The framework, and what to know about it."""
     matrix, plain, wish = situation.matrix, rules.plain(situation.matrix), situation.wishes.framework
     available = [
         name for name in matrix.frameworks if name == plain or accelerator.stacks(situation, distribution, name)

@@ -21,7 +21,6 @@ OTHERS = {
     CUDA: ("cuda",),
     OPENCV: ("opencv", "opencv2", "cv2", "libopencv", "cv_bridge"),
 }
-"""Libraries that no part brings, and the words for each."""
 
 _PIP = f"a line in {app_inputs.default('additional-pip-file')}"
 
@@ -41,7 +40,7 @@ LACKING = {
 
 
 def words(matrix: Matrix) -> dict[str, set[str]]:
-    """The words for each library: for what the parts of the matrix bring, by title, and for others."""
+    """The words for what the parts of the matrix bring, by title, and for other libraries."""
     by_title: dict[str, set[str]] = {}
     for part in matrix.parts:
         if part.title and part.release:
@@ -100,7 +99,6 @@ def _mentioned_addons(matrix: Matrix, scan: FolderScan, image: Image) -> Iterato
 
 
 def _addon_stack(matrix: Matrix, image: Image, addon: str, mention: Mention) -> tuple[str, str]:
-    """The stack that has an add-on; empty if none has, and why."""
     on_gpu = mention.word.lower().endswith("gpu")
     by_kind = sorted(matrix.stacks, key=lambda name: bool(matrix.stacks[name].cuda) != on_gpu)
     stacks = [image.stack] if image.stack else by_kind

@@ -16,22 +16,18 @@ from rosml.containerize.packages.ignored import LeftOut
 from rosml.containerize.packages.manifest import Package
 
 LARGEST = 1 << 20
-"""The most bytes that are read of a source file."""
 
 MOST_FILES = 20_000
-"""The most source files that are read."""
 
 LANGUAGES = {
     "C++": (".cpp", ".cc", ".cxx", ".c", ".hpp", ".hh", ".h", ".cu"),
     "Python": (".py",),
 }
-"""The ends of the names of their files."""
 
 PIP = "requirements.txt"
 """The file in which Python packages name what pip is to install."""
 
 REPOS = ".repos"
-"""The end of the names of files that list upstream repositories."""
 
 Libraries = Mapping[str, Collection[str]]
 """Names of libraries, and the words by which manifests and sources name each, in small letters."""
@@ -39,13 +35,7 @@ Libraries = Mapping[str, Collection[str]]
 
 @dataclass(frozen=True)
 class Mention:
-    """Where a library is named first.
-
-    Attributes:
-        place: the file, relative to the folder, and its line: `src/node.py:3`.
-        word: the name as it stands there.
-        by_manifest: a package.xml names it, so that rosdep installs it.
-    """
+    """Where a library is named first, such as `src/node.py:3`. rosdep installs one that a manifest names."""
 
     place: str
     word: str
@@ -143,7 +133,6 @@ def _in_text(file: Path, path: str, text: str, libraries: Libraries) -> Mentions
 
 
 def _files(place: Path, ignored: LeftOut) -> Iterator[Path]:
-    """The files below a place that the builder gets, without hidden folders and without links."""
     for path, folders, names in os.walk(place):
         folders[:] = sorted(
             name for name in folders if not name.startswith(".") and not ignored.whole(Path(path, name))

@@ -27,13 +27,7 @@ class Choice:
 
 @dataclass(frozen=True)
 class Question:
-    """A question to the user.
-
-    Attributes:
-        read: turns an answer into a value, or raises RosmlError.
-        answers: all possible ones, if they can be counted.
-        reason: why a value is taken that was not proposed.
-    """
+    """A question. `read` raises RosmlError for a wrong answer; `reason` says why a value is taken that was not proposed."""
 
     text: str
     read: Callable[[str], str]
@@ -59,14 +53,7 @@ class Wishes:
 
 @dataclass(frozen=True)
 class Surroundings:
-    """What counts of this machine and of the folder's repository.
-
-    Attributes:
-        today: for ends of life.
-        env: the variables of the folder's `.env`.
-        hints: words among which are names of ROS distributions, the most telling first, and what has them.
-        driver: the version of the NVIDIA driver; empty if unknown.
-    """
+    """This machine and the folder's repository. `hints` are words that may name a distribution, the most telling first, with their source."""
 
     today: datetime.date
     env: Mapping[str, str] = field(default_factory=dict)
@@ -77,8 +64,6 @@ class Surroundings:
 
 @dataclass(frozen=True)
 class Situation:
-    """All that a choice depends on, beside earlier choices."""
-
     image_set: ImageSet
     scan: FolderScan
     wishes: Wishes
@@ -87,7 +72,6 @@ class Situation:
 
     @property
     def matrix(self) -> Matrix:
-        """The matrix of the image set."""
         return self.image_set.matrix
 
     def before(self, distribution: str) -> Image | None:
@@ -96,16 +80,13 @@ class Situation:
         return image if image and image.distribution == distribution else None
 
     def settle(self, question: Question, wish: str, proposal: Choice) -> Choice:
-        """Takes the user's wish, or else asks."""
         value = question.read(wish) if wish else self.ask(question, proposal)
         return proposal if value == proposal.value and not wish else Choice(value, question.reason(value))
 
     def is_gpu(self, stack: str) -> bool:
-        """Whether a stack computes on GPUs."""
         return bool(self.matrix.stacks[stack].cuda)
 
     @property
     def asks_for_gpu(self) -> bool:
-        """Whether the user asks for one, or for a stack that needs one."""
         stack = self.wishes.stack
         return bool(self.wishes.gpu or (stack in self.matrix.stacks and self.is_gpu(stack)))

@@ -11,7 +11,6 @@ from rosml.images.matrix.model import Matrix
 NOTHING = ("none", "no", "nothing", "without", "-")
 
 NVIDIA = ("gpu", "nvidia", "cuda")
-"""Words for any stack with CUDA."""
 
 
 def distributions(matrix: Matrix, word: str) -> list[str]:

@@ -35,19 +35,10 @@ _PYTHON = re.compile(r"(?:.*/)?([^/-]+)-([^/-]+)(?:-py[0-9.]+)?\.(?:dist-info|eg
 
 
 @dataclass(frozen=True)
-class Place:
-    """The manifest of an image for one platform, in its registry."""
-
-    host: str
-    repository: str
-    digest: str
-
-
-@dataclass(frozen=True)
 class BaseContents:
     """For one platform. `places` are the images that it is joined from, which have lists and SBOMs; itself if it was built."""
 
-    places: tuple[Place, ...]
+    places: tuple[Reference, ...]
     facts: Facts
     files: frozenset[str]
     folders: frozenset[str]
@@ -72,7 +63,7 @@ class Attachments:
         self._lists = Lists()
         self.base = cache(self._base)
         self.base_facts = cache(self._base_facts)
-        self._facts = cache(lambda place: facts.of(self._registry(place), place.repository, place.digest))
+        self._facts = cache(lambda place: facts.of(self._registry(place), place.repository, place.reference))
         self._artifacts = cache(self._list)
 
     def app_facts(self, app: Source) -> Facts:
@@ -84,7 +75,7 @@ class Attachments:
     def _base(self, reference: str, platform: str) -> BaseContents:
         """The contents of a base image, by its digest. RosmlError with exit code 2 if something is not attached."""
         places, base_facts = self._places(reference, platform), self.base_facts(reference, platform)
-        lists = [self._lists.of(self._registry(place), place.repository, place.digest) for place in places]
+        lists = [self._lists.of(self._registry(place), place.repository, place.reference) for place in places]
         present = [files for files in lists if files]
         if not places or not base_facts or len(present) < len(lists):
             text = f"{reference} has no facts about its packages, libraries and files"
@@ -105,16 +96,16 @@ class Attachments:
         facts_below = self._base_facts(below, platform, depth + 1) if app_facts and below else None
         return facts.together([facts_below, app_facts]) if facts_below and app_facts else None
 
-    def _places(self, reference: str, platform: str) -> tuple[Place, ...]:
+    def _places(self, reference: str, platform: str) -> tuple[Reference, ...]:
         """The images that a base image is joined from; itself if it has a list of its own."""
         source, annotations = self.member(reference, platform)
         if source is None:
             return ()
         registry, place = self._registry(source), _place(source)
-        if self._lists.of(registry, place.repository, place.digest):
+        if self._lists.of(registry, place.repository, place.reference):
             return (place,)
-        components = facts.components(registry, place.repository, place.digest, annotations)
-        return tuple(Place(place.host, *component) for component in components)
+        components = facts.components(registry, place.repository, place.reference, annotations)
+        return tuple(Reference(place.host, *component) for component in components)
 
     def member(self, reference: str, platform: str) -> tuple[Source | None, Mapping[str, str]]:
         """An image for one platform, with the annotations of its entry in its index. None if it is gone."""
@@ -126,7 +117,7 @@ class Attachments:
         entries = [item for item in manifest.members if source and item.digest == source.digest]
         return source, entries[0].annotations if entries else {}
 
-    def _registry(self, place: Place | Source) -> Registry:
+    def _registry(self, place: Reference | Source) -> Registry:
         return self._transfer.registries(place.host)
 
     # ---- Attaching ---------------------------------------------------------------------------------------------------
@@ -149,7 +140,7 @@ class Attachments:
                 layer
                 for place in base.places
                 for layer in file_lists.mounted(
-                    self._registry(place), place.repository, place.digest, registry, repository
+                    self._registry(place), place.repository, place.reference, registry, repository
                 )
             ]
             registry.attach(repository, subject, file_lists.ARTIFACT, data, file_lists.MEDIA_TYPE, more=below)
@@ -158,16 +149,16 @@ class Attachments:
             registry.attach(repository, subject, sbom.MEDIA_TYPE, data, sbom.MEDIA_TYPE, sbom.FORMAT)
         return registry.sent_by_this_thread - before
 
-    def _list(self, place: Place, kind: str) -> list[Manifest]:
-        digests = {entry["digest"] for entry in self._registry(place).referrers(place.repository, place.digest, kind)}
-        manifests = [
-            self._transfer.manifest(Reference(place.host, place.repository, digest)) for digest in sorted(digests)
-        ]
+    def _list(self, place: Reference, kind: str) -> list[Manifest]:
+        digests = {
+            entry["digest"] for entry in self._registry(place).referrers(place.repository, place.reference, kind)
+        }
+        manifests = [self._transfer.manifest(place._replace(reference=digest)) for digest in sorted(digests)]
         return [manifest for manifest in manifests if manifest and manifest.layers]
 
     # ---- SBOMs -------------------------------------------------------------------------------------------------------
 
-    def _sboms(self, place: Place) -> Iterator[bytes]:
+    def _sboms(self, place: Reference) -> Iterator[bytes]:
         for artifact in self._artifacts(place, sbom.MEDIA_TYPE):
             if artifact.annotations.items() >= sbom.FORMAT.items():
                 yield self._registry(place).part(place.repository, artifact.layers[0])
@@ -196,14 +187,14 @@ class Attachments:
         }
         return oci.encoded(document)
 
-    def _components(self, place: Place) -> Iterator[dict[str, Any]]:
+    def _components(self, place: Reference) -> Iterator[dict[str, Any]]:
         for content in self._sboms(place):
             assert sbom.Sbom(content).document, "it is read, to check it"
             yield from untrusted.json_value(content, sbom.LARGEST)["components"]
 
 
-def _place(source: Source) -> Place:
-    return Place(source.host, source.repository, source.digest)
+def _place(source: Source) -> Reference:
+    return Reference(source.host, source.repository, source.digest)
 
 
 def base_of(app: Source) -> str:

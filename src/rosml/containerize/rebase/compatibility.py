@@ -99,17 +99,21 @@ def require_fit(app: Source, base: Source) -> None:
 
 
 def judge(
-    app: Facts, old: Facts | None, base: BaseContents, app_labels: Mapping[str, str], base_labels: Mapping[str, str]
+    app: Facts,
+    old_facts: Facts | None,
+    base: BaseContents,
+    app_labels: Mapping[str, str],
+    base_labels: Mapping[str, str],
 ) -> Judgement:
-    """Judges a move. `app` has the facts of the app's own layer, `old` those of its present base image unless that is gone."""
+    """Judges a move. `app` has the facts of the app's own layer, `old_facts` those of its present base image unless that is gone."""
     new = base.facts
     try:
         base_packages, all_packages = PackageSet(new.packages), PackageSet([*new.packages, *app.packages])
         reasons = [
             *_package_relations(app, new, base_packages, all_packages),
             *_missing_apt_requests(app, all_packages),
-            *_vanished_packages(app, old, all_packages),
-            *_libraries(app, old, new),
+            *_vanished_packages(app, old_facts, all_packages),
+            *_libraries(app, old_facts, new),
         ]
     except ValueError as error:
         raise RosmlError(f"the facts of an image are damaged: {error}", AGAIN) from None
@@ -119,7 +123,7 @@ def judge(
         *_missing_pip_requests(app, base.files),
         *_part_releases(app, app_labels, base_labels),
     ]
-    if old is None:
+    if old_facts is None:
         text = (
             "the base image that the app was built on is gone, or has no facts beside it, so nobody can compare with it"
         )
@@ -159,9 +163,9 @@ def _missing_apt_requests(app: Facts, all_packages: PackageSet) -> Iterator[Reas
             yield f"the app asked for {name}, which the base image lacks", Verdict.BUILD
 
 
-def _vanished_packages(app: Facts, old: Facts | None, all_packages: PackageSet) -> Iterator[Reason]:
+def _vanished_packages(app: Facts, old_facts: Facts | None, all_packages: PackageSet) -> Iterator[Reason]:
     """Packages that only the old base image has. Python and launch files may use them, and no list says so."""
-    packages = old.packages if old else ()
+    packages = old_facts.packages if old_facts else ()
     gone = sorted({package.name for package in packages if package.name not in all_packages})
     if gone and app.imports != []:
         text = f"the base image until now has {_some(gone)}, and this one has not; the app's Python may use it"
@@ -238,15 +242,15 @@ def _part_releases(app: Facts, app_labels: Mapping[str, str], base_labels: Mappi
         for name, text in app_labels.items()
         if name.startswith(PREFIX) and VERSION.fullmatch(text)
     }
-    lost = [part for part, (_, new) in releases.items() if new is None]
+    lost = [part for part, (_, base_has) in releases.items() if base_has is None]
     if lost and app_labels.get(FRAMEWORK) != base_labels.get(FRAMEWORK) and app.imports != []:
         yield f"this base image has no {listed(lost, 'or')}; the app's Python may use it", Verdict.LINK
     needed = sorted({name for library in app.libraries for name in library.needed})
-    for part, (old, new) in releases.items():
-        if not new or not VERSION.fullmatch(new) or old.split(".")[:2] == new.split(".")[:2]:
+    for part, (app_has, base_has) in releases.items():
+        if not VERSION.fullmatch(base_has or "") or app_has.split(".")[:2] == (base_has or "").split(".")[:2]:
             continue
         if used := next((name for name in needed if name.startswith(f"lib{part}")), ""):
-            yield f"the app was built with {part} {old} ({used}), and the base image has {new}", Verdict.BUILD
+            yield f"the app was built with {part} {app_has} ({used}), and the base image has {base_has}", Verdict.BUILD
 
 
 # ---- Libraries -------------------------------------------------------------------------------------------------------
@@ -303,14 +307,14 @@ class _Libraries:
         return join_facts.lacking(symbols, libraries)
 
 
-def _libraries(app: Facts, old: Facts | None, new: Facts) -> Iterator[Reason]:
+def _libraries(app: Facts, old_facts: Facts | None, new: Facts) -> Iterator[Reason]:
     steps = _Steps()
-    base_libraries = [*new.libraries, *(old.libraries if old else ())]
+    base_libraries = [*new.libraries, *(old_facts.libraries if old_facts else ())]
     for machine in {tuple(library.machine) for library in app.libraries}:
         if not any(tuple(library.machine) == machine for library in base_libraries):
             continue  # the app has it for another processor
         of_app, now = _Libraries(app.libraries, machine, steps), _Libraries(new.libraries, machine, steps)
-        before = _Libraries(old.libraries, machine, steps) if old else None
+        before = _Libraries(old_facts.libraries, machine, steps) if old_facts else None
         used: set[str] = set()
         for library in (item for item in app.libraries if tuple(item.machine) == machine):
             names = list(_needed(library, of_app))

@@ -19,19 +19,8 @@ from rosml.registry.references import Reference
 
 @dataclass
 class Rebased(Transferred):
-    """An app on another base image. `--json` prints these fields.
-
-    Attributes:
-        app: the app's complete reference.
-        reference: the tag that points at the new image.
-        before: the digest of the app's image until now.
-        base: the new base image, with its registry and tag.
-        old_base: the base image until now, as the app's label says.
-        back: the digest at which the tag was before, for `--back`; empty if there was no such tag.
-        moved: whether the tag points elsewhere than before.
-        verdict: what the facts of both base images say: `safe` or `check by link`; empty after `--back`.
-        linked: whether it was linked in the builder.
-    """
+    """An app on another base image, as `--json` prints it. `before` is the digest of the app's image, and `back` that of the tag, until now.
+    `verdict` is `safe` or `check by link`, or empty after `--back`."""
 
     app: str = ""
     reference: str = ""
@@ -53,15 +42,7 @@ class Rebased(Transferred):
 
 @dataclass(frozen=True)
 class Plan:
-    """A new image of an app that is in no registry yet. Mappings are by platform.
-
-    Attributes:
-        app: the place of the app, by the digest that was read.
-        app_name: the app's complete reference.
-        target: the tag to move.
-        tag_digest: where that tag was when this was planned; empty if there was no such tag.
-        document: the manifest or the index to which the tag will point.
-    """
+    """A new image of an app that is in no registry yet. `tag_digest` is where the tag was, empty if there was none; mappings are by platform."""
 
     app: Reference
     app_name: str
@@ -85,16 +66,14 @@ class Plan:
 
     @property
     def pairs(self) -> dict[str, Pair]:
-        """The new and the old image for each platform, for a trial of what was pushed."""
-        new, old = (f"{where.host}/{where.repository}" for where in (self.target, self.app))
+        new, present = (f"{where.host}/{where.repository}" for where in (self.target, self.app))
         return {
-            platform: Pair(f"{new}@{image.digest}", f"{old}@{self.app_images[platform].digest}")
+            platform: Pair(f"{new}@{image.digest}", f"{present}@{self.app_images[platform].digest}")
             for platform, image in self.images.items()
         }
 
     @property
     def rebased(self) -> Rebased:
-        """What can be said before anything is pushed."""
         labels = next(iter(self.app_images.values())).labels
         return Rebased(
             app=self.app_name,

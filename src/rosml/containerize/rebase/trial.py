@@ -42,7 +42,7 @@ class Pair:
     """An app for one platform, on its new and on its old base image, each by digest."""
 
     new: str
-    old: str
+    present: str
 
 
 class Trial:
@@ -76,7 +76,7 @@ class Trial:
         copies = [f"COPY --from={name}-linked /rosml-linked/{name} /" for name in ("app", "before")]
         target = {
             "dockerfile-inline": "\n".join([*stages, "FROM scratch", *copies, ""]),
-            "contexts": {"app": _image(pair.new), "before": _image(pair.old), "scripts": str(SCRIPTS)},
+            "contexts": {"app": _image(pair.new), "before": _image(pair.present), "scripts": str(SCRIPTS)},
             "output": [exported.output(archive)],
         }
         self._build("link", platform, target)
