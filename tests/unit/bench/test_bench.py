@@ -199,7 +199,7 @@ def test_joins_of_addons(
         place.registry.attach("me/robot", made.descriptor, file_lists.ARTIFACT, listed, file_lists.MEDIA_TYPE)
         first, second = (stack(place.registry, "rosml/part", ADDONS[name]) for name in ("graph", "devel"))
         before = {*place.server.manifests}
-        rows = addons.Bench(place.services, base, app, first, second, place.said.append).measure()
+        rows = addons.Bench(place.services, base, app, first, second, place.messages.append).measure()
         assert {*place.server.manifests} == before
     assert [row.what.split()[-1] for row in rows] == ["add-on", "one", "add-on"]
     assert all(row.seconds > 0 and 1_000 < row.uploaded < addons.BYTES for row in rows)

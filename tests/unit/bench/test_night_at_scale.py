@@ -87,9 +87,9 @@ def test_requests_of_an_app(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
         def requests(count: int, version: str) -> list[str]:
             old = place.base()
             apps = [App(old, name=f"app-{count}-{number}").put(place.registry, "latest") for number in range(count)]
-            place.base(said=changed(BASE_FACTS, packages=[package("python3", version)]), files=("usr/bin/new",))
+            place.base(base_facts=changed(BASE_FACTS, packages=[package("python3", version)]), files=("usr/bin/new",))
             place.server.requests.clear()
-            with Registries() as registries, Rebaser(place.services, registries, place.said.append) as rebaser:
+            with Registries() as registries, Rebaser(place.services, registries, place.messages.append) as rebaser:
                 moved = Fleet(rebaser, now(), lambda *_: None, lambda *_: None).run([Entry(app=app) for app in apps])
             assert {outcome.state for outcome in moved} == {"moved"}
             return list(place.server.requests)

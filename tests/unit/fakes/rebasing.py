@@ -26,23 +26,27 @@ from rosml.images.scan import sbom
 from rosml.machine.services import Services
 from rosml.registry import failures, oci, references
 from rosml.registry.client import Registries, Registry
+from rosml.registry.oci import Manifest
 from tests.e2e.parts import archive, part, ros
 
 BOTH = ("linux/amd64", "linux/arm64")
 WHEN = "2026-11-20T10:00:00Z"
 X86 = [2, 1, 62]
 
+FILES = ("usr/bin/env", "bin", "usr/bin/new")
+"""Files of a base image that is not the usual one, and with which all apps run."""
+
 
 def library(path: str, symbols: Sequence[str] = (), needed: Sequence[str] = (), **more: Any) -> dict[str, Any]:
     """A library or program as facts have it."""
     groups = sorted({facts.hashed(name) for name in symbols})
-    own = {"soname": path.rpartition("/")[2] if ".so" in path else "", "id": "0" * 40, "names": [], "machine": X86}
-    return {"path": path, **own, "needed": list(needed), "symbols": "".join(groups), "uses": [], **more}
+    usual = {"soname": path.rpartition("/")[2] if ".so" in path else "", "id": "0" * 40, "names": [], "machine": X86}
+    return {"path": path, **usual, "needed": list(needed), "symbols": "".join(groups), "uses": [], **more}
 
 
 def package(name: str, version: str = "1.0", **more: Any) -> dict[str, Any]:
-    said = {"architecture": "amd64", "provides": "", "depends": "", "conflicts": ""}
-    return {"name": name, "version": version, **said, **more}
+    usual = {"architecture": "amd64", "provides": "", "depends": "", "conflicts": ""}
+    return {"name": name, "version": version, **usual, **more}
 
 
 LIBC = library("usr/lib/libc.so.6", ("printf",))
@@ -57,25 +61,22 @@ OWN: dict[str, Any] = {
     ],
     "files": ["docker-ros/ws/install/setup.bash", "docker-ros/ws/install/lib/node", "docker-ros/ws/install/lib/ext.so"],
 }
-
-
 OTHER_BUILD = library("opt/ros/lib/librclcpp.so", ("spin", "shutdown", "more"), ["libc.so.6"], id="1" * 40)
 
 
-def changed(said: Mapping[str, Any], **more: Any) -> dict[str, Any]:
+def changed(document: Mapping[str, Any], **more: Any) -> dict[str, Any]:
     """Facts with other values."""
-    return {**said, **more}
+    return {**document, **more}
+
+
+def require(manifest: Manifest | None) -> Manifest:
+    assert manifest
+    return manifest
 
 
 @dataclass
 class App:
-    """An app as BuildKit joins it.
-
-    Attributes:
-        base: its base image. facts: of its layer; None for none. labels, environment: beside the usual ones.
-        annotations: of its manifest and its index.
-        history: the instructions after the layer.
-    """
+    """An app as BuildKit joins it. `facts` are of its layer, None for none; `labels` are beside the usual ones."""
 
     base: str
     facts: Mapping[str, Any] | None = field(default_factory=lambda: OWN)
@@ -85,87 +86,80 @@ class App:
     annotations: Mapping[str, str] = field(default_factory=dict)
 
     def put(self, registry: Registry, tag: str, platforms: Sequence[str] = BOTH[:1], index: bool = False) -> str:
-        """Puts it under a tag of `me/robot`; gives its reference."""
+        """Puts it under a tag of `me/NAME`; gives its reference."""
         where = references.parse(self.base)
-        found = registry.manifest(where.repository, where.reference)
-        assert found
-        by_platform = {f"linux/{entry.platform.architecture}": entry for entry in found.members if entry.platform}
-        made = [self._image(registry, where.repository, found.digest, by_platform[name].digest) for name in platforms]
+        base = require(registry.manifest(where.repository, where.reference))
+        by_platform = {f"linux/{entry.platform.architecture}": entry for entry in base.members if entry.platform}
+        images = [self._image(registry, where.repository, base.digest, by_platform[name].digest) for name in platforms]
         if not index and len(platforms) == 1:
-            registry.put_manifest(f"me/{self.name}", tag, made[0])
+            registry.put_manifest(f"me/{self.name}", tag, images[0])
         else:
-            places = [{"architecture": name.partition("/")[2], "os": "linux"} for name in platforms]
             entries = [
-                {**oci.descriptor(oci.IMAGE, manifest), "platform": place}
-                for manifest, place in zip(made, places, strict=True)
+                {
+                    **oci.descriptor(oci.IMAGE, manifest),
+                    "platform": {"architecture": name.partition("/")[2], "os": "linux"},
+                }
+                for manifest, name in zip(images, platforms, strict=True)
             ]
-            content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries, **self._noted()}
+            content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries, **self._annotated()}
             registry.put_manifest(f"me/{self.name}", tag, image.as_buildkit(content, indent=2), oci.INDEX)
         return f"{registry.host}/me/{self.name}:{tag}"
 
-    def _noted(self) -> dict[str, Any]:
+    def _annotated(self) -> dict[str, Any]:
         return {"annotations": dict(self.annotations)} if self.annotations else {}
 
     def _image(self, registry: Registry, repository: str, index: str, digest: str) -> bytes:
-        base = registry.manifest(repository, digest)
-        assert base and base.config
-        known = registry.json_blob(repository, base.config.digest)
+        base, target = require(registry.manifest(repository, digest)), f"me/{self.name}"
+        assert base.config
+        of_base = registry.json_blob(repository, base.config.digest)
         layer = archive(["docker-ros/ws/install/lib/node"], self.name)
         for blob in base.content["layers"]:
-            registry.put_blob(f"me/{self.name}", registry.blob(repository, blob["digest"]))
-        registry.put_blob(f"me/{self.name}", layer)
+            registry.put_blob(target, registry.blob(repository, blob["digest"]))
+        registry.put_blob(target, layer)
         lock = Lock(base_image=Image(name=self.base, digest=index)).line()
-        own = {TITLE: self.name, BASE_NAME: self.base, BASE_DIGEST: index, REVISION: "", APP: self.target, LOCK: lock}
-        said = {**known["config"]["Labels"], **own, **self.labels}
-        values = dict(entry.partition("=")[::2] for entry in known["config"]["Env"])
+        usual = {TITLE: self.name, BASE_NAME: self.base, BASE_DIGEST: index, REVISION: "", APP: self.target, LOCK: lock}
+        values = dict(entry.partition("=")[::2] for entry in of_base["config"]["Env"])
         values |= {"WORKSPACE": "/docker-ros/ws", "DEFAULT_CMD": "a <b> & c"}
         lines = ["COPY / / # buildkit", "ARG APP_WORKSPACE=/docker-ros/ws", "ENV WORKSPACE=/docker-ros/ws"]
         lines += ["ARG APP_DEFAULT_CMD=a <b> & c", "ENV DEFAULT_CMD=a <b> & c", 'CMD ["bash"]']
         history = [{"created": WHEN, "created_by": line, "comment": "buildkit.dockerfile.v0",
                     **({} if line.startswith("COPY") else {"empty_layer": True})} for line in lines]  # fmt: skip
-        config = {
-            "architecture": known["architecture"],
-            "config": {
-                "Env": [f"{name}={value}" for name, value in values.items()],
-                "Entrypoint": known["config"]["Entrypoint"],
-                "Cmd": ["bash", "-c", 'exec bash -c "$DEFAULT_CMD"'],
-                "Labels": dict(sorted(said.items())),
-                "ArgsEscaped": True,
-            },
-            "created": WHEN,
-            "history": [*known["history"], *history],
-            "os": "linux",
-            "rootfs": {
-                "type": "layers",
-                "diff_ids": [*known["rootfs"]["diff_ids"], oci.digest_of(gzip.decompress(layer))],
-            },
-        }
-        text = image.as_buildkit(config)
-        registry.put_blob(f"me/{self.name}", text)
+        diff_ids = [*of_base["rootfs"]["diff_ids"], oci.digest_of(gzip.decompress(layer))]
+        config = image.as_buildkit(
+            {
+                "architecture": of_base["architecture"],
+                "config": {
+                    "Env": [f"{name}={value}" for name, value in values.items()],
+                    "Entrypoint": of_base["config"]["Entrypoint"],
+                    "Cmd": ["bash", "-c", 'exec bash -c "$DEFAULT_CMD"'],
+                    "Labels": dict(sorted({**of_base["config"]["Labels"], **usual, **self.labels}.items())),
+                    "ArgsEscaped": True,
+                },
+                "created": WHEN,
+                "history": [*of_base["history"], *history],
+                "os": "linux",
+                "rootfs": {"type": "layers", "diff_ids": diff_ids},
+            }
+        )
+        registry.put_blob(target, config)
+        # A descriptor has BuildKit's order.
+        layers = [{name: blob[name] for name in ("mediaType", "digest", "size")} for blob in base.content["layers"]]
         content = {
             "schemaVersion": 2,
             "mediaType": oci.IMAGE,
-            "config": oci.descriptor(oci.CONFIG, text),
-            "layers": [
-                *map(_ordered, base.content["layers"]),
-                oci.descriptor("application/vnd.oci.image.layer.v1.tar+gzip", layer),
-            ],
-            **self._noted(),
+            "config": oci.descriptor(oci.CONFIG, config),
+            "layers": [*layers, oci.descriptor("application/vnd.oci.image.layer.v1.tar+gzip", layer)],
+            **self._annotated(),
         }
         manifest = image.as_buildkit(content, indent=2)
-        registry.put_manifest(f"me/{self.name}", "", manifest)
+        registry.put_manifest(target, "", manifest)
         if self.facts is not None:
-            attach(registry, f"me/{self.name}", oci.descriptor(oci.IMAGE, manifest), self.facts)
+            attach(registry, target, oci.descriptor(oci.IMAGE, manifest), self.facts)
         return manifest
 
 
-def _ordered(layer: Mapping[str, Any]) -> dict[str, Any]:
-    """A descriptor in BuildKit's order."""
-    return {name: layer[name] for name in ("mediaType", "digest", "size")}
-
-
-def attach(registry: Registry, repository: str, subject: Mapping[str, Any], said: Mapping[str, Any]) -> None:
-    data = gzip.compress(json.dumps(said).encode(), mtime=0)
+def attach(registry: Registry, repository: str, subject: Mapping[str, Any], document: Mapping[str, Any]) -> None:
+    data = gzip.compress(json.dumps(document).encode(), mtime=0)
     registry.attach(repository, subject, facts.ARTIFACT, data, facts.MEDIA_TYPE)
 
 
@@ -173,84 +167,107 @@ class Place:
     """A registry, and who moves apps in it."""
 
     def __init__(self, server: StandIn, folder: Path) -> None:
-        self.server, self.said = server, list[str]()
+        self.server, self.messages = server, list[str]()
         self.registry = Registry(server.address)
         self.services = replace(Services.load(folder, required=False), registry=server.address)
+
+    def manifest(self, repository: str, reference: str) -> Manifest:
+        return require(self.registry.manifest(repository, reference))
 
     def base(
         self,
         tag: str = "core",
-        said: Mapping[str, Any] | None = BASE_FACTS,
+        base_facts: Mapping[str, Any] | None = BASE_FACTS,
         platforms: Sequence[str] = BOTH,
         labels: Mapping[str, str] | None = None,
+        repository: str = "rosml/ros",
         **more: Any,
     ) -> str:
-        made = ros(salt=tag, **more)
-        made = replace(made, labels={**made.labels, **(labels or {})})
-        reference = made.put(self.registry, "rosml/ros", tag, platforms)
-        found = self.registry.manifest("rosml/ros", tag)
-        assert found
-        for entry in found.members if said is not None else ():
-            subject = {"mediaType": entry.mediaType, "digest": entry.digest, "size": entry.size}
-            attach(self.registry, "rosml/ros", subject, said or {})
+        """Puts a base image with facts, or without if they are None."""
+        base = ros(salt=tag, **more)
+        reference = replace(base, labels={**base.labels, **(labels or {})}).put(
+            self.registry, repository, tag, platforms
+        )
+        if base_facts is not None:
+            self.attach_facts(repository, tag, base_facts)
         return reference
+
+    def attach_facts(self, repository: str, tag: str, document: Mapping[str, Any]) -> None:
+        for entry in self.manifest(repository, tag).members:
+            subject = {"mediaType": entry.mediaType, "digest": entry.digest, "size": entry.size}
+            attach(self.registry, repository, subject, document)
 
     def app(self, base: str, tag: str = "latest", **more: Any) -> str:
         platforms = more.pop("platforms", BOTH[:1])
         return App(base, **more).put(self.registry, tag, platforms)
 
+    def index(self, tag: str, *images: tuple[str, str]) -> str:
+        """Puts an index over images of `me/robot`, by tag or digest and architecture."""
+        entries = [
+            {
+                **self.manifest("me/robot", reference).descriptor,
+                "platform": {"os": "linux", "architecture": architecture},
+            }
+            for reference, architecture in images
+        ]
+        content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries}
+        self.registry.put_manifest("me/robot", tag, content, oci.INDEX)
+        return f"{self.server.address}/me/robot:{tag}"
+
     def rebaser(self) -> Rebaser:
-        return Rebaser(self.services, Registries(), self.said.append)
+        return Rebaser(self.services, Registries(), self.messages.append)
 
     def plan(
         self, app: str, base: str, tag: str = "", platforms: Sequence[str] = (), registry: Registry | None = None
     ) -> tuple[Rebaser, Plan]:
         clients: Callable[[str], Registry] = (lambda _: registry) if registry else Registries()
-        rebaser = Rebaser(self.services, clients, self.said.append)
+        rebaser = Rebaser(self.services, clients, self.messages.append)
         return rebaser, rebaser.plan(app, base, tag, platforms)
 
     def rebase(self, app: str, base: str, tag: str = "", platforms: Sequence[str] = (), **more: Any) -> Rebased:
         rebaser, plan = self.plan(app, base, tag, platforms)
         with rebaser:
-            found = rebaser.push(plan, **more)
-            return rebaser.move(plan, found)
+            return rebaser.move(plan, rebaser.push(plan, **more))
 
     def refused(self, *arguments: Any, code: int = 2) -> str:
         """The message with which a move is refused; no manifest was written."""
-        before = self._content()
+        before = self.content()
         with pytest.raises(RosmlError) as caught:
             self.rebase(*arguments)
         assert caught.value.exit_code == code and caught.value.remedy
-        assert self._content() == before, "nothing was written"
+        assert self.content() == before, "nothing was written"
         return caught.value.message
 
-    def _content(self) -> tuple[set[tuple[str, str]], dict[str, dict[str, str]]]:
+    def content(self) -> tuple[set[tuple[str, str]], dict[str, dict[str, str]]]:
+        """All manifests and tags."""
         return {*self.server.manifests}, {name: dict(tags) for name, tags in self.server.tags.items() if tags}
+
+    def image(self, repository: str, reference: str) -> Manifest:
+        """An image for one platform, or the first of an index."""
+        manifest = self.manifest(repository, reference)
+        return self.manifest(repository, manifest.members[0].digest) if manifest.is_index else manifest
 
     def layers(self, reference: str) -> list[dict[str, Any]]:
         where = references.parse(reference)
-        found = self.registry.manifest(where.repository, where.reference)
-        if found and found.is_index:
-            found = self.registry.manifest(where.repository, found.members[0].digest)
-        assert found
-        layers: list[dict[str, Any]] = found.content["layers"]
+        layers: list[dict[str, Any]] = self.image(where.repository, where.reference).content["layers"]
         return layers
+
+    def labels(self, repository: str, tag: str) -> dict[str, str]:
+        config = self.image(repository, tag).config
+        assert config
+        return dict(self.registry.json_blob(repository, config.digest)["config"]["Labels"])
 
     def sbom(self, repository: str, reference: str, packages: Sequence[str]) -> None:
         """Attaches an SBOM to an image for one platform, or to the first of an index."""
-        found = self.registry.manifest(repository, references.parse(reference).reference)
-        assert found
-        if found.is_index:
-            found = self.registry.manifest(repository, found.members[0].digest)
-            assert found
+        subject = self.image(repository, references.parse(reference).reference)
         components = [
             {"bom-ref": item, "type": "library", "name": name, "version": version, "purl": f"pkg:deb/debian/{item}"}
             for item in packages
             for name, _, version in (item.partition("@"),)
         ]
-        about = {"component": {"name": f"x@{found.digest}"}}
+        about = {"component": {"name": f"x@{subject.digest}"}}
         data = oci.encoded({"bomFormat": "CycloneDX", "metadata": about, "components": components})
-        self.registry.attach(repository, found.descriptor, sbom.MEDIA_TYPE, data, sbom.MEDIA_TYPE, sbom.FORMAT)
+        self.registry.attach(repository, subject.descriptor, sbom.MEDIA_TYPE, data, sbom.MEDIA_TYPE, sbom.FORMAT)
 
     def digest(self, reference: str) -> str:
         where = references.parse(reference)
@@ -264,14 +281,11 @@ ADDON = ("common-cpu-py311", "graph-cc-cpu", "graph-cpu-py311")
 def addon(place: Place, salt: str, stack: str = "cpu") -> list[str]:
     """The parts of an add-on on a stack; each has facts."""
     names, cuda = [], [] if stack.startswith("cpu") else ["cuda-cpu"]
-    for kind, tag in (name.split("-cpu") for name in (*cuda, *ADDON)):
-        made, tag = part(kind, stack, salt=salt), f"{kind}-{stack}{tag}"
-        reference = made.put(place.registry, "rosml/part", tag)
-        [entry] = place.registry.manifest("rosml/part", tag).members  # type: ignore[union-attr]
-        subject = {"mediaType": entry.mediaType, "digest": entry.digest, "size": entry.size}
-        own = [library("usr/lib/libgraphruntime.so.1", ("OrtGetApiBase",))] if "cc" in kind else []
-        attach(place.registry, "rosml/part", subject, {"packages": [], "libraries": own})
-        names.append(reference)
+    for kind, end in (name.split("-cpu") for name in (*cuda, *ADDON)):
+        tag = f"{kind}-{stack}{end}"
+        names.append(part(kind, stack, salt=salt).put(place.registry, "rosml/part", tag))
+        libraries = [library("usr/lib/libgraphruntime.so.1", ("OrtGetApiBase",))] if "cc" in kind else []
+        place.attach_facts("rosml/part", tag, {"packages": [], "libraries": libraries})
     return names
 
 
@@ -280,22 +294,15 @@ def app_with_addon(place: Place, base: str, parts: Sequence[str]) -> str:
     with Joiner(lambda _: place.registry) as joiner:
         joined = joiner.join(base, parts, f"{place.server.address}/me/joined:x", BOTH[:1]).reference
     uses = library("docker-ros/ws/install/lib/node", needed=["libgraphruntime.so.1"], uses=["OrtGetApiBase"])
-    own = changed(OWN, libraries=[uses])
-    return place.app(joined, facts=own, labels={BASE_NAME: base, BASE_DIGEST: place.digest(base)})
+    own_facts = changed(OWN, libraries=[uses])
+    return place.app(joined, facts=own_facts, labels={BASE_NAME: base, BASE_DIGEST: place.digest(base)})
 
 
-def on_stack(place: Place, stack: str, said: Mapping[str, Any], driver: str = "") -> str:
+def on_stack(place: Place, stack: str, base_facts: Mapping[str, Any] = BASE_FACTS, driver: str = "") -> str:
     """Puts a base image with a framework."""
-    labels = {**ros().labels, "io.rosml.stack": stack, "io.rosml.framework": "torch"}
+    labels = {"io.rosml.stack": stack, "io.rosml.framework": "torch"}
     labels |= {"io.rosml.gpu.driver": driver} if driver else {}
-    tag = f"ros1-bookworm-core-{stack}"
-    made = replace(ros(salt=stack), labels=labels).put(place.registry, "rosml/ros-torch", tag, BOTH[:1])
-    found = place.registry.manifest("rosml/ros-torch", tag)
-    assert found
-    [entry] = found.members
-    subject = {"mediaType": entry.mediaType, "digest": entry.digest, "size": entry.size}
-    attach(place.registry, "rosml/ros-torch", subject, said)
-    return made
+    return place.base(f"ros1-bookworm-core-{stack}", base_facts, BOTH[:1], labels, "rosml/ros-torch")
 
 
 @contextmanager
@@ -305,6 +312,6 @@ def moving(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
     monkeypatch.setattr(failures, "LONGEST_WAIT", 0.01)
     monkeypatch.setenv("DOCKER_CONFIG", str(folder / "docker"))
     with standing_in() as server:
-        found = Place(server, folder)
-        yield found
-        found.registry.close()
+        place = Place(server, folder)
+        yield place
+        place.registry.close()
