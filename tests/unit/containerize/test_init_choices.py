@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import shlex
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -330,11 +329,12 @@ def test_what_was_typed_before_a_question_is_no_answer(
     """A stranger's .env would name the registry, and keys of impatience confirm it."""
     order, prompt = list[str](), click.prompt
 
-    def noted(step: str, function: Callable[..., Any] = lambda: None) -> Callable[..., Any]:
-        return lambda *words, **more: (order.append(step), function(*words, **more))[1]
+    def asking(*words: Any, **more: Any) -> Any:
+        order.append("ask")
+        return prompt(*words, **more)
 
-    monkeypatch.setattr(question, "drop_typed", noted("drop"))
-    monkeypatch.setattr(click, "prompt", noted("ask", prompt))
+    monkeypatch.setattr(question, "drop_typed", lambda: order.append("drop"))
+    monkeypatch.setattr(click, "prompt", asking)
     called(write(tmp_path, {}), typed="\n" * 9)
     assert order and order == ["drop", "ask"] * (len(order) // 2)
 

@@ -173,7 +173,7 @@ def test_join(apps: Apps, monkeypatch: pytest.MonkeyPatch) -> None:
     given.append(replace(own, labels={**own.labels, **SAID}).put(apps.registry, "me/part", "torch"))
 
     def join() -> str:
-        with Joiner(Registries(), say=apps.said.append) as joiner:
+        with Joiner(Registries(), say=apps.messages.append) as joiner:
             return joiner.join(ros, given, f"{host}/me/mine:1").manifests["linux/amd64"]
 
     before = {*apps.server.manifests}
@@ -260,7 +260,7 @@ def test_containerize(apps: Apps, tmp_path: Path, monkeypatch: pytest.MonkeyPatc
         given |= {"base-image": free, "enable-slim": "true", "slim-base-image": base}
         given |= {"slim-image-name": public, "enable-push-as-latest": "true"}
     monkeypatch.setattr(app_base, "require_kept", lambda *_: None)  # asks the registry
-    app = build.App(folder, app_inputs.values(given, folder, {}), {}, apps.services, apps.said.append)
+    app = build.App(folder, app_inputs.values(given, folder, {}), {}, apps.services, apps.messages.append)
     with pytest.raises(
         RosmlError, match=r"rosml/ros:held has the restricted part torch, and ghcr\.io is a public"
     ) as caught:
@@ -273,7 +273,7 @@ def test_containerize(apps: Apps, tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     with pytest.raises((Asked, RosmlError)) as asked:
         app.build()
     assert "restricted" not in str(asked.value)
-    assert any("goes to ghcr.io/me/robot: you declared that you have the rights" in line for line in apps.said)
+    assert any("goes to ghcr.io/me/robot: you declared that you have the rights" in line for line in apps.messages)
 
 
 @pytest.mark.usefixtures("builder")
