@@ -360,12 +360,12 @@ def test_few_images_have_all_that_changed(project: Path) -> None:
     choice = pull_request.choose(image_set, found, ("amd64",), 3)
     assert len(choice.built) == 3
     assert all("torch" in image_set.by_target[target].versions for target in choice.built)
-    assert not set(choice.built) & set(choice.left)
+    assert not set(choice.built) & set(choice.left_out)
     images = [image_set.by_target[target] for target in choice.built]
     assert len({image.distribution for image in images}) > 1
     one = pull_request.choose(image_set, found, ("amd64",), 1)
     assert one.built == choice.built[:1]
-    assert f"; left out, {len(one.left)} of {len(one.left) + 1}: " in str(one)
+    assert f"; left out, {len(one.left_out)} of {len(one.left_out) + 1}: " in str(one)
 
 
 def test_of_alike_ones_the_smallest(project: Path) -> None:
@@ -384,7 +384,7 @@ def test_of_alike_ones_the_smallest(project: Path) -> None:
 def test_what_cannot_be_built_here_is_counted(project: Path) -> None:
     image_set, found = reached(project, "components/ros/install.sh")
     nowhere = pull_request.choose(image_set, found, ("riscv64",), 3)
-    assert (nowhere.built, nowhere.left) == ((), ())
+    assert (nowhere.built, nowhere.left_out) == ((), ())
     assert str(nowhere) == f"0 images changed; {len(found.changed)} more for other architectures"
     unlocked = pull_request.choose(locked.with_locks(image_set, frozenset()), found, ("amd64",), 99)
     assert {image_set.by_target[target].stack for target in unlocked.built} == {None}

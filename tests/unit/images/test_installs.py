@@ -16,7 +16,7 @@ from rosml.cli.images.locks import main
 from rosml.images.image_set import load
 from rosml.images.locks import installs
 from rosml.images.locks.index import Index, WheelTarget
-from rosml.images.locks.installs import Environment, Found
+from rosml.images.locks.installs import Environment, Resolved
 from rosml.images.locks.resolve import Uv
 
 HERE = Environment("ml", "cu128", "3.12", "amd64")
@@ -36,7 +36,7 @@ esac
 """A local replacement for uv: gradio 6 needs a newer pillow, and jax a newer numpy."""
 
 
-def found(tmp_path: Path, package: str, *constraints: str) -> Found:
+def found(tmp_path: Path, package: str, *constraints: str) -> Resolved:
     uv = Uv(executable(tmp_path / "uv", RESOLVER))
     with httpx.Client() as client:
         newest = {"gradio": "6.0", "jax[cuda13]": "0.12"}
@@ -85,11 +85,11 @@ def test_it_is_asked_for_alone() -> None:
     assert done.exit_code == 2 and "give no other option" in done.output
 
 
-def committed() -> dict[Environment, list[Found]]:
+def committed() -> dict[Environment, list[Resolved]]:
     """The data of the checkout."""
     return {
         Environment(**{key: row[key] for key in row if key != "packages"}): [
-            Found(**{**item, "held_by": tuple(item["held_by"])}) for item in row["packages"]
+            Resolved(**{**item, "held_by": tuple(item["held_by"])}) for item in row["packages"]
         ]
         for row in json.loads((ROOT / installs.FILE).read_text(encoding="utf-8"))
     }

@@ -312,13 +312,16 @@ def to_json(
     """
     found = {
         "moved": [
-            {"stack": m.stack, "package": m.package, "old": m.old or None, "new": m.new or None, "locks": count}
+            {"stack": m.stack, "package": m.package, "old": m.before or None, "new": m.after or None, "locks": count}
             for m, count in sorted((moved or {}).items())
         ],
         "changed": list(stale),
         "new": list(fresh),
         "left_out": {str(request): reason for request, reason in (left_out or {}).items()},
-        "base_images": [asdict(pin) for pin in (pinned.moved if pinned else ())],
+        "base_images": [
+            {"system": pin.system, "image": pin.image, "old": pin.before, "new": pin.after}
+            for pin in (pinned.moved if pinned else ())
+        ],
         "base_images_left_out": dict(pinned.left_out) if pinned else {},
         "differing": [asdict(item) for item in differing],
         "refused": [item.to_json() for item in stopped],
@@ -413,7 +416,7 @@ COLUMNS = ("stack", "package", "old", "new", "locks")
 
 def rows_of(moved: Mapping[Move, int]) -> list[tuple[str, ...]]:
     """Old and new versions, and how many locks have each."""
-    return [(m.stack, m.package, m.old or "-", m.new or "-", str(count)) for m, count in sorted(moved.items())]
+    return [(m.stack, m.package, m.before or "-", m.after or "-", str(count)) for m, count in sorted(moved.items())]
 
 
 def markdown(moved: Mapping[Move, int], fresh: Sequence[str], left_out: Mapping[Any, str]) -> str:

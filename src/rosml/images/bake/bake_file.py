@@ -21,16 +21,16 @@ from rosml.images.matrix.model import Matrix
 NAME, TESTS = "docker-bake.hcl", "docker-bake.tests.hcl"
 
 
-def render(image_set: ImageSet, found: Mapping[str, Target] | None = None) -> dict[str, str]:
+def render(image_set: ImageSet, all_targets: Mapping[str, Target] | None = None) -> dict[str, str]:
     """Both files by their names: one with images and parts, one with the structure tests of each image.
 
     They depend only on the image set. Tests have their own file, because buildx's time for a file grows with the square of its
     targets.
 
     Args:
-        found: all targets, if the caller has them already.
+        all_targets: all targets, if the caller has them already.
     """
-    every = _Targets(image_set, found)
+    every = _Blocks(image_set, all_targets)
     images, tests = every.needed(every.others), every.needed(every.tests)
     head = _HEADER_OF_TESTS.format(target=image_set.matrix.default.group[0])
     return {
@@ -47,9 +47,9 @@ def excerpt(image_set: ImageSet, roots: Iterable[str]) -> str:
     Args:
         roots: targets of images, of their tests, of parts.
     """
-    wanted = {targets.CONTENTS, *roots}
-    images, parts = set[str](), {root.removeprefix(names.part_target("")) for root in wanted}
-    for root in wanted:
+    chosen = {targets.CONTENTS, *roots}
+    images, parts = set[str](), {root.removeprefix(names.part_target("")) for root in chosen}
+    for root in chosen:
         image = image_set.by_target.get(root) or image_set.by_target.get(root.removesuffix(names.test_target("")))
         while image:
             images.add(image.target)
@@ -60,8 +60,8 @@ def excerpt(image_set: ImageSet, roots: Iterable[str]) -> str:
         images=tuple(image for image in image_set.images if image.target in images),
         parts=tuple(part for part in image_set.parts if part.name in parts),
     )
-    found = _Targets(some)
-    return "\n".join([*_head(image_set.matrix), *found.blocks(found.needed(wanted, built=True))])
+    blocks = _Blocks(some)
+    return "\n".join([*_head(image_set.matrix), *blocks.blocks(blocks.needed(chosen, built=True))])
 
 
 def variables(matrix: Matrix) -> dict[str, str]:
@@ -134,10 +134,10 @@ def _variables(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
 
 # ---- Targets ---------------------------------------------------------------------------------------------------------
 
-Said = dict[tuple[str, str], str]
+Fields = dict[tuple[str, str], str]
 """The fields of a target as HCL: by attribute, and by key if the attribute is a mapping."""
 
-EVERY: Said = {
+EVERY: Fields = {
     ("context", ""): '"."',
     ("network", ""): 'STEP_NETWORK == "" ? null : STEP_NETWORK',
     ("secret", ""): """concat(
@@ -152,27 +152,27 @@ ORDER = ("inherits", "description", "target", "platforms", "contexts", "args", "
 """The first attributes, in the best order for readers; others follow."""
 
 
-def _said(target: Target) -> Said:
+def _fields(target: Target) -> Fields:
     """All fields of a target."""
-    said = {**EVERY}
+    fields = {**EVERY}
     if target.description:
-        said["description", ""] = text(target.description)
+        fields["description", ""] = text(target.description)
     if target.stage:
-        said["target", ""] = text(target.stage)
+        fields["target", ""] = text(target.stage)
     if target.platforms:
-        said["platforms", ""] = f'PLATFORM == "" ? {literal(target.platforms)} : [PLATFORM]'
+        fields["platforms", ""] = f'PLATFORM == "" ? {literal(target.platforms)} : [PLATFORM]'
     if target.tags:
         tags = (f'\n    "${{REGISTRY}}/{text(tag)[1:]}' for tag in target.tags)
-        said["tags", ""] = f"[{','.join(tags)}\n  ]"
-    said |= {("contexts", name): _context(value) for name, value in target.contexts.items()}
-    said |= {("args", name): _value(value, '""') for name, value in target.arguments.items()}
-    said |= {("labels", name): _value(value, "null") for name, value in target.labels.items()}
+        fields["tags", ""] = f"[{','.join(tags)}\n  ]"
+    fields |= {("contexts", name): _context(value) for name, value in target.contexts.items()}
+    fields |= {("args", name): _value(value, '""') for name, value in target.arguments.items()}
+    fields |= {("labels", name): _value(value, "null") for name, value in target.labels.items()}
     if target.join:
         lines = "".join(f"    {line}\n" for line in target.join.dockerfile().splitlines())
-        said["dockerfile-inline", ""] = f"<<-EOT\n{lines}  EOT"
+        fields["dockerfile-inline", ""] = f"<<-EOT\n{lines}  EOT"
     if target.stage == "test":
-        said["output", ""] = '["type=cacheonly"]'
-    return said
+        fields["output", ""] = '["type=cacheonly"]'
+    return fields
 
 
 def _context(context: Context) -> str:
@@ -206,21 +206,21 @@ def _value(value: Value, unknown: str) -> str:
     }[value.what]
 
 
-class _Targets:
+class _Blocks:
     """Targets as blocks of HCL. Fields that some of them share are in an abstract target, which these inherit."""
 
-    def __init__(self, image_set: ImageSet, found: Mapping[str, Target] | None = None) -> None:
-        self._image_set, self._found = image_set, found or targets.of(image_set)
+    def __init__(self, image_set: ImageSet, all_targets: Mapping[str, Target] | None = None) -> None:
+        self._image_set, self._targets = image_set, all_targets or targets.of(image_set)
         self.tests = [image.test_target for image in image_set.images]
-        self.others = self._found.keys() - {*self.tests}
-        self._said = {name: _said(target) for name, target in self._found.items()}
-        self._above: dict[str, list[str]] = {name: [] for name in self._found}
-        self._merged: dict[tuple[str, ...], Said] = {}
+        self.others = self._targets.keys() - {*self.tests}
+        self._fields = {name: _fields(target) for name, target in self._targets.items()}
+        self._above: dict[str, list[str]] = {name: [] for name in self._targets}
+        self._merged: dict[tuple[str, ...], Fields] = {}
         self._families()
 
     def _families(self) -> None:
         images, parts = self._image_set.images, self._image_set.parts
-        self._family("_every", [], [*self._said])
+        self._family("_every", [], [*self._fields])
         self._family("_files", ["_every"], [names.files_target(part.name) for part in parts])
         for part in parts:
             self._above[part.target] = [names.files_target(part.name)]
@@ -240,12 +240,14 @@ class _Targets:
         """
         if not members:
             return
-        common, inherited = (set(said.items()) for said in (self._said[members[0]], self._inherited(members[0])))
+        common, inherited = (set(fields.items()) for fields in (self._fields[members[0]], self._inherited(members[0])))
         for member in members[1:]:
-            common &= self._said[member].items()
+            common &= self._fields[member].items()
             inherited &= self._inherited(member).items()
-        own = common - inherited
-        self._said[name] = {place: code for place, code in self._said[members[0]].items() if (place, code) in own}
+        family_fields = common - inherited
+        self._fields[name] = {
+            place: code for place, code in self._fields[members[0]].items() if (place, code) in family_fields
+        }
         self._above[name] = above
         for member in members:
             self._above[member] = [*(other for other in self._above[member] if other not in above), name]
@@ -256,27 +258,27 @@ class _Targets:
         Args:
             built: also the targets that they are built on.
         """
-        needed, waiting = set[str](), [root for root in roots if root in self._found]
+        needed, waiting = set[str](), [root for root in roots if root in self._targets]
         while waiting:
             if (name := waiting.pop()) not in needed:
                 needed.add(name)
                 waiting += self._above[name]
-                contexts = self._found[name].contexts.values() if built and name in self._found else ()
+                contexts = self._targets[name].contexts.values() if built and name in self._targets else ()
                 waiting += [context.target for context in contexts if isinstance(context, Dependency)]
         return needed
 
     def blocks(self, names: Collection[str]) -> Iterator[str]:
         """Some of the targets, in the order of the whole file."""
         for title, members in self._sections():
-            if found := [name for name in members if name in names]:
+            if section := [name for name in members if name in names]:
                 yield f"# ---- {title} ".ljust(119, "-") + "\n"
-                yield from (self._block(name) for name in found)
+                yield from (self._block(name) for name in section)
 
     def _sections(self) -> Iterator[tuple[str, list[str]]]:
         images = self._image_set.images
         systems = [names.os_target(image.os, runs) for image in images for runs in (False, True)]
         everything = ["_every", targets.CONTENTS, *dict.fromkeys(systems), "_image", "_test"]
-        yield "What others inherit, and operating systems", [name for name in everything if name in self._said]
+        yield "What others inherit, and operating systems", [name for name in everything if name in self._fields]
         both = [[names.files_target(part.name), part.target] for part in self._image_set.parts]
         yield (
             "Parts: the files below /out, and the part as an image of its own",
@@ -285,16 +287,16 @@ class _Targets:
         joined = [_joined(image) for image in images if image.stack]
         yield "What images with the same framework, stack and Python have in common", [*dict.fromkeys(joined)]
         for row, members in _by(images, lambda image: image.distribution).items():
-            found = [name for image in members for name in (image.target, image.test_target)]
-            yield row, [f"_{row}", f"_{row}-ros", *found]
+            image_targets = [name for image in members for name in (image.target, image.test_target)]
+            yield row, [f"_{row}", f"_{row}-ros", *image_targets]
 
-    def _inherited(self, name: str) -> Said:
+    def _inherited(self, name: str) -> Fields:
         above = tuple(self._above[name])
         if above not in self._merged:
-            said: Said = {}
+            fields: Fields = {}
             for other in above:
-                said |= self._inherited(other) | self._said[other]
-            self._merged[above] = said
+                fields |= self._inherited(other) | self._fields[other]
+            self._merged[above] = fields
         return self._merged[above]
 
     def _block(self, name: str) -> str:
@@ -303,7 +305,7 @@ class _Targets:
         attributes: dict[str, str | dict[str, Code]] = {}
         if above := self._above[name]:
             attributes["inherits"] = literal(above)
-        for (attribute, item), code in self._said[name].items():
+        for (attribute, item), code in self._fields[name].items():
             if inherited.get((attribute, item)) == code:
                 continue
             if item:
@@ -337,10 +339,10 @@ def _joined(image: Image) -> str:
 
 def _by(images: Iterable[Image], of: Callable[[Image], str]) -> dict[str, list[Image]]:
     """Images grouped by a key."""
-    found: dict[str, list[Image]] = {}
+    groups: dict[str, list[Image]] = {}
     for image in images:
-        found.setdefault(of(image), []).append(image)
-    return found
+        groups.setdefault(of(image), []).append(image)
+    return groups
 
 
 # ---- Groups ----------------------------------------------------------------------------------------------------------

@@ -25,8 +25,8 @@ class Change:
     """A changed input; None on the side that lacks it."""
 
     input: str
-    old: str | None
-    new: str | None
+    before: str | None
+    after: str | None
 
 
 @dataclass(frozen=True)
@@ -52,23 +52,25 @@ class Difference:
     registry: tuple[str, str] | None = None
 
 
-def between(old: Inputs, new: Inputs) -> Difference:
+def between(earlier: Inputs, later: Inputs) -> Difference:
     """The differences from one version to another."""
 
     @cache
     def changes(target: str, architecture: str) -> frozenset[Change]:
-        before, after = old.of(target, architecture), new.of(target, architecture)
-        found: set[Change] = set()
+        before, after = earlier.of(target, architecture), later.of(target, architecture)
+        changed_inputs: set[Change] = set()
         for name in before.keys() | after.keys():
             if before.get(name) != after.get(name):
                 if name.startswith(TARGET) and name in before and name in after:
-                    found |= changes(name.removeprefix(TARGET), architecture)
+                    changed_inputs |= changes(name.removeprefix(TARGET), architecture)
                 else:
-                    found.add(Change(name, before.get(name), after.get(name)))
-        return frozenset(_parents(old.image_set.by_target.get(target), new.image_set.by_target.get(target), found))
+                    changed_inputs.add(Change(name, before.get(name), after.get(name)))
+        return frozenset(
+            _parents(earlier.image_set.by_target.get(target), later.image_set.by_target.get(target), changed_inputs)
+        )
 
     def reasons(target: str) -> Iterator[Change]:
-        before, after = (side.digests(side.image_set.by_target[target]) for side in (old, new))
+        before, after = (side.digests(side.image_set.by_target[target]) for side in (earlier, later))
         for architecture in before.keys() | after.keys():
             if architecture in before and architecture in after:
                 yield from changes(target, architecture)
@@ -76,17 +78,17 @@ def between(old: Inputs, new: Inputs) -> Difference:
                 sides = ["built" if architecture in side else None for side in (before, after)]
                 yield Change(f"architecture {architecture}", *sides)
 
-    was, now = old.image_set.by_target, new.image_set.by_target
-    found = {target: _ordered(reasons(target)) for target in now if target in was}
-    changed = {target: why for target, why in found.items() if why}
+    was, now = earlier.image_set.by_target, later.image_set.by_target
+    why_changed = {target: _ordered(reasons(target)) for target in now if target in was}
+    changed = {target: why for target, why in why_changed.items() if why}
     added, removed = tuple(name for name in now if name not in was), tuple(name for name in was if name not in now)
-    registries = old.image_set.matrix.registry, new.image_set.matrix.registry
+    registries = earlier.image_set.matrix.registry, later.image_set.matrix.registry
     return Difference(
         added,
         removed,
         changed,
-        same=len(found) - len(changed),
-        tags=_tags(old.image_set, new.image_set),
+        same=len(why_changed) - len(changed),
+        tags=_tags(earlier.image_set, later.image_set),
         unbuildable=tuple(
             name for name, image in now.items() if not image.locked and (name in added or name in changed)
         ),
@@ -94,30 +96,34 @@ def between(old: Inputs, new: Inputs) -> Difference:
     )
 
 
-def _parents(old: Image | None, new: Image | None, found: set[Change]) -> set[Change]:
+def _parents(earlier: Image | None, later: Image | None, changes: set[Change]) -> set[Change]:
     """The changes, with one change for another parent instead of two with the digests of an architecture."""
-    if old is None or new is None or old.parent == new.parent:
-        return found
-    ends = {(TARGET + old.parent, None), (TARGET + new.parent, None)}
-    return {change for change in found if (change.input, change.old and change.new) not in ends} | {
-        Change(PARENT, old.parent, new.parent)
+    if earlier is None or later is None or earlier.parent == later.parent:
+        return changes
+    ends = {(TARGET + earlier.parent, None), (TARGET + later.parent, None)}
+    return {change for change in changes if (change.input, change.before and change.after) not in ends} | {
+        Change(PARENT, earlier.parent, later.parent)
     }
 
 
-def _tags(old: ImageSet, new: ImageSet) -> dict[str, tuple[str | None, str | None]]:
-    before, after = ({tag: image.target for image in side.images for tag in image.tags} for side in (old, new))
+def _tags(earlier: ImageSet, later: ImageSet) -> dict[str, tuple[str | None, str | None]]:
+    before, after = ({tag: image.target for image in side.images for tag in image.tags} for side in (earlier, later))
     ways = {tag: (before.get(tag), after.get(tag)) for tag in before | after}
-    return {tag: way for tag, way in ways.items() if way[0] != way[1] and _stays(way, old, new)}
+    return {tag: way for tag, way in ways.items() if way[0] != way[1] and _stays(way, earlier, later)}
 
 
-def _stays(way: tuple[str | None, str | None], old: ImageSet, new: ImageSet) -> bool:
+def _stays(way: tuple[str | None, str | None], earlier: ImageSet, later: ImageSet) -> bool:
     """Whether a tag's move is worth mentioning. Tags that only come or go with their image are not."""
-    return None not in way or any(target in old.by_target and target in new.by_target for target in way)
+    return None not in way or any(target in earlier.by_target and target in later.by_target for target in way)
 
 
 def as_json(difference: Difference) -> str:
     """The whole difference as JSON, with whole digests."""
-    return json.dumps(asdict(difference), indent=2) + "\n"
+    changed = {
+        target: [{"input": change.input, "old": change.before, "new": change.after} for change in changes]
+        for target, changes in difference.changed.items()
+    }
+    return json.dumps({**asdict(difference), "changed": changed}, indent=2) + "\n"
 
 
 def rows(difference: Difference) -> Iterator[tuple[str, str, str]]:
@@ -155,15 +161,15 @@ def _tag_rows(tags: Mapping[str, tuple[str | None, str | None]]) -> Iterator[tup
     for way, alike in moved.items():
         yield f"tag{'s'[: len(alike) != 1]} moved", way, some(alike)
     for index, word in ((1, "gone"), (0, "gained")):
-        if found := [tag for tag, way in tags.items() if way[index] is None]:
-            yield f"{counted(len(found), 'tag')} {word}", "", some(found)
+        if changed_tags := [tag for tag, way in tags.items() if way[index] is None]:
+            yield f"{counted(len(changed_tags), 'tag')} {word}", "", some(changed_tags)
 
 
 def markdown(difference: Difference) -> str:
     """The difference in Markdown, for the summary of a job."""
     counts = [how_many(difference, name) for name in ("added", "removed", "changed")]
-    found = list(rows(difference))
-    table = "\n" + github.table(("what", "why", "which"), found) if found else ""
+    lines = list(rows(difference))
+    table = "\n" + github.table(("what", "why", "which"), lines) if lines else ""
     return f"\n## What differs\n\n{', '.join([*counts, f'{difference.same} same'])}\n{table}"
 
 
@@ -175,18 +181,21 @@ def how_many(difference: Difference, kind: str) -> str:
 
 
 def _ordered(changes: Iterable[Change]) -> tuple[Change, ...]:
-    return tuple(sorted(set(changes), key=lambda change: (change.input, change.old or "", change.new or "")))
+    return tuple(sorted(set(changes), key=lambda change: (change.input, change.before or "", change.after or "")))
 
 
 def _sentence(change: Change) -> str:
     """An input with the words that differ, and shortened digests."""
     if change.input == PARENT:
-        old, new = ((value or "").removeprefix("_os-") for value in (change.old, change.new))
-        return f"stands on {new} instead of {old}"
-    if change.input.startswith(TARGET) and None in (change.old, change.new):
+        before, after = ((value or "").removeprefix("_os-") for value in (change.before, change.after))
+        return f"stands on {after} instead of {before}"
+    if change.input.startswith(TARGET) and None in (change.before, change.after):
         name = change.input.removeprefix(TARGET).removeprefix(names.files_target(""))
-        return f"{'with' if change.old is None else 'without'} {name}"
-    before, after = ((value or "").split() for value in (change.old, change.new))
-    sides = [[word for word in before if word not in after], [word for word in after if word not in before]]
-    words = [" ".join(side) or "nothing" for side in (sides if any(sides) else [before, after])]
+        return f"{'with' if change.before is None else 'without'} {name}"
+    old_words, new_words = ((value or "").split() for value in (change.before, change.after))
+    sides = [
+        [word for word in old_words if word not in new_words],
+        [word for word in new_words if word not in old_words],
+    ]
+    words = [" ".join(side) or "nothing" for side in (sides if any(sides) else [old_words, new_words])]
     return re.sub(r"\b([0-9a-f]{12})[0-9a-f]{52}\b", r"\1", f"{change.input}: {' → '.join(words)}")

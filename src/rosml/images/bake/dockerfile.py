@@ -49,12 +49,12 @@ def _stage(text: str, base: tuple[str, ...]) -> Stage:
     # In a here-document such lines are content.
     decisive = text if "<<" in text else "\n".join(lines)
     instructions = "\n".join(lines).replace("\\\n", " ").splitlines()
-    found = [item for instruction in instructions for item in _instruction(instruction)]
+    inputs = [item for instruction in instructions for item in _instruction(instruction)]
     return Stage(
         hashlib.sha256(decisive.encode()).hexdigest(),
-        base + tuple(value for kind, value in found if kind == "stage"),
-        tuple(value for kind, value in found if kind == "source"),
-        {name: default for kind, value in found if kind == "default" for name, default in [value.split("=", 1)]},
+        base + tuple(value for kind, value in inputs if kind == "stage"),
+        tuple(value for kind, value in inputs if kind == "source"),
+        {name: default for kind, value in inputs if kind == "default" for name, default in [value.split("=", 1)]},
     )
 
 

@@ -43,38 +43,38 @@ class Inputs:
         self._ignored = _rules(root / ".dockerignore")
         self._stages = dockerfile.parse(files.text(file) if file.is_file() else "")
         self._files: dict[str, dict[str, str]] = {}
-        self._known: dict[tuple[str, str], dict[str, str]] = {}
+        self._inputs: dict[tuple[str, str], dict[str, str]] = {}
         self._digests: dict[tuple[str, str], str] = {}
 
     def of(self, target: str, architecture: str) -> dict[str, str]:
         """The inputs of a bake target, by readable names. `target x` stands for the inputs of the target x."""
         key = (target, architecture)
-        if key not in self._known:
-            found = self.targets[target]
-            arguments = _facts(found.arguments, f"{target}, argument")
+        if key not in self._inputs:
+            bake_target = self.targets[target]
+            arguments = _facts(bake_target.arguments, f"{target}, argument")
             inputs = {"platform": self.image_set.matrix.architectures[architecture].platform}
             contexts = self._contexts(target, architecture)
-            if found.join:
-                form = Join(found.join.parts, dict.fromkeys(found.join.environment, ""))
+            if bake_target.join:
+                form = Join(bake_target.join.parts, dict.fromkeys(bake_target.join.environment, ""))
                 inputs["Dockerfile of the join"] = hashlib.sha256(form.dockerfile().encode()).hexdigest()
-                inputs |= {f"environment {name}": value for name, value in found.join.environment.items()}
+                inputs |= {f"environment {name}": value for name, value in bake_target.join.environment.items()}
                 inputs |= {name: value for context in contexts.values() for name, value in context.items()}
             else:
-                inputs |= self._built(found.stage, target, contexts, arguments, architecture)
+                inputs |= self._built(bake_target.stage, target, contexts, arguments, architecture)
             inputs |= {f"argument {name}": value for name, value in arguments.items()}
-            inputs |= {f"label {name}": value for name, value in _facts(found.labels, f"{target}, label").items()}
+            inputs |= {f"label {name}": value for name, value in _facts(bake_target.labels, f"{target}, label").items()}
             if "TESTS" in arguments:
                 inputs = self._of_files(inputs, arguments["TESTS"].split())
-            self._known[key] = inputs
-        return self._known[key]
+            self._inputs[key] = inputs
+        return self._inputs[key]
 
     def of_tests(self, image: Image, architecture: str, names: tuple[str, ...]) -> dict[str, str]:
         """The inputs of an image's tests with these names."""
-        known = self.of(image.test_target, architecture)
+        whole = self.of(image.test_target, architecture)
         if names == image.tests:
-            return known
+            return whole
         folder = self._source(structure.FOLDER)
-        inputs = {**known, **folder, "argument TESTS": " ".join(names)}
+        inputs = {**whole, **folder, "argument TESTS": " ".join(names)}
         return self._of_files(inputs, names)
 
     def _built(
@@ -139,7 +139,7 @@ class Inputs:
         need not match a file."""
         for item in things:
             self.digests(item)  # this also reads the targets below it
-        gone = {name for found in self._known.values() for name, value in found.items() if value == MISSING}
+        gone = {name for inputs in self._inputs.values() for name, value in inputs.items() if value == MISSING}
         return sorted(name for name in gone - self.image_set.locks if not set("*?[").intersection(name))
 
     def digest(self, target: str, architecture: str) -> str:
@@ -159,13 +159,13 @@ class Inputs:
 
     def _contexts(self, target: str, architecture: str) -> dict[str, dict[str, str]]:
         """The inputs behind each of a target's named contexts: another target, or a base image."""
-        found: dict[str, dict[str, str]] = {}
+        contexts: dict[str, dict[str, str]] = {}
         for name, value in self.targets[target].contexts.items():
             if isinstance(value, Dependency):
-                found[name] = {TARGET + value.target: self.digest(value.target, architecture)}
+                contexts[name] = {TARGET + value.target: self.digest(value.target, architecture)}
             else:
-                found[name] = _base_image(_fact(value, f"{target}, context {name}").removeprefix("docker-image://"))
-        return found
+                contexts[name] = _base_image(_fact(value, f"{target}, context {name}").removeprefix("docker-image://"))
+        return contexts
 
     def _stage(
         self, name: str, contexts: Mapping[str, Mapping[str, str]], arguments: Mapping[str, str], architecture: str
@@ -192,8 +192,8 @@ class Inputs:
             pattern = source.strip("/").removeprefix("./")
             if pattern in ("", "."):
                 raise RosmlError("the Dockerfile takes the whole checkout", remedy="name what it uses")
-            found = sorted(self.root.glob(pattern))
-            paths = [file for path in found for file in (sorted(path.rglob("*")) if path.is_dir() else [path])]
+            matches = sorted(self.root.glob(pattern))
+            paths = [file for path in matches for file in (sorted(path.rglob("*")) if path.is_dir() else [path])]
             # Python's caches differ between checkouts; .dockerignore keeps them from the build.
             files = [
                 path for path in paths if (path.is_file() or path.is_symlink()) and "__pycache__" not in path.parts

@@ -16,21 +16,21 @@ class Choice:
 
     Attributes:
         built: the targets to build.
-        left: the targets that are left out.
+        left_out: the targets that are left out.
         unlocked: the number of further images without a lock.
         elsewhere: the number of further images for other architectures only.
     """
 
     built: tuple[str, ...]
-    left: tuple[str, ...]
+    left_out: tuple[str, ...]
     unlocked: int = 0
     elsewhere: int = 0
 
     def __str__(self) -> str:
-        number = len(self.built) + len(self.left)
+        number = len(self.built) + len(self.left_out)
         text = f"{counted(number, 'image')} changed" + (f"; built: {', '.join(self.built)}" if self.built else "")
-        if self.left:
-            text += f"; left out, {len(self.left)} of {number}: {some(list(self.left))}"
+        if self.left_out:
+            text += f"; left out, {len(self.left_out)} of {number}: {some(list(self.left_out))}"
         if self.unlocked:
             text += f"; {self.unlocked} more without a lock"
         if self.elsewhere:
@@ -52,18 +52,21 @@ def choose(image_set: ImageSet, difference: Difference, architectures: Sequence[
     """
     reached = [image for image in image_set.images if image.target in {*difference.added, *difference.changed}]
     locked = [image for image in reached if image.locked]
-    left = [image for image in locked if set(architectures) & set(image.architectures)]
-    unlocked, elsewhere = len(reached) - len(locked), len(locked) - len(left)
+    left_out = [image for image in locked if set(architectures) & set(image.architectures)]
+    unlocked, elsewhere = len(reached) - len(locked), len(locked) - len(left_out)
     built: list[Image] = []
-    known: set[object] = set()
-    while left and len(built) < at_most:
+    covered: set[object] = set()
+    while left_out and len(built) < at_most:
         best = min(
-            left, key=lambda image: (*(-len(new - known) for new in _brings(image, difference)), image.disk.unpacked)
+            left_out,
+            key=lambda image: (*(-len(new - covered) for new in _brings(image, difference)), image.disk.unpacked),
         )
         built.append(best)
-        left.remove(best)
-        known = known.union(*_brings(best, difference))
-    return Choice(tuple(image.target for image in built), tuple(image.target for image in left), unlocked, elsewhere)
+        left_out.remove(best)
+        covered = covered.union(*_brings(best, difference))
+    return Choice(
+        tuple(image.target for image in built), tuple(image.target for image in left_out), unlocked, elsewhere
+    )
 
 
 def _brings(image: Image, difference: Difference) -> tuple[set[object], set[object]]:

@@ -48,44 +48,46 @@ class StructureTests:
     def of(self, names: Collection[str]) -> Collection[str]:
         """The paths of all files that belong to tests, by names such as `contract`; all paths if we cannot tell."""
         todo = [f"{name}.yaml" for name in names if f"{name}.yaml" in self.texts]
-        found = set[str]()
+        needed = set[str]()
         while todo:
             unit = todo.pop()
-            if unit in found:
+            if unit in needed:
                 continue
-            found.add(unit)
+            needed.add(unit)
             if (called := self._calls(unit)) is None:
                 return self.texts.keys()
             todo += called
         shared = {path for path in self.texts if "/" not in path and not path.endswith(".yaml")}
-        return shared | {path for unit in found for path in self._members[unit]}
+        return shared | {path for unit in needed for path in self._members[unit]}
 
     def _calls(self, unit: str) -> frozenset[str] | None:
         """The units to which a unit refers; None if we cannot tell."""
         if unit not in self._called:
-            found = {called for path in self._members[unit] for called in self._references(path)}
-            self._called[unit] = None if None in found else frozenset(called for called in found if called)
+            called_units = {called for path in self._members[unit] for called in self._references(path)}
+            self._called[unit] = (
+                None if None in called_units else frozenset(called for called in called_units if called)
+            )
         return self._called[unit]
 
     def _references(self, path: str) -> Iterator[str | None]:
         text = self.texts[path]
         if path.endswith((".yaml", ".sh", ".py")):
             text = _COMMENT.sub("", text)
-        for found in re.findall(rf"\b(?:{self._folders})/{_REST}", text):
-            yield self._resolved(found)
-        for found in re.findall(rf"{PLACE}(?!/(?:{self._folders})/)({_REST})", text):
-            yield self._resolved(found.strip("/"))
-        for found in _UPWARD.findall(text):
-            yield self._resolved(normpath(f"{dirname(path)}/{found}"))
-        own = [line for line in text.splitlines() if _OWN_PLACE.search(line)]
+        for reference in re.findall(rf"\b(?:{self._folders})/{_REST}", text):
+            yield self._resolved(reference)
+        for reference in re.findall(rf"{PLACE}(?!/(?:{self._folders})/)({_REST})", text):
+            yield self._resolved(reference.strip("/"))
+        for reference in _UPWARD.findall(text):
+            yield self._resolved(normpath(f"{dirname(path)}/{reference}"))
+        lines = [line for line in text.splitlines() if _OWN_PLACE.search(line)]
         # A script has a variable `here` from run.sh, unless its own folder sets another one.
         lent = _HERE.search(text) and not any("here=" in self.texts[other] for other in self._members[_unit(path)])
-        if lent or (own and _CLIMBS.search(text)):
+        if lent or (lines and _CLIMBS.search(text)):
             yield None
         if path.count("/") == 1:  # others share its folder
             others = [other for other in self._beside[dirname(path)] if _names(path, text, other)]
             yield from map(_unit, others)
-            if not all(any(_names(path, line, other) for other in others) for line in own):
+            if not all(any(_names(path, line, other) for other in others) for line in lines):
                 yield None
 
     def _resolved(self, path: str) -> str | None:

@@ -137,8 +137,8 @@ def _targets(image_set: ImageSet) -> Iterator[tuple[str, Target]]:
         for runtime in sorted(
             {rules.only_runs(matrix, image.component) for image in image_set.images if image.os == os}
         ):
-            own = {**arguments, "RUNTIME": "true"} if runtime else arguments
-            yield names.os_target(os, runtime), Target("base", {"os": _system(matrix, os)}, own, platforms)
+            image_arguments = {**arguments, "RUNTIME": "true"} if runtime else arguments
+            yield names.os_target(os, runtime), Target("base", {"os": _system(matrix, os)}, image_arguments, platforms)
     for part in image_set.parts:
         yield from _part(matrix, part)
     for image in image_set.images:
@@ -225,9 +225,9 @@ def tools(matrix: Matrix, image: Image) -> str:
     """The Debian packages that come with a distribution's lowest component: the developers' tools, unless it only runs built
     programs; and further RMW implementations."""
     distribution = matrix.distributions[image.distribution]
-    own = distribution.tools or matrix.operating_systems[distribution.os].tools
+    tools = distribution.tools or matrix.operating_systems[distribution.os].tools
     added = [f"ros-{image.ros_distro}-{rmw.replace('_', '-')}" for rmw in distribution.rmw]
-    return " ".join(added if rules.only_runs(matrix, image.component) else [own, *added])
+    return " ".join(added if rules.only_runs(matrix, image.component) else [tools, *added])
 
 
 def unlocked(image: Image) -> str:
@@ -260,7 +260,7 @@ def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
     distribution = matrix.distributions[image.distribution]
     stack = matrix.stacks[image.stack] if image.stack else None
     kinds = rules.parts(matrix, matrix.carrying(image.framework, *image.addons), stack) if stack else ()
-    found: dict[str, Value] = {
+    labels_of_image: dict[str, Value] = {
         **labels.licensed([matrix.part[name] for name in kinds], LICENCE),
         labels.REVISION: NoInput("variable", "REVISION"),
         f"{labels.OCI}created": NoInput("created", "SOURCE_DATE_EPOCH"),
@@ -281,22 +281,22 @@ def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
         ),
     }
     if runtime := rules.runtime(matrix, image.distribution, image.component):
-        found[labels.RUNTIME] = runtime
+        labels_of_image[labels.RUNTIME] = runtime
     if matrix.source:
-        found[labels.SOURCE] = matrix.source
+        labels_of_image[labels.SOURCE] = matrix.source
     if image.stack:
-        found[f"{labels.PREFIX}stack"] = image.stack
+        labels_of_image[f"{labels.PREFIX}stack"] = image.stack
         kinds = rules.parts(matrix, matrix.carrying(image.framework, *image.addons), matrix.stacks[image.stack])
-        found[labels.PARTS] = " ".join(kinds)
+        labels_of_image[labels.PARTS] = " ".join(kinds)
     if image.addons:
-        found[labels.ADDONS] = " ".join(image.addons)
+        labels_of_image[labels.ADDONS] = " ".join(image.addons)
     if distribution.apt or distribution.archive:
-        found[f"{labels.PREFIX}ros.sync"] = NoInput("sync date", image.distribution)
+        labels_of_image[f"{labels.PREFIX}ros.sync"] = NoInput("sync date", image.distribution)
     if distribution.usual_rmw:
-        found[labels.RMW] = distribution.usual_rmw
+        labels_of_image[labels.RMW] = distribution.usual_rmw
     if distribution.experimental:
-        found[f"{labels.PREFIX}experimental"] = "true"
-    return found
+        labels_of_image[f"{labels.PREFIX}experimental"] = "true"
+    return labels_of_image
 
 
 def _part(matrix: Matrix, part: Part) -> Iterator[tuple[str, Target]]:
@@ -331,11 +331,11 @@ def _part(matrix: Matrix, part: Part) -> Iterator[tuple[str, Target]]:
         for name, kinds in rules.addons(matrix, part.stack).items()
         if part.kind in matrix.addons[name].parts
     }
-    found = labels.of_part(matrix.part[part.kind], part.stack, part.python, brought, taking, adding)
-    found |= labels.about_gpus(gpu)
+    part_labels = labels.of_part(matrix.part[part.kind], part.stack, part.python, brought, taking, adding)
+    part_labels |= labels.about_gpus(gpu)
     yield names.files_target(part.name), Target("part-files", contexts, arguments, part.platforms)
     tags = (f"{PARTS}:{part.name}",)
-    yield part.target, Target("part", contexts, arguments, part.platforms, tags, found)
+    yield part.target, Target("part", contexts, arguments, part.platforms, tags, part_labels)
 
 
 def _expected(image_set: ImageSet, image: Image) -> str:

@@ -44,8 +44,8 @@ def load_one(file: Path, name: str, root: Path = ROOT) -> ImageSet:
     """
     checked = _checked(extends.read(file, root / "matrix.yaml"), root)
     tag = name.rpartition("/")[2] if ":" in name else ""
-    targets = {name, name.removesuffix("-test")}
-    few = [place for place in checked.places if place.target in targets or tag in place.tags]
+    names = {name, name.removesuffix("-test")}
+    few = [place for place in checked.places if place.target in names or tag in place.tags]
     if not few:
         return _locked(checked.expanded(), root)
     targets = {place.target for place in few}.union(*(carriers(checked.matrix, place) for place in few))

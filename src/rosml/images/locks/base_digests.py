@@ -31,8 +31,8 @@ class Pin:
 
     system: str
     image: str
-    old: str
-    new: str
+    before: str
+    after: str
 
 
 @dataclass
@@ -61,21 +61,21 @@ def look(matrix: Matrix, names: Iterable[str], registries: Callable[[str], Regis
         names: the systems to ask about.
         registries: returns the client of a host.
     """
-    found = Pins()
+    pins = Pins()
     systems = {name: matrix.operating_systems[name] for name in names}
 
-    def asked(name: str) -> str | RosmlError:
+    def current_digest(name: str) -> str | RosmlError:
         try:
             return _current(matrix, systems[name], registries)
         except RosmlError as error:
             return error
 
-    for name, answer in zip(systems, side_by_side(asked, systems), strict=True):
+    for name, answer in zip(systems, side_by_side(current_digest, systems), strict=True):
         if isinstance(answer, RosmlError):
-            found.left_out[name] = answer.message
+            pins.left_out[name] = answer.message
         elif answer != systems[name].digest:
-            found.moved.append(Pin(name, systems[name].image, systems[name].digest, answer))
-    return found
+            pins.moved.append(Pin(name, systems[name].image, systems[name].digest, answer))
+    return pins
 
 
 def _current(matrix: Matrix, system: OperatingSystem, registries: Callable[[str], Registry]) -> str:
@@ -94,9 +94,9 @@ def _current(matrix: Matrix, system: OperatingSystem, registries: Callable[[str]
     if not manifest.is_index:
         raise RosmlError(f"{system.image} is for one platform only: its tag points at no index")
     places = [entry.platform for entry in manifest.members if entry.platform]
-    there = {f"{place.os}/{place.architecture}" for place in places}
-    wanted = [matrix.architectures[name].platform for name in system.architectures]
-    if lost := [platform for platform in wanted if platform not in there]:
+    offered = {f"{place.os}/{place.architecture}" for place in places}
+    platforms = [matrix.architectures[name].platform for name in system.architectures]
+    if lost := [platform for platform in platforms if platform not in offered]:
         raise RosmlError(f"{system.image} is not there for {listed(lost)} now")
     bases.configs(registry, where.repository, manifest, system.image, system.architectures)
     return manifest.digest
@@ -114,14 +114,14 @@ def rewritten(text: str, document: Document, pins: Iterable[Pin]) -> str:
         place = document.places[(SECTION, pin.system, "digest")]
         start = sum(map(len, lines[: place.line - 1])) + place.column - 1
         whole = "".join(lines)
-        at = whole.index(pin.old, start)  # the value may stand on the next line
-        lines = (whole[:at] + pin.new + whole[at + len(pin.old) :]).splitlines(keepends=True)
+        at = whole.index(pin.before, start)  # the value may stand on the next line
+        lines = (whole[:at] + pin.after + whole[at + len(pin.before) :]).splitlines(keepends=True)
     return "".join(lines)
 
 
 def rows(moved: Iterable[Pin]) -> list[tuple[str, str, str, str]]:
     """Rows for a table: system, image, and the beginnings of the digests."""
-    return [(pin.system, pin.image, pin.old[:19], pin.new[:19]) for pin in moved]
+    return [(pin.system, pin.image, pin.before[:19], pin.after[:19]) for pin in moved]
 
 
 def reasons(left_out: Mapping[str, str]) -> list[str]:

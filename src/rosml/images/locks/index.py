@@ -90,14 +90,14 @@ class Index:
         text, messages = self.resolve(target, requirements, (), "--no-deps", "--format", "pylock.toml", *other)
         if not text:
             raise RosmlError(f"the index lacks what is locked:\n{messages.strip()}", "run 'rosml locks'")
-        found = dict[str, Wheel]()
+        wheels_by_name = dict[str, Wheel]()
         for package in pylock.read(text):
             for wheel in package.wheels[:1]:
                 if not wheel.url or wheel.size is None:
                     what = f"the index does not say where the wheel of {package.name} is, or how large"
                     raise RosmlError(what, "run it with an index that has the sizes of wheels, such as PyPI")
-                found[package.name] = Wheel(wheel.url, wheel.size)
-        return found
+                wheels_by_name[package.name] = Wheel(wheel.url, wheel.size)
+        return wheels_by_name
 
     @cache  # noqa: B019 - lives as long as a command
     def metadata(self, wheel: Wheel) -> str:

@@ -63,7 +63,7 @@ class Environment:
 
 
 @dataclass(frozen=True, order=True)
-class Found:
+class Resolved:
     """The release that people get of a package.
 
     Attributes:
@@ -85,12 +85,12 @@ class Found:
 
 def environments(image_set: ImageSet) -> list[Environment]:
     """An environment for each stack and Python of images with a lock, with the most parts, the oldest Python first."""
-    found: dict[tuple[str, str], Environment] = {}
+    environments_by_key: dict[tuple[str, str], Environment] = {}
     for image in sorted(image_set.images, key=lambda image: len(image.parts)):
         if image.locked and not image.addons and _slots(image_set, image.framework):
             environment = Environment(image.framework, image.stack or "", image.python, image.architectures[0])
-            found[environment.stack, environment.python] = environment
-    return sorted(found.values(), key=lambda item: (_number(item.python), item.stack))
+            environments_by_key[environment.stack, environment.python] = environment
+    return sorted(environments_by_key.values(), key=lambda item: (_number(item.python), item.stack))
 
 
 def _number(python: str) -> int:
@@ -108,7 +108,7 @@ def look(
     uv: str = "uv",
     stacks: Sequence[str] = (),
     say: Callable[[str], None] = lambda line: None,
-) -> dict[Environment, list[Found]]:
+) -> dict[Environment, list[Resolved]]:
     """The releases that people get in every environment.
 
     Args:
@@ -119,18 +119,18 @@ def look(
     Raises:
         RosmlError: uv is missing, or the index does not answer.
     """
-    wanted = [item for item in environments(image_set) if not stacks or item.stack in stacks]
-    found: dict[Environment, list[Found]] = {}
+    chosen = [item for item in environments(image_set) if not stacks or item.stack in stacks]
+    resolved: dict[Environment, list[Resolved]] = {}
     with web.client(timeout=60) as client:
         index = Index(Uv(uv), client)
         newest = cache(lambda *about: _version(*index.resolve(WheelTarget(*about[:2]), [about[2]]), about[2])[0])
-        for environment in progress_bar.over(wanted, "environments", len(wanted)):
+        for environment in progress_bar.over(chosen, "environments", len(chosen)):
             where = _wheels(image_set, environment)
             lines = constraints(image_set, root, environment, index)
             ask = partial(of_package, index, where, lines, newest=newest)
-            found[environment] = side_by_side(ask, PACKAGES, WORKERS)
-            say(f"[{len(found)} of {len(wanted)}] {words(environment)}")
-    return found
+            resolved[environment] = side_by_side(ask, PACKAGES, WORKERS)
+            say(f"[{len(resolved)} of {len(chosen)}] {words(environment)}")
+    return resolved
 
 
 def words(environment: Environment) -> str:
@@ -145,8 +145,10 @@ def constraints(image_set: ImageSet, root: Path, environment: Environment, index
     """
     system = image_set.matrix.operating_systems[_system(image_set, environment)]
     script = [str(root / "components/base/constraints.sh")]
-    told = {"NUMPY": system.numpy, "SETUPTOOLS": system.provides["setuptools"]}
-    lines = subprocess.run(script, env={**os.environ, **told}, stdout=subprocess.PIPE, text=True, check=True).stdout
+    variables = {"NUMPY": system.numpy, "SETUPTOOLS": system.provides["setuptools"]}
+    lines = subprocess.run(
+        script, env={**os.environ, **variables}, stdout=subprocess.PIPE, text=True, check=True
+    ).stdout
     where = _wheels(image_set, environment)
     for part in _slots(image_set, environment.framework):
         lines += _slot(image_set, root, environment, part, where, index)
@@ -175,16 +177,16 @@ def _slot(
     local = {name for name, version in pins.items() if "+" in version}
     nvidia = {name for name in pins if name.startswith("nvidia-")}  # they only require each other
     wheels = index.wheels(where, {name: pins[name] for name in pins.keys() - local - nvidia}) if pins else {}
-    asked = {name: index.metadata(wheel) for name, wheel in wheels.items()}
+    metadata = {name: index.metadata(wheel) for name, wheel in wheels.items()}
     for name in local:
         requires = image_set.matrix.releases[name][pins[name].partition("+")[0]].requires
-        asked[name] = "".join(f"Requires-Dist: {requirement}\n" for requirement in requires)
+        metadata[name] = "".join(f"Requires-Dist: {requirement}\n" for requirement in requires)
     with tempfile.TemporaryDirectory() as folder:
         site = Path(folder, "site")
         for name, version in pins.items():
             (site / f"{name}-{version}.dist-info").mkdir(parents=True)
-            if name in asked:
-                (site / f"{name}-{version}.dist-info/METADATA").write_text(asked[name], encoding="utf-8")
+            if name in metadata:
+                (site / f"{name}-{version}.dist-info/METADATA").write_text(metadata[name], encoding="utf-8")
         site.mkdir(exist_ok=True)
         lock, shown = Path(folder, "lock.txt"), []
         lock.write_text(text)
@@ -192,10 +194,10 @@ def _slot(
             if image_set.matrix.part[other].any_python and not image_set.matrix.part[other].release:
                 shown.append(Path(folder, f"{other}.txt"))
                 shown[-1].write_text(_lock(root, *place, ANY_PYTHON, other))
-        told = {**os.environ, "OUT": folder, "SITE": "/site", "PART": part, "LOCK": str(lock)}
+        variables = {**os.environ, "OUT": folder, "SITE": "/site", "PART": part, "LOCK": str(lock)}
         for script, *arguments in (["adapt_metadata.py"], ["packages.py", "01", *map(str, shown)]):
             command = [sys.executable, str(root / "components/part" / script), *arguments]
-            subprocess.run(command, env=told, check=True, stdout=subprocess.DEVNULL)
+            subprocess.run(command, env=variables, check=True, stdout=subprocess.DEVNULL)
         return Path(folder, "usr/local/share/rosml/constraints.d/01.txt").read_text(encoding="utf-8")
 
 
@@ -206,54 +208,54 @@ def _lock(root: Path, *place: str) -> str:
 
 def of_package(
     index: Index, where: WheelTarget, constraints: Sequence[str], package: str, newest: Callable[..., str]
-) -> Found:
+) -> Resolved:
     version, extra = _version(*index.resolve(where, [package], constraints), package)
-    found = Found(package, version, newest(*where, package), (), extra, version)
-    if version == found.newest:
-        return found
+    resolved = Resolved(package, version, newest(*where, package), (), extra, version)
+    if version == resolved.newest:
+        return resolved
     name = package_name(package)
     core = [line for line in constraints if re.fullmatch(r"[a-z0-9-]+==[^;]+", line)]
     never = [line for line in constraints if line.startswith(f"{name}>=")]  # older ones cannot work
     beside, _ = _version(*index.resolve(where, [package, *core], never), package)
-    found = replace(found, beside=beside)
-    better = beside if version != beside else found.newest
+    resolved = replace(resolved, beside=beside)
+    better = beside if version != beside else resolved.newest
     if not better:
-        return found
-    text, said = index.resolve(where, [f"{package}=={better}"], constraints)
-    mentioned = set(re.findall(r"[a-z0-9][a-z0-9-]*", said))
+        return resolved
+    text, errors = index.resolve(where, [f"{package}=={better}"], constraints)
+    mentioned = set(re.findall(r"[a-z0-9][a-z0-9-]*", errors))
     held = [line for line in constraints if package_name(line) in mentioned and line not in never]
     # First the package's own constraints, then those of packages with one version, then the rest.
-    own = [line for line in held if package_name(line) == name]
+    lines = [line for line in held if package_name(line) == name]
     pinned = [line for line in held if line in core]
-    return replace(found, held_by=() if text else tuple(sorted(set(own or pinned or held))))
+    return replace(resolved, held_by=() if text else tuple(sorted(set(lines or pinned or held))))
 
 
-def _version(text: str, said: str, package: str) -> tuple[str, bool]:
+def _version(text: str, errors: str, package: str) -> tuple[str, bool]:
     """The resolved version of a package, and whether that release has its extras."""
-    found = versions(re.sub(r"\[[^]]*\]", "", text)).get(package_name(package), "")
-    return found, "does not have an extra named" not in said
+    version = versions(re.sub(r"\[[^]]*\]", "", text)).get(package_name(package), "")
+    return version, "does not have an extra named" not in errors
 
 
-def too_old(found: Mapping[Environment, Sequence[Found]]) -> list[str]:
+def too_old(resolved: Mapping[Environment, Sequence[Resolved]]) -> list[str]:
     """Sentences about packages for which constraints take another release than the packages with one version in the image."""
     return [
         f"{words(environment)}: {item.package} {item.version or 'is refused'}, and {item.beside or 'none'} would go:"
         f" {', '.join(item.held_by) or 'unknown what holds it'}"
-        for environment, items in found.items()
+        for environment, items in resolved.items()
         for item in items
         if item.version != item.beside
     ]
 
 
-def to_json(found: Mapping[Environment, Sequence[Found]]) -> str:
+def to_json(resolved: Mapping[Environment, Sequence[Resolved]]) -> str:
     """The content of `FILE`. The same answers give the same bytes."""
     rows = [
-        {**asdict(environment), "packages": [asdict(item) for item in items]} for environment, items in found.items()
+        {**asdict(environment), "packages": [asdict(item) for item in items]} for environment, items in resolved.items()
     ]
     return json.dumps(rows, indent=1, ensure_ascii=False) + "\n"
 
 
-def render(page: str, found: Mapping[Environment, Sequence[Found]]) -> str:
+def render(page: str, resolved: Mapping[Environment, Sequence[Resolved]]) -> str:
     """The page with an up-to-date table.
 
     Raises:
@@ -263,13 +265,13 @@ def render(page: str, found: Mapping[Environment, Sequence[Found]]) -> str:
     _, end, tail = rest.partition(END)
     if not begin or not end:
         raise RosmlError(f"{PAGE}: the markers {BEGIN.strip()} and {END} are missing", "put them back")
-    return "".join((head, begin, *(f"{line}\n" for line in _table(found)), end, tail))
+    return "".join((head, begin, *(f"{line}\n" for line in _table(resolved)), end, tail))
 
 
-def _table(found: Mapping[Environment, Sequence[Found]]) -> Iterable[str]:
+def _table(resolved: Mapping[Environment, Sequence[Resolved]]) -> Iterable[str]:
     """First the packages that are the newest everywhere, then the releases of others, newest first."""
     rows: dict[str, dict[tuple[str, str], list[Environment]]] = {package: {} for package in PACKAGES}
-    for environment, items in found.items():
+    for environment, items in resolved.items():
         for item in items:
             rows[item.package].setdefault((_release(item), _reason(item)), []).append(environment)
     newest = [package for package, releases in rows.items() if not any(why for _, why in releases)]
@@ -280,16 +282,16 @@ def _table(found: Mapping[Environment, Sequence[Found]]) -> Iterable[str]:
     for package, releases in rows.items():
         if package not in newest:
             for (release, why), places in reversed(releases.items()):
-                yield f"| `{package}` | {release} | {_places(places, list(found))} | {why} |"
+                yield f"| `{package}` | {release} | {_places(places, list(resolved))} | {why} |"
 
 
-def _release(item: Found) -> str:
+def _release(item: Resolved) -> str:
     if not item.version:
         return "refused" if item.newest else "none"
     return item.version if item.extra else f"**{item.version}, without the extra**"
 
 
-def _reason(item: Found) -> str:
+def _reason(item: Resolved) -> str:
     if not item.newest:
         return "no wheel for this Python"
     if item.version == item.newest:

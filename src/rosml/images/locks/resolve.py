@@ -141,7 +141,7 @@ def requests(image_set: ImageSet) -> Iterator[Request]:
             seen.add(key)
             families = [family for family in matrix.families if (*key, family) in held]
             for together in [[family] for family in families] if stack.apart else [families]:
-                wanted = {family: stack.requirement(family, architecture) for family in together}
+                requirements = {family: stack.requirement(family, architecture) for family in together}
                 wheels = {family: _elsewhere(matrix, *key, family) for family in together}
                 releases = {family: matrix.release(part.stack, family) for family in together}
                 yield Request(
@@ -149,7 +149,7 @@ def requests(image_set: ImageSet) -> Iterator[Request]:
                     architecture=architecture,
                     python=part.python,
                     wheels=rules.wheels(matrix, architecture, releases.values()),
-                    roots={family: requirement for family, requirement in wanted.items() if requirement},
+                    roots={family: requirement for family, requirement in requirements.items() if requirement},
                     numpy=system.numpy,
                     constraints=stack.constraints,
                     added=tuple(
@@ -184,7 +184,7 @@ def requests(image_set: ImageSet) -> Iterator[Request]:
                         package_name(requirement): release.index
                         for family, release in releases.items()
                         if release.index
-                        for requirement in (wanted[family], *release.company(part.stack))
+                        for requirement in (requirements[family], *release.company(part.stack))
                         if requirement
                     },
                 )
@@ -247,10 +247,10 @@ class Uv:
                 raise RosmlError(f"'{self.command}' is not installed", "run 'rosml setup', which installs it") from None
             self._running.add(process)
         with process:
-            _, said = process.communicate()
+            _, errors = process.communicate()
         with self._lock:
             self._running.discard(process)
-        return process.returncode, said
+        return process.returncode, errors
 
     def end(self) -> None:
         """Ends all calls, and starts no more: uv waits minutes for an index that does not answer."""
@@ -274,17 +274,17 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
         RosmlError: uv is missing, an index does not answer, or the requirements contradict each other.
     """
     if request.asks_pytorch:
-        wanted = [request.elsewhere[family].requirement if family in request.elsewhere else requirement
+        requirements = [request.elsewhere[family].requirement if family in request.elsewhere else requirement
                   for family, requirement in request.roots.items()]  # fmt: skip
     else:  # we know the wheel on that index by its digest; all others are on the usual index
-        wanted = []
+        requirements = []
         for family, requirement in request.roots.items():
-            wanted += request.elsewhere[family].requires if family in request.elsewhere else [requirement]
-    wanted += [requirement for family in request.roots for requirement in request.beside.get(family, ())]
+            requirements += request.elsewhere[family].requires if family in request.elsewhere else [requirement]
+    requirements += [requirement for family in request.roots for requirement in request.beside.get(family, ())]
     with tempfile.TemporaryDirectory() as folder:
         base = Path(folder)
-        apart = [requirement for requirement in wanted if package_name(requirement) in request.indexes]
-        usual = [requirement for requirement in wanted if requirement not in apart]
+        apart = [requirement for requirement in requirements if package_name(requirement) in request.indexes]
+        usual = [requirement for requirement in requirements if requirement not in apart]
         (base / "in.txt").write_text("\n".join([*usual, *request.added, f"numpy{request.numpy}"]) + "\n")
         # The system's packages are constraints, not overrides: a release that asks for more would not work there, unless
         # matrix.yaml says that it does (adapted).
@@ -316,15 +316,15 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
             command += ["--override", "overrides.txt"]
         for name in sorted(request.provided):
             command += ["--no-emit-package", name]
-        status, said = uv(command, base)
-        if status != 0 and request.asks_pytorch and _no_answer(said):
-            raise Unreachable(said)
+        status, errors = uv(command, base)
+        if status != 0 and request.asks_pytorch and _no_answer(errors):
+            raise Unreachable(errors)
         if status < 0:
             raise RosmlError(f"uv was ended by signal {-status} while it resolved {request}", "run it again")
         if status != 0:
             raise RosmlError(
-                f"{request} does not resolve:\n{said.strip()}",
-                remedy=_remedy(request.indexes, said),
+                f"{request} does not resolve:\n{errors.strip()}",
+                remedy=_remedy(request.indexes, errors),
             )
         pins = parse(output.read_text(errors="replace") if output.exists() else "")
     return pins if request.asks_pytorch else _with_known_wheels(request, pins)
@@ -332,21 +332,21 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
 
 def _from_indexes(requirements: Sequence[str], indexes: Mapping[str, str]) -> str:
     """A project's file, by which uv asks one index alone for each of these packages, and that index for nothing else."""
-    known = list(dict.fromkeys(indexes.values()))
+    addresses = list(dict.fromkeys(indexes.values()))
     lines = ["[project]", 'name = "matrix"', 'version = "0"', f"dependencies = {json.dumps(list(requirements))}"]
-    lines += ["[tool.uv.sources]", *(f'{name} = {{index = "i{known.index(at)}"}}' for name, at in indexes.items())]
-    for number, address in enumerate(known):
+    lines += ["[tool.uv.sources]", *(f'{name} = {{index = "i{addresses.index(at)}"}}' for name, at in indexes.items())]
+    for number, address in enumerate(addresses):
         lines += ["[[tool.uv.index]]", f'name = "i{number}"', f"url = {json.dumps(address)}", "explicit = true"]
     return "\n".join(lines) + "\n"
 
 
-def _remedy(indexes: Mapping[str, str], said: str) -> str:
+def _remedy(indexes: Mapping[str, str], errors: str) -> str:
     """What to do, if uv found no solution: what matters first is whether another index has what is taken from it."""
     for name, address in indexes.items():
         if (
-            f"{name} was not found" in said
-            or f"no version of {name}=" in said
-            or re.search(rf"{name}==\S+ has no", said)
+            f"{name} was not found" in errors
+            or f"no version of {name}=" in errors
+            or re.search(rf"{name}==\S+ has no", errors)
         ):
             return f"put the wheel of {name} on {address}; a source package in its place is not enough"
     return "relax the stack's versions or constraints in matrix.yaml, or check that the index answers"
@@ -405,23 +405,23 @@ def parse(requirements: str) -> list[Pin]:
     pins: list[Pin] = []
     name = version = ""
     hashes: list[str] = []
-    wanted: list[str] = []
+    requirers: list[str] = []
 
     def finish() -> None:
         if name:
-            pins.append(Pin(name, version, tuple(sorted(hashes)), frozenset(wanted)))
+            pins.append(Pin(name, version, tuple(sorted(hashes)), frozenset(requirers)))
 
     for line in requirements.splitlines():
         text = line.strip().rstrip("\\").strip()
         if match := _PIN.match(line):
             finish()
-            name, version, hashes, wanted = match["name"], match["version"], [], []
+            name, version, hashes, requirers = match["name"], match["version"], [], []
         elif text.startswith("--hash="):
             hashes.append(text.removeprefix("--hash="))
         elif text.startswith("#") and name:
             parent = re.sub(r"^#\s*(via(\s+|$))?", "", text)
             if parent and not parent.startswith("-"):
-                wanted.append(parent)
+                requirers.append(parent)
     finish()
     return pins
 
@@ -455,14 +455,14 @@ def split(
         parts: the parts of the matrix.
         beside: the requirements of the packages that go with each release.
     """
-    wanted = {family: [requirement, *(beside or {}).get(family, ())] for family, requirement in roots.items()}
+    families = {family: [requirement, *(beside or {}).get(family, ())] for family, requirement in roots.items()}
     needs = {
         family: frozenset[str]().union(*(closure(package_name(requirement), pins) for requirement in requirements))
-        for family, requirements in wanted.items()
+        for family, requirements in families.items()
     }
     shared = closure("numpy", pins)
     common = shared_part(parts)
-    found: dict[str, list[Pin]] = {part.name: [] for part in parts}
+    pins_by_part: dict[str, list[Pin]] = {part.name: [] for part in parts}
     for pin in pins:
         owners = [framework for framework, names in needs.items() if pin.name in names]
         takers = [part.name for part in parts if pin.name in part.takes]
@@ -471,8 +471,8 @@ def split(
             takers = [common] if pin.name in shared or len(owners) != 1 else owners
         takers += [part.name for part in parts if part.release in (None, *takers) and _among(pin, part.repeats)]
         for name in takers:
-            found[name].append(pin)
-    return {part: sorted(content, key=lambda pin: pin.name) for part, content in found.items() if content}
+            pins_by_part[name].append(pin)
+    return {part: sorted(content, key=lambda pin: pin.name) for part, content in pins_by_part.items() if content}
 
 
 def shared_part(parts: Sequence[PartEntry]) -> str:
@@ -530,13 +530,13 @@ def lock(
     Raises:
         RosmlError: something does not resolve, or two Python versions of a stack need different versions of a common part.
     """
-    wanted = [request for request in requests(image_set) if not stacks or request.stack in stacks]
+    chosen = [request for request in requests(image_set) if not stacks or request.stack in stacks]
     run = Uv(uv)
     with ThreadPoolExecutor(WORKERS) as pool:  # mostly waits for the indexes
-        futures = [pool.submit(_outcome, request, root, run, upgrade) for request in wanted]
+        futures = [pool.submit(_outcome, request, root, run, upgrade) for request in chosen]
         try:
             for number, future in enumerate(progress_bar.over(as_completed(futures), "locks", len(futures)), 1):
-                say(f"[{number} of {len(wanted)}] {future.result().request}: resolved")
+                say(f"[{number} of {len(chosen)}] {future.result().request}: resolved")
         except BaseException:  # also Ctrl-C: do not wait for the others
             pool.shutdown(wait=False, cancel_futures=True)
             run.end()
@@ -584,11 +584,11 @@ def _outcome(request: Request, root: Path, uv: Uv, upgrade: bool) -> _Outcome:
     except Unreachable as error:
         if all(_path(request, part) in earlier for part in (shared_part(request.parts), *request.roots)):
             return _Outcome(request, kept=earlier, left_out={str(request): error.message})
-        away = {family: wanted for family, wanted in request.roots.items() if family in request.elsewhere}
-        own = [_path(request, part.name) for part in request.parts if part.release in away]
-        kept = {path: earlier[path] for path in own if path in earlier}
+        away = {family: requirement for family, requirement in request.roots.items() if family in request.elsewhere}
+        paths = [_path(request, part.name) for part in request.parts if part.release in away]
+        kept = {path: earlier[path] for path in paths if path in earlier}
         left_out = {str(replace(request, roots=away)): error.message}
-        here = {family: wanted for family, wanted in request.roots.items() if family not in away}
+        here = {family: requirement for family, requirement in request.roots.items() if family not in away}
         request = replace(request, roots=here, elsewhere={})
         # What was resolved with a lock that stays has to go with it.
         pins = resolve(request, uv, upgrade and not kept, previous) if here else []
@@ -612,14 +612,14 @@ def _python(request: Request, part: str) -> str:
     return ANY_PYTHON if any(item.name == part and item.any_python for item in request.parts) else request.python
 
 
-def _merge(path: str, known: dict[str, Pin], found: list[Pin]) -> None:
+def _merge(path: str, pins: dict[str, Pin], new_pins: list[Pin]) -> None:
     """Merges the pins of two resolutions for a common part: CUDA for all Pythons, numpy if frameworks are resolved apart.
 
     Raises:
         RosmlError: they need different versions of a package.
     """
-    for pin in found:
-        other = known.setdefault(pin.name, pin)
+    for pin in new_pins:
+        other = pins.setdefault(pin.name, pin)
         if (other.version, other.hashes) != (pin.version, pin.hashes):
             raise RosmlError(
                 f"{path}: {pin.name} would be {other.version} and {pin.version}, depending on the package that asks",
@@ -659,15 +659,15 @@ class Move(NamedTuple):
 
     stack: str
     package: str
-    old: str
-    new: str
+    before: str
+    after: str
 
 
-def moves(old: Mapping[str, str], new: Mapping[str, str]) -> Counter[Move]:
+def moves(earlier: Mapping[str, str], later: Mapping[str, str]) -> Counter[Move]:
     """The moves between texts of locks, by path, each with the number of locks."""
     counted: Counter[Move] = Counter()
-    for path, text in new.items():
-        before, after = versions(old.get(path, "")), versions(text)
+    for path, text in later.items():
+        before, after = versions(earlier.get(path, "")), versions(text)
         for name in before.keys() | after.keys():
             if before.get(name) != after.get(name):
                 counted[Move(path.split("/")[1], name, before.get(name, ""), after.get(name, ""))] += 1

@@ -64,13 +64,13 @@ def look(
     Raises:
         RosmlError: uv is missing, or the index does not answer.
     """
-    wanted: dict[tuple[str, str, tuple[str, ...]], Request] = {}
+    chosen: dict[tuple[str, str, tuple[str, ...]], Request] = {}
     for item in requests(image_set):
         if not item.ros and not item.elsewhere and (not stacks or item.stack in stacks):
-            wanted.setdefault((item.stack, item.python, tuple(item.roots)), item)
+            chosen.setdefault((item.stack, item.python, tuple(item.roots)), item)
     run = Uv(uv)
     with ThreadPoolExecutor(WORKERS) as pool:
-        futures = {pool.submit(lambda item: list(_of(image_set, item, run)), item): item for item in wanted.values()}
+        futures = {pool.submit(lambda item: list(_of(image_set, item, run)), item): item for item in chosen.values()}
         try:
             for number, future in enumerate(progress_bar.over(as_completed(futures), "stacks", len(futures)), 1):
                 say(f"[{number} of {len(futures)}] {futures[future]}: {counted(len(future.result()), 'newer release')}")
@@ -78,13 +78,13 @@ def look(
             pool.shutdown(wait=False, cancel_futures=True)
             run.end()
             raise
-    return _merged(found for future in futures for found in future.result())
+    return _merged(newer for future in futures for newer in future.result())
 
 
-def _merged(found: Iterable[Newer]) -> list[Newer]:
+def _merged(newer: Iterable[Newer]) -> list[Newer]:
     """The releases with equal ones of several Pythons merged."""
     pythons: dict[Newer, list[str]] = {}
-    for item in found:
+    for item in newer:
         pythons.setdefault(replace(item, pythons=()), []).extend(item.pythons)
     return sorted(
         replace(item, pythons=tuple(sorted(versions, key=lambda version: [int(part) for part in version.split(".")])))
@@ -93,10 +93,10 @@ def _merged(found: Iterable[Newer]) -> list[Newer]:
 
 
 def _of(image_set: ImageSet, request: Request, uv: Uv) -> Iterator[Newer]:
-    named = {family: [root, *request.beside.get(family, ())] for family, root in request.roots.items()}
-    packages = [package_name(requirement) for requirements in named.values() for requirement in requirements]
+    families = {family: [root, *request.beside.get(family, ())] for family, root in request.roots.items()}
+    packages = [package_name(requirement) for requirements in families.values() for requirement in requirements]
     newest = _newest(request, packages, uv)
-    for family, requirements in named.items():
+    for family, requirements in families.items():
         for requirement in requirements:
             name, ours = package_name(requirement), requirement.partition("==")[2]
             version, since = newest.get(name, (ours, ""))
@@ -113,14 +113,14 @@ def _newest(request: Request, packages: Iterable[str], uv: Uv) -> Mapping[str, t
         base = Path(folder)
         (base / "in.txt").write_text("\n".join(packages) + "\n")
         command = [*compile_command(request.python, request.wheels), "--no-deps", "--format", "pylock.toml"]
-        status, said = uv([*command, "in.txt", "--output-file", "pylock.toml"], base)
+        status, errors = uv([*command, "in.txt", "--output-file", "pylock.toml"], base)
         if status != 0:
             raise RosmlError(
-                f"{request}: the newest releases are unknown:\n{said.strip()}", "check that the index answers"
+                f"{request}: the newest releases are unknown:\n{errors.strip()}", "check that the index answers"
             )
         written = base / "pylock.toml"
-        found = pylock.read(written.read_text(encoding="utf-8", errors="replace") if written.is_file() else "")
-        return {item.name: (item.version.partition("+")[0], _day(item)) for item in found}
+        locked = pylock.read(written.read_text(encoding="utf-8", errors="replace") if written.is_file() else "")
+        return {item.name: (item.version.partition("+")[0], _day(item)) for item in locked}
 
 
 def _day(package: pylock.Package) -> str:
@@ -134,10 +134,10 @@ def _with(image_set: ImageSet, request: Request, family: str, requirement: str, 
     that release in the matrix count."""
     newer = f"{requirement.partition('==')[0]}=={version}"
     if requirement == request.roots[family]:
-        known = image_set.matrix.releases[family].get(version)
+        release = image_set.matrix.releases[family].get(version)
         overrides = {
             *request.overrides,
-            *(f"{name}{bound}" for name, bound in (known.adapted if known else {}).items()),
+            *(f"{name}{bound}" for name, bound in (release.adapted if release else {}).items()),
         }
         roots = {**request.roots, family: newer}
         alone = {**request.beside, family: ()}
@@ -154,21 +154,21 @@ def _held(request: Request, uv: Uv) -> str:
         lines = [re.sub(r"^\W+", "", line).strip() for line in error.message.splitlines()[1:]]
         if "would carry" in error.message:
             return "another CUDA: " + ", ".join(lines[:2]) + (", …" if len(lines) > 2 else "")
-        said = " ".join(line for line in lines if line)
-        because = said.partition("Because ")[2].partition(" And because ")[0]
-        return re.sub(r"\{[^}]*\}", "", because) or said
+        text = " ".join(line for line in lines if line)
+        because = text.partition("Because ")[2].partition(" And because ")[0]
+        return re.sub(r"\{[^}]*\}", "", because) or text
     return ""
 
 
 def _having(image_set: ImageSet, stack: str, family: str, package: str, version: str) -> tuple[str, ...]:
     """Other stacks of the same accelerator that have a version."""
     matrix = image_set.matrix
-    found = []
+    having = []
     for name, facts in matrix.stacks.items():
         if name == stack or facts.accelerator != matrix.stacks[stack].accelerator or family not in facts.releases:
             continue
         release = matrix.releases[family][facts.releases[family]]
         versions = {**release.company(name), family: facts.releases[family]}
         if versions.get(package) == version:
-            found.append(name)
-    return tuple(found)
+            having.append(name)
+    return tuple(having)
