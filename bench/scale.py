@@ -11,7 +11,7 @@ from bench.scale_facts import fact
 from bench.scale_night import MOVED, WAYS, Load, Night, scaled
 from rosml.images.builds import disk
 from rosml.images.image_set.model import ImageSet
-from rosml.registry import client
+from rosml.registry import transport
 
 Knob = tuple[str, Callable[[Load], Load]]
 """A setting of the project, and what it makes of a night."""
@@ -51,7 +51,7 @@ LIMITS = (
         lambda night: night.phases["apps"] / 60 / night.load.app_minutes,
     ),
     Limit("requests that the registry refuses for good", (REGISTRY,), lambda night: 1 + night.failed),
-    Limit("pages of a list of tags", (PRUNE,), lambda night: night.tags / fact("tags on a page") / client.PAGES),
+    Limit("pages of a list of tags", (PRUNE,), lambda night: night.tags / fact("tags on a page") / transport.PAGES),
 )
 """A night that takes more than 1 of one of them breaks it. They are those of the workflows, the client and the registry."""
 

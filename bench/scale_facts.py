@@ -44,7 +44,7 @@ FACTS = {
     "seconds of a request": Fact(0.1, "src/rosml/base/side_by_side.py", "one far away in a tenth of a second"),
     "writes a minute": Fact(2000, "https://github.com/chainguard-images/images/issues/173", "allowed: 2000/minute"),
     "reads a minute": Fact(44_000, "https://github.com/falcosecurity/plugins/issues/1069", "allowed: 44000/minute"),
-    "tags on a page": Fact(100, "src/rosml/registry/client.py", "Registries give 100 to 1,000 tags on each page"),
+    "tags on a page": Fact(100, "src/rosml/registry/transport.py", "Registries give 100 to 1,000 tags on each page"),
     "minutes of a shard": Fact(300, ".github/workflows/nightly.yml", "--minutes 300"),
     "minutes of promote": Fact(120, ".github/workflows/nightly.yml", "timeout-minutes: 120"),
     "minutes of rebase": Fact(60, "docs/rebase.md", "timeout-minutes: 60"),

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import contextlib
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import httpx
 from pydantic import ValidationError
 
 from rosml.base import untrusted, web
+from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of, listed
 from rosml.base.shapes import Shape
 from rosml.registry.documents import Errors
+from rosml.registry.failures import without_query
 
 JSON_BYTES = 4 << 20
 """Largest manifest, page of a list or other answer in JSON. Registries take manifests of at most this size."""
@@ -87,3 +92,30 @@ def _errors(answer: Answer) -> Errors:
         return Errors.model_validate(untrusted.json_object(answer.content, web.EXCERPT) or {})
     except ValidationError:
         return Errors(errors=[])
+
+
+def json_object(host: str, answer: Answer) -> dict[str, Any]:
+    """The JSON object of an answer."""
+    try:
+        content = untrusted.json_value(answer.content)
+    except ValueError as error:
+        content, why = None, str(error)
+    else:
+        why = "it is another value"
+    if not isinstance(content, dict):
+        raise RosmlError(
+            f"{host}: the answer to GET {without_query(answer.url)} is no JSON object, so no registry gave it: {why}",
+            "check the address, and HTTPS_PROXY: a proxy may answer instead, for example with a sign-in page",
+        )
+    return content
+
+
+@contextlib.contextmanager
+def well_formed(host: str, answer: Answer) -> Iterator[None]:
+    """Turns the validation error of an answer into a RosmlError."""
+    try:
+        yield
+    except ValidationError as error:
+        text = f"{host} does not answer as a registry: GET {answer.url.path}: {first_of(error)}"
+        remedy = "check its name and the proxies (HTTPS_PROXY); if they are right, push the damaged content again"
+        raise RosmlError(text, remedy) from None

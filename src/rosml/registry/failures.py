@@ -108,7 +108,7 @@ def pause(error: Transient, attempt: int, reached: bool = True) -> float | None:
 
 
 @contextlib.contextmanager
-def transport(method: str, address: httpx.URL) -> Iterator[None]:
+def http_errors(method: str, address: httpx.URL) -> Iterator[None]:
     """Turns httpx's errors into our own.
 
     Raises:
@@ -132,9 +132,9 @@ def transport(method: str, address: httpx.URL) -> Iterator[None]:
 def unfit(method: str, address: httpx.URL, why: str) -> RosmlError:
     """The error if an answer does not come from a registry."""
     remedy = "check the address, and the configuration of the registry and its proxy (HTTPS_PROXY)"
-    return RosmlError(f"{method} {named(address)}: {why}", remedy)
+    return RosmlError(f"{method} {without_query(address)}: {why}", remedy)
 
 
-def named(address: httpx.URL) -> str:
+def without_query(address: httpx.URL) -> str:
     """An address for messages, without user and query."""
     return f"{address.host}{f':{address.port}' if address.port else ''}{address.path}"

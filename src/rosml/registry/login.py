@@ -23,7 +23,7 @@ from rosml.registry.answers import Answer
 from rosml.registry.challenge import Challenge
 from rosml.registry.credentials import Credentials
 from rosml.registry.documents import Token
-from rosml.registry.failures import Denied, Transient, transport
+from rosml.registry.failures import Denied, Transient, http_errors
 
 TOKEN_BYTES = 256 << 10
 """Largest answer of a token server. A token has some thousand characters."""
@@ -44,7 +44,7 @@ class Login:
 
     Attributes:
         host: the registry, as in references.
-        known: the credentials; None until the registry asks for them, or if there are none.
+        credentials: None; None until the registry asks for them, or if there are none.
     """
 
     def __init__(
@@ -58,7 +58,7 @@ class Login:
             find: gives the credentials of a host; it is called once, when the registry asks for them.
         """
         self.host = host
-        self.known: Credentials | None = None
+        self.credentials: Credentials | None = None
         self._base, self._client, self._find = base, client, find
         self._asked = False
         self._challenge: Challenge | None = None
@@ -98,11 +98,14 @@ class Login:
             return header
         with self._turn(frozenset()):  # one thread runs the program that keeps passwords
             if not self._asked:
-                self.known, self._asked = self._find(self.host), True
+                self.credentials, self._asked = self._find(self.host), True
         if not wanted.bearer:
-            if self.known is None:
+            if self.credentials is None:
                 raise self.denied("log in", "it asks for a user's name and a password")
-            return "Basic " + base64.b64encode(f"{self.known.username}:{self.known.password}".encode()).decode()
+            return (
+                "Basic "
+                + base64.b64encode(f"{self.credentials.username}:{self.credentials.password}".encode()).decode()
+            )
         with self._turn(scopes):  # one thread asks for all threads that need the same token
             if header := self._kept(scopes, refused):
                 return header
@@ -129,7 +132,7 @@ class Login:
             what: the denied action.
             said: what the registry said.
         """
-        known = "with the account that is logged in" if self.known else "without an account"
+        known = "with the account that is logged in" if self.credentials else "without an account"
         remedy = f"docker login {self.host}, with an account that has access; or check that the repository exists"
         return RosmlError(f"{self.host}: access denied: cannot {what} {known} ({said})", remedy)
 
@@ -140,7 +143,7 @@ class Login:
             seconds: how long it asks to wait; 0 if it does not say.
         """
         wait = f"wait {duration(seconds)}, as it asks" if seconds > 0 else "wait some minutes"
-        more = "" if self.known else f", or log in, since accounts may ask more often: docker login {self.host}"
+        more = "" if self.credentials else f", or log in, since accounts may ask more often: docker login {self.host}"
         return f"{wait}{more}; then run it again, what is finished is kept"
 
     def _turn(self, scopes: frozenset[str]) -> threading.Lock:
@@ -178,9 +181,9 @@ class Login:
 
     def _token(self, wanted: Challenge, scopes: frozenset[str]) -> tuple[str, float]:
         """A Bearer token for some scopes, and how many seconds it is valid."""
-        realm, known = self._realm(wanted), self.known
+        realm, known = self._realm(wanted), self.credentials
         fields = {"service": wanted.service} if wanted.service else {}
-        with transport("asking for a token at", realm):
+        with http_errors("asking for a token at", realm):
             if known and known.identity_token:
                 grant = {"grant_type": "refresh_token", "refresh_token": known.identity_token, "client_id": "rosml"}
                 data = {**fields, **grant, "scope": " ".join(sorted(scopes))}

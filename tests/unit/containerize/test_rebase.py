@@ -37,7 +37,9 @@ from rosml.containerize.lock import Image, Lock
 from rosml.containerize.rebase import compatibility, image, variants
 from rosml.images.join import facts, file_lists
 from rosml.images.scan import sbom
+from rosml.registry.answers import Answer
 from rosml.registry.client import Registry
+from rosml.registry.transport import Call
 from tests.e2e.parts import ros
 
 
@@ -416,13 +418,14 @@ class Dying(Registry):
     def __init__(self, host: str, writes: int) -> None:
         super().__init__(host)
         self.writes = writes
+        self._ask, self.transport.ask = self.transport.ask, self.ask  # type: ignore[method-assign]
 
-    def _ask(self, method: str, *arguments: Any, **more: Any) -> Any:
-        if method in ("PUT", "POST"):
+    def ask(self, call: Call) -> Answer:
+        if call.method in ("PUT", "POST"):
             self.writes -= 1
             if self.writes < 0:
                 raise KeyboardInterrupt
-        return super()._ask(method, *arguments, **more)
+        return self._ask(call)
 
 
 # ---- Variants --------------------------------------------------------------------------------------------------------

@@ -97,8 +97,8 @@ def test_lists_of_many_parts_hide_no_file(place: Place) -> None:
         place.registry.put_blob("rosml/ros", data)
     more = [oci.descriptor(file_lists.MEDIA_TYPE, data) for data in texts[1:]]
     image = place.image("rosml/ros", "core")
-    place.registry.attach(
-        "rosml/ros", image.descriptor, file_lists.ARTIFACT, texts[0], file_lists.MEDIA_TYPE, more=more
+    place.registry.attach_with_layers(
+        "rosml/ros", image.descriptor, file_lists.ARTIFACT, texts[0], file_lists.MEDIA_TYPE, more
     )
     files = file_lists.Lists().of(place.registry, "rosml/ros", image.digest)
     assert files and {f"file-{number}" for number in range(7)} <= files.entries

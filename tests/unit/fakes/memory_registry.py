@@ -189,7 +189,6 @@ class MemoryRegistry(Registry):
         part: bytes,
         media_type: str,
         annotations: Mapping[str, str] | None = None,
-        more: Sequence[Mapping[str, Any]] = (),
     ) -> str:
         if "attach" in self.refuses:
             raise RosmlError("the registry refuses to attach", "ask who runs it")
@@ -198,7 +197,7 @@ class MemoryRegistry(Registry):
             "schemaVersion": 2,
             "mediaType": IMAGE,
             "artifactType": artifact_type,
-            "layers": [layer, *map(dict, more)],
+            "layers": [layer],
             "annotations": dict(annotations or {}),
             "subject": dict(subject),
         }

@@ -183,5 +183,5 @@ def test_what_cannot_be_read_stops_its_own_host_alone(
 
 def test_a_registry_of_this_machine_speaks_tls_where_there_are_certificates(docker: Path) -> None:
     put(docker, "127.0.0.1:5001", trustme.CA())
-    assert Registry("127.0.0.1:5001").base.scheme == "https"
-    assert Registry("127.0.0.1:5002").base.scheme == "http"
+    assert Registry("127.0.0.1:5001").transport.base.scheme == "https"
+    assert Registry("127.0.0.1:5002").transport.base.scheme == "http"

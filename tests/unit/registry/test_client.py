@@ -93,8 +93,8 @@ def test_what_is_no_reference(text: str) -> None:
 @pytest.mark.parametrize(("host", "scheme"), [("127.0.0.1:1", "http"), ("localhost", "http"), ("[::1]:1", "http"),
                                               ("ghcr.io", "https"), ("127.example.org:5000", "https")])  # fmt: skip
 def test_plain_http_is_for_this_machine(host: str, scheme: str) -> None:
-    assert Registry(host).base.scheme == scheme
-    assert Registry(host, plain=scheme == "https").base.scheme != scheme
+    assert Registry(host).transport.base.scheme == scheme
+    assert Registry(host, plain=scheme == "https").transport.base.scheme != scheme
 
 
 # ---- What it does ----------------------------------------------------------------------------------------------------

@@ -31,9 +31,10 @@ from rosml.images.join import file_lists
 from rosml.machine.services import Services
 from rosml.machine.setup import network
 from rosml.registry import credentials, failures, oci
-from rosml.registry.client import PAGES, Registry
+from rosml.registry.client import Registry
 from rosml.registry.credentials import Credentials
 from rosml.registry.documents import Descriptor
+from rosml.registry.transport import PAGES
 
 SECONDS = 1.0
 BYTES = 100 << 20
