@@ -267,7 +267,7 @@ class Bytes(Maker):
         labels = {"org.opencontainers.image.title": title(thing), **self.odd.get((thing.target, architecture), {})}
         name = put_image(self.registry, f"{PREFIX}/{repository_of(thing)}", architecture, labels, layers)
         if step == "build":  # buildx sends it, and not the run's client
-            self.registry.uploaded = sent
+            getattr(self.registry, "transport", self.registry).uploaded = sent
         return name
 
     def _sbom(self, thing: Image | Part, digest: str) -> str:
@@ -277,7 +277,7 @@ class Bytes(Maker):
         document = sbom_of(f"{HOST}/{path}@{digest}", names, system)
         descriptor = self.registry.manifest(path, digest).descriptor
         made: str = self.registry.attach(path, descriptor, sbom.MEDIA_TYPE, document, sbom.MEDIA_TYPE, sbom.FORMAT)
-        self.registry.uploaded = sent
+        getattr(self.registry, "transport", self.registry).uploaded = sent
         return made
 
     def _layers(self, parts: Mapping[str, str], architecture: str) -> list[bytes]:
